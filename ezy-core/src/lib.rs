@@ -1,0 +1,5 @@
+//! Constrained planar multibody dynamics.
+
+pub mod model;
+
+pub use ezy_derive::model;

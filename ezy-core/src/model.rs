@@ -1,0 +1,346 @@
+//! What a generated scene implements. No solver type appears here.
+//!
+//! Signs, symbols and units: `docs/notation.md`. A scene is immutable while it runs: its parameters are
+//! fields, everything that depends on parameters alone is computed once into a vector of *constants*
+//! ([`Scene::constants`]), and every kernel reads that vector instead of the fields.
+//!
+//! Shapes: `n_q` coordinates, `n_h` position rows, `n_c` rows in all (position rows first), `n_e` effects,
+//! `n_p` points. Kernels panic when a slice has another length; the layers above always pass the right ones.
+
+/// The three renderings of one expression, all printed from the expression that is compiled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Formula {
+    /// Plain text, in the names of the model file: `seat.x + b*cos(seat.phi)`.
+    pub text: &'static str,
+    /// LaTeX, without delimiters.
+    pub latex: &'static str,
+    /// MathML, one `<mrow>` element.
+    pub mathml: &'static str,
+}
+
+/// A coordinate and its velocity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CoordinateInfo {
+    /// `body.x`, `body.y` or `body.phi`.
+    pub name: &'static str,
+    /// `body.vx`, `body.vy` or `body.omega`.
+    pub velocity_name: &'static str,
+    /// Unit of the coordinate: `m` or `rad`.
+    pub unit: &'static str,
+    /// How the coordinate is printed in equations.
+    pub symbol: Formula,
+    /// How its velocity is printed in equations.
+    pub velocity_symbol: Formula,
+}
+
+/// A constraint row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowInfo {
+    /// `B.x`, `rear`, …
+    pub name: &'static str,
+    /// The word that declared it: `hinge`, `skate`, …
+    pub kind: &'static str,
+    /// Unit of the row's multiplier: `N` or `N*m`.
+    pub multiplier_unit: &'static str,
+    /// Position rows: C, with C = 0. Velocity rows: S v + s_t, with S v + s_t = 0.
+    pub constraint: Formula,
+    /// h of a position row, s of a velocity row.
+    pub convective_term: Formula,
+}
+
+/// A parameter of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParameterInfo {
+    /// Name in the model file and of the field.
+    pub name: &'static str,
+    /// Unit as written, empty when none was declared.
+    pub unit: &'static str,
+    /// Declared value.
+    pub default: f64,
+    /// Declared value as written.
+    pub default_text: &'static str,
+    /// Doc comment of the declaration.
+    pub documentation: &'static str,
+    /// The effect that declares it; `None` when the model itself does.
+    pub effect: Option<&'static str>,
+    /// How it is printed in equations.
+    pub symbol: Formula,
+}
+
+/// A named point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PointInfo {
+    /// Name in the model file; a hinge is a point too.
+    pub name: &'static str,
+    /// Index of the body that carries it; `None` for the ground.
+    pub body: Option<usize>,
+}
+
+/// An effect that the scene calls for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct EffectInfo {
+    /// Name in the model file.
+    pub name: &'static str,
+    /// Doc comment of the declaration.
+    pub documentation: &'static str,
+}
+
+/// Non-zero pattern of a matrix by rows: the columns of row `i` are `columns[starts[i]..starts[i + 1]]`, ascending.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SparsityPattern {
+    /// `n_rows + 1` offsets into `columns`.
+    pub starts: &'static [usize],
+    /// Column of each stored entry.
+    pub columns: &'static [usize],
+}
+
+impl SparsityPattern {
+    /// Number of rows.
+    pub fn n_rows(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Number of stored entries.
+    pub fn n_nonzeros(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// The stored entries in order, as (index of the value, row, column).
+    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
+        (0..self.n_rows()).flat_map(move |i| (self.starts[i]..self.starts[i + 1]).map(move |k| (k, i, self.columns[k])))
+    }
+}
+
+/// Operations of one evaluation of a kernel, as emitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Operations {
+    /// Additions, subtractions and sign changes.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Sine–cosine pairs (a lone sine or cosine counts as one).
+    pub trig: usize,
+    /// Calls of other functions.
+    pub calls: usize,
+}
+
+impl Operations {
+    /// `add + mul + div`: trigonometry and other calls are counted apart.
+    pub const fn arithmetic(&self) -> usize {
+        self.add + self.mul + self.div
+    }
+}
+
+/// One step of the generated elimination.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct EliminationStep {
+    /// The rows that are eliminated together (indices into [`SceneInfo::rows`]).
+    pub rows: &'static [usize],
+    /// Whether the pivot depends on parameters alone, so that it is computed once.
+    pub constant_pivot: bool,
+}
+
+/// Everything about a scene that is known when it is compiled.
+#[derive(Debug, Clone, Copy)]
+pub struct SceneInfo {
+    /// Name of the model type, as written: `EzyRoller`.
+    pub model: &'static str,
+    /// Name of the scene, as written: `driven`.
+    pub name: &'static str,
+    /// Doc comment of the scene.
+    pub documentation: &'static str,
+    /// Bodies in declared order; body `i` has the coordinates `3 i`, `3 i + 1`, `3 i + 2`.
+    pub bodies: &'static [&'static str],
+    /// `n_q` coordinates.
+    pub coordinates: &'static [CoordinateInfo],
+    /// `n_p` named points; a hinge is listed by its point on the first body.
+    pub points: &'static [PointInfo],
+    /// `n_c` rows, position rows first.
+    pub rows: &'static [RowInfo],
+    /// `n_h`, the number of position rows.
+    pub n_position_rows: usize,
+    /// Parameters of the model and of the scene's effects.
+    pub parameters: &'static [ParameterInfo],
+    /// `n_e` effects; forces outside any effect come first, under the name `model`, when there are some.
+    pub effects: &'static [EffectInfo],
+    /// End of the run that the scene declares, s.
+    pub until_s: f64,
+    /// Length of the vector of constants.
+    pub n_constants: usize,
+    /// Pattern of G = [C_q; S], `n_c × n_q`.
+    pub jacobian: SparsityPattern,
+    /// Entries of G in the order of [`SceneInfo::jacobian`].
+    pub jacobian_entries: &'static [Formula],
+    /// Diagonal of M.
+    pub mass_entries: &'static [Formula],
+    /// F.
+    pub force_entries: &'static [Formula],
+    /// Order in which the generated elimination takes the rows.
+    pub elimination: &'static [EliminationStep],
+    /// Operations of [`Scene::accelerations`].
+    pub acceleration_operations: Operations,
+    /// Operations of [`Scene::correction`].
+    pub correction_operations: Operations,
+}
+
+impl SceneInfo {
+    /// n_q.
+    pub const fn n_coordinates(&self) -> usize {
+        self.coordinates.len()
+    }
+
+    /// n_c.
+    pub const fn n_rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// n_e.
+    pub const fn n_effects(&self) -> usize {
+        self.effects.len()
+    }
+}
+
+/// Rows whose pivot vanished in the generated elimination, as a bit set: bit `i` is row `i`, bit 63 stands
+/// for every row from 63 on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct DeficientRows(pub u64);
+
+impl DeficientRows {
+    /// No pivot vanished.
+    pub const fn none(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Marks `row` when `deficient`; free of branches, so that a kernel can call it for each pivot.
+    #[inline(always)]
+    #[must_use]
+    pub const fn mark(self, row: usize, deficient: bool) -> Self {
+        let bit = if row < 63 { row } else { 63 };
+        Self(self.0 | ((deficient as u64) << bit))
+    }
+}
+
+/// A pivot of the generated elimination counts as vanished when it is below this fraction of the diagonal
+/// entry that it started from. Rounding leaves 1e-16 to 1e-14 of an exactly dependent row; a row that keeps
+/// 1e-9 still has seven digits.
+pub const PIVOT_TOLERANCE: f64 = 1e-10;
+
+/// Start values that a scene prescribes. What is not given is assembled from the constraints.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Start {
+    /// Start time, s.
+    pub t: f64,
+    /// `n_q` coordinates; a guess where not given.
+    pub q: Vec<f64>,
+    /// Which coordinates are given.
+    pub q_given: Vec<bool>,
+    /// `n_q` velocities; a guess where not given.
+    pub v: Vec<f64>,
+    /// Which velocities are given.
+    pub v_given: Vec<bool>,
+}
+
+impl Start {
+    /// Nothing given, everything zero.
+    pub fn free(n_coordinates: usize) -> Self {
+        Self {
+            t: 0.0,
+            q: vec![0.0; n_coordinates],
+            q_given: vec![false; n_coordinates],
+            v: vec![0.0; n_coordinates],
+            v_given: vec![false; n_coordinates],
+        }
+    }
+
+    /// Holds coordinate `i` at `value`.
+    pub fn give_position(&mut self, i: usize, value: f64) {
+        self.q[i] = value;
+        self.q_given[i] = true;
+    }
+
+    /// Holds velocity `i` at `value`.
+    pub fn give_velocity(&mut self, i: usize, value: f64) {
+        self.v[i] = value;
+        self.v_given[i] = true;
+    }
+}
+
+/// A scene: one selection of rows and effects of a model, with its own equations.
+///
+/// Implemented by the types that `model!` generates. `c` is always the vector that [`Scene::constants`] wrote
+/// for the present parameters, `t` the time in s, `q` and `v` the `n_q` coordinates and velocities.
+pub trait Scene: Send + Sync {
+    /// What is known at compile time.
+    fn info(&self) -> &'static SceneInfo;
+
+    /// Value of parameter `index` of [`SceneInfo::parameters`].
+    fn parameter(&self, index: usize) -> f64;
+
+    /// Changes parameter `index`; constants computed before are then out of date.
+    fn set_parameter(&mut self, index: usize, value: f64);
+
+    /// Everything that depends on parameters alone. Writes `n_constants`.
+    fn constants(&self, c: &mut [f64]);
+
+    /// Start values of the scene.
+    fn start(&self, c: &[f64], start: &mut Start);
+
+    /// Diagonal of M (kg, kg·m²). Writes `n_q`.
+    fn mass_matrix(&self, c: &[f64], m: &mut [f64]);
+
+    /// C(q, t). Writes `n_h`.
+    fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]);
+
+    /// All rows at velocity level: C_q v + C_t, then S v + s_t. Writes `n_c`.
+    fn velocity_constraint(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
+
+    /// Entries of G = [C_q; S] in the order of [`SceneInfo::jacobian`].
+    fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]);
+
+    /// [h; s], so that G a = −[h; s]. Writes `n_c`.
+    fn convective_term(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
+
+    /// F. Writes `n_q`.
+    fn applied_force(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
+
+    /// Power of each effect, W. Writes `n_e`.
+    fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
+
+    /// Potential energy, J: zero where no force has a potential.
+    fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64;
+
+    /// Positions of the named points, x then y of each. Writes `2 n_p`.
+    fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]);
+
+    /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
+    /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished.
+    fn accelerations(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> DeficientRows;
+
+    /// Generated mass-weighted correction: the `delta` of smallest `deltaᵀ M delta` with `G(q, t) delta = −residual`.
+    /// Reads `n_c` residuals, writes `n_q`; needs M > 0, meaningless when a pivot vanished.
+    fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows;
+}
+
+/// A scene of a model, for registries.
+#[derive(Debug, Clone, Copy)]
+pub struct SceneEntry {
+    /// What is known at compile time.
+    pub info: &'static SceneInfo,
+    /// Makes the scene with its declared parameters.
+    pub new: fn() -> Box<dyn Scene>,
+}
+
+/// A model and its scenes, for registries.
+#[derive(Debug, Clone, Copy)]
+pub struct ModelInfo {
+    /// Name of the model type, as written.
+    pub name: &'static str,
+    /// Doc comment of the model.
+    pub documentation: &'static str,
+    /// Effects that the model declares.
+    pub effects: &'static [EffectInfo],
+    /// Scenes in declared order.
+    pub scenes: &'static [SceneEntry],
+}

@@ -1,0 +1,2 @@
+//! The `ezy` command line.
+fn main() {}

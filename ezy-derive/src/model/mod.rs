@@ -2,6 +2,27 @@
 //!
 //! Expressions are scalar here; vectors of the model file have been split into components.
 
+pub mod case;
+mod constant;
+mod context;
+mod dimension;
+mod expression;
+mod force;
+mod function;
+mod lazy;
+mod mechanism;
+mod member;
+mod names;
+mod resolve;
+mod scene;
+mod start;
+#[cfg(test)]
+mod tests;
+mod unit;
+mod value;
+
+pub use resolve::resolve;
+
 use proc_macro2::{Ident, Span};
 
 /// Index into [`Model::bodies`].
@@ -24,7 +45,6 @@ pub struct EffectId(pub usize);
 pub struct StartId(pub usize);
 
 /// A model file, resolved.
-#[derive(Debug)]
 pub struct Model {
     pub visibility: syn::Visibility,
     /// Name of the model as written, CamelCase.

@@ -1,0 +1,122 @@
+//! Messages of the parser.
+
+use super::{Extent, fault, fault_at_two_places, fault_with_help, nearest::suggestion};
+use proc_macro2::{Ident, Span};
+
+/// The next token is not what the grammar has here.
+pub fn expected(at: Span, what: &str, found: &str) -> syn::Error {
+    fault(at, format_args!("expected {what}, found {found}"))
+}
+
+/// `error` with the way the item is written, unless it has its own help.
+pub fn with_example(error: syn::Error, keyword: &str, example: &str) -> syn::Error {
+    if error.to_string().contains("help:") {
+        return error;
+    }
+    fault_with_help(error.span(), &error, format_args!("`{keyword}` is written `{example}`"))
+}
+
+pub fn no_model(at: Span) -> syn::Error {
+    fault_with_help(at, "there is no model here", "write `pub model Name { … }`")
+}
+
+pub fn text_after_model(at: Span, found: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("{found} stands after the model's closing brace"),
+        "put it inside the braces; each `model!` holds one model",
+    )
+}
+
+pub fn unknown_word(word: &Ident, place: &str, words: &[&str]) -> syn::Error {
+    fault_with_help(
+        word,
+        format_args!("`{word}` is no word of {place}"),
+        suggestion(&word.to_string(), words, &format!("words of {place}")),
+    )
+}
+
+pub fn foreign_attribute(at: Span) -> syn::Error {
+    fault_with_help(at, "a model takes no attribute but documentation", "write `/// …`, or remove the attribute")
+}
+
+pub fn documents_nothing(at: Span) -> syn::Error {
+    fault_with_help(at, "this documentation stands before no item", "write `//` for a remark")
+}
+
+pub fn keyword_as_name(at: Span, name: &str) -> syn::Error {
+    let better = format!("{}_", name.trim_start_matches("r#"));
+    fault_with_help(
+        at,
+        format_args!("`{name}` is a word of Rust and cannot be a name"),
+        format_args!("write another name, such as `{better}`"),
+    )
+}
+
+pub fn raw_name(at: Span, name: &str) -> syn::Error {
+    fault_with_help(at, format_args!("`{name}` is a raw identifier"), "write a name without `r#`")
+}
+
+pub fn power_of_other_languages(at: Span) -> syn::Error {
+    fault_with_help(at, "`**` is no operator", "write `^` for a power, such as `x^2`")
+}
+
+pub fn number_with_suffix(at: Span, digits: &str, suffix: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("the number `{digits}{suffix}` has a suffix"),
+        format_args!("write `{digits}`; units stand in `param name: unit = value;`"),
+    )
+}
+
+pub fn number_too_large(at: Span, text: &str) -> syn::Error {
+    fault(at, format_args!("`{text}` is not a finite number of double precision"))
+}
+
+pub fn expression_too_large(at: Span, limit: usize) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("this expression has more than {limit} parts"),
+        "name some of its parts with `let name = …;`",
+    )
+}
+
+pub fn field_twice(field: &Ident, first: &Ident) -> syn::Error {
+    fault_at_two_places(
+        fault_with_help(field, format_args!("`{field}` is given twice"), "remove one of them"),
+        first,
+        "first given here",
+    )
+}
+
+pub fn field_missing(body: &Ident, field: &str) -> syn::Error {
+    fault_with_help(
+        body,
+        format_args!("body `{body}` has no {field}"),
+        format_args!("write `body {body} {{ mass: …, inertia: … }}`"),
+    )
+}
+
+pub fn statement_twice(word: &Ident, first: &Ident, scene: &Ident) -> syn::Error {
+    fault_at_two_places(
+        fault_with_help(word, format_args!("scene `{scene}` says `{word}` twice"), "remove one of them"),
+        first,
+        "first said here",
+    )
+}
+
+pub fn bare_vector_component(at: impl Into<Extent>) -> syn::Error {
+    fault_with_help(at, "a vector has two components", "write `(x, y)`")
+}
+
+pub fn empty_start_statement(body: &Ident) -> syn::Error {
+    fault_with_help(
+        body,
+        format_args!("nothing is given for `{body}`"),
+        format_args!("write `{body} at (0, 0) angle 0;` or remove `{body}`"),
+    )
+}
+
+pub fn until_without_unit(at: impl Into<Extent>) -> syn::Error {
+    fault_with_help(at, "the time after `until` has no unit", "write it with a unit, such as `until 60 s;`")
+}

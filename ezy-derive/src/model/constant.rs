@@ -1,0 +1,80 @@
+//! Values of parameters and durations: numbers, `pi` and operators, computed when the model is compiled.
+
+use super::{Expr, Function};
+use crate::diag::rules;
+use crate::parse::ast::{self, Operator};
+use std::f64::consts::PI;
+use syn::Result;
+
+/// The value of an expression of numbers; `of` says what it is for.
+pub fn constant(expr: &ast::Expr, of: &str) -> Result<f64> {
+    let value = evaluate(expr, of)?;
+    if value.is_finite() { Ok(value) } else { Err(rules::constant_not_finite(expr.extent(), of, value)) }
+}
+
+fn evaluate(expr: &ast::Expr, of: &str) -> Result<f64> {
+    match expr {
+        ast::Expr::Number { value, .. } => Ok(*value),
+        ast::Expr::Name(name) if name == "pi" => Ok(PI),
+        ast::Expr::Name(name) => Err(rules::name_in_constant(name, &name.to_string(), of)),
+        ast::Expr::Member { owner, member } => {
+            Err(rules::name_in_constant(expr.extent(), &format!("{owner}.{member}"), of))
+        }
+        ast::Expr::Call { function, .. } => Err(rules::name_in_constant(function, &function.to_string(), of)),
+        ast::Expr::Vector { .. } => Err(rules::expected_scalar(expr.extent(), of)),
+        ast::Expr::Negative { operand, .. } => Ok(-evaluate(operand, of)?),
+        ast::Expr::Binary { operator, left, right, .. } => {
+            let (a, b) = (evaluate(left, of)?, evaluate(right, of)?);
+            Ok(match operator {
+                Operator::Add => a + b,
+                Operator::Subtract => a - b,
+                Operator::Multiply => a * b,
+                Operator::Divide => a / b,
+                Operator::Power => a.powf(b),
+            })
+        }
+    }
+}
+
+/// The value of a resolved expression with the declared parameters; `None` where it moves.
+pub fn at_defaults(expr: &Expr, parameters: &[f64]) -> Option<f64> {
+    let value = |expr: &Expr| at_defaults(expr, parameters);
+    let both = |a: &Expr, b: &Expr| Some((value(a)?, value(b)?));
+    Some(match expr {
+        Expr::Number(number) => *number,
+        Expr::Pi => PI,
+        Expr::Parameter(id) => *parameters.get(id.0)?,
+        Expr::Neg(a) => -value(a)?,
+        Expr::Add(a, b) => both(a, b).map(|(a, b)| a + b)?,
+        Expr::Sub(a, b) => both(a, b).map(|(a, b)| a - b)?,
+        Expr::Mul(a, b) => both(a, b).map(|(a, b)| a * b)?,
+        Expr::Div(a, b) => both(a, b).map(|(a, b)| a / b)?,
+        Expr::Pow(a, b) => both(a, b).map(|(a, b)| a.powf(b))?,
+        Expr::Call(function, arguments) => {
+            let arguments: Option<Vec<f64>> = arguments.iter().map(value).collect();
+            call(*function, &arguments?)?
+        }
+        _ => return None,
+    })
+}
+
+fn call(function: Function, arguments: &[f64]) -> Option<f64> {
+    let a = *arguments.first()?;
+    let b = arguments.get(1).copied();
+    Some(match function {
+        Function::Sin => a.sin(),
+        Function::Cos => a.cos(),
+        Function::Tan => a.tan(),
+        Function::Asin => a.asin(),
+        Function::Acos => a.acos(),
+        Function::Atan2 => a.atan2(b?),
+        Function::Sqrt => a.sqrt(),
+        Function::Exp => a.exp(),
+        Function::Ln => a.ln(),
+        Function::Tanh => a.tanh(),
+        Function::Abs => a.abs(),
+        Function::Min => a.min(b?),
+        Function::Max => a.max(b?),
+        Function::Sign => f64::from(i8::from(a > 0.0) - i8::from(a < 0.0)),
+    })
+}

@@ -1,0 +1,85 @@
+//! Dimensions, to find sums of unlike quantities. Angles count as plain numbers.
+
+use std::fmt;
+
+/// A power of metre, kilogram and second, each in sixths, so that square and cube roots stay whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Dimension {
+    metre: i32,
+    kilogram: i32,
+    second: i32,
+}
+
+const ONE: i32 = 6;
+
+/// What messages call a dimension, where the base units would not be recognised.
+const NAMED: [(Dimension, &str); 8] = [
+    (Dimension::NONE, "rad or a plain number"),
+    (Dimension::ANGULAR_VELOCITY, "rad/s"),
+    (Dimension::FORCE, "N"),
+    (Dimension::TORQUE, "N*m"),
+    (Dimension::base(2, 1, -3), "W"),
+    (Dimension::base(0, 1, -2), "N/m"),
+    (Dimension::base(0, 1, -1), "N*s/m"),
+    (Dimension::base(2, 1, -1), "N*m*s"),
+];
+
+impl Dimension {
+    pub const NONE: Self = Self::base(0, 0, 0);
+    pub const LENGTH: Self = Self::base(1, 0, 0);
+    pub const TIME: Self = Self::base(0, 0, 1);
+    pub const VELOCITY: Self = Self::base(1, 0, -1);
+    pub const ANGULAR_VELOCITY: Self = Self::base(0, 0, -1);
+    pub const MASS: Self = Self::base(0, 1, 0);
+    pub const INERTIA: Self = Self::base(2, 1, 0);
+    pub const FORCE: Self = Self::base(1, 1, -2);
+    pub const TORQUE: Self = Self::base(2, 1, -2);
+
+    /// m^metre kg^kilogram s^second
+    pub const fn base(metre: i32, kilogram: i32, second: i32) -> Self {
+        Self { metre: ONE * metre, kilogram: ONE * kilogram, second: ONE * second }
+    }
+
+    pub fn times(self, other: Self) -> Self {
+        self.combine(other, |a, b| a + b)
+    }
+
+    pub fn over(self, other: Self) -> Self {
+        self.combine(other, |a, b| a - b)
+    }
+
+    /// `None` when the power is not a whole number of sixths.
+    pub fn power(self, exponent: f64) -> Option<Self> {
+        let scale = |power: i32| {
+            let power = f64::from(power) * exponent;
+            (power.fract() == 0.0 && power.abs() < 1e6).then_some(power as i32)
+        };
+        Some(Self { metre: scale(self.metre)?, kilogram: scale(self.kilogram)?, second: scale(self.second)? })
+    }
+
+    fn combine(self, other: Self, f: impl Fn(i32, i32) -> i32) -> Self {
+        Self {
+            metre: f(self.metre, other.metre),
+            kilogram: f(self.kilogram, other.kilogram),
+            second: f(self.second, other.second),
+        }
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((_, name)) = NAMED.iter().find(|(named, _)| named == self) {
+            return f.write_str(name);
+        }
+        let units = [("kg", self.kilogram), ("m", self.metre), ("s", self.second)];
+        let power = |(unit, power): (&str, i32)| match power.abs() {
+            ONE => unit.to_owned(),
+            power if power % ONE == 0 => format!("{unit}^{}", power / ONE),
+            power => format!("{unit}^({power}/{ONE})"),
+        };
+        let above: Vec<String> = units.into_iter().filter(|(_, power)| *power > 0).map(power).collect();
+        let below = units.into_iter().filter(|(_, power)| *power < 0).map(power);
+        f.write_str(&if above.is_empty() { "1".to_owned() } else { above.join("*") })?;
+        below.into_iter().try_for_each(|unit| write!(f, "/{unit}"))
+    }
+}

@@ -1,0 +1,170 @@
+//! Expressions: each name becomes an id, vectors become components.
+
+use super::context::{Context, Purpose, motion};
+use super::dimension::Dimension;
+use super::names::Symbol;
+use super::value::{Form, Value};
+use super::{Direction, Expr};
+use crate::diag::{names, rules};
+use crate::parse::ast;
+use proc_macro2::Ident;
+
+impl Context<'_> {
+    /// The value of an expression; `None` when faults were reported.
+    pub fn value(&mut self, expr: &ast::Expr, purpose: &Purpose) -> Option<Value> {
+        match expr {
+            ast::Expr::Number { value, .. } => Some(Value::scalar(Expr::Number(*value), None)),
+            ast::Expr::Name(name) => self.name(name, purpose),
+            ast::Expr::Member { owner, member } => self.member(owner, member, purpose),
+            ast::Expr::Call { function, arguments, end } => self.call(function, arguments, *end, purpose),
+            ast::Expr::Vector { x, y, .. } => self.vector(x, y, purpose),
+            ast::Expr::Negative { operand, .. } => self.value(operand, purpose).map(Value::negative),
+            ast::Expr::Binary { operator, span, left, right } => {
+                let (left, right) = (self.value(left, purpose), self.value(right, purpose));
+                let result = left?.binary(*operator, *span, right?);
+                self.diag.keep(result)
+            }
+        }
+    }
+
+    /// A scalar of this dimension; `what` it is, for the message.
+    pub fn scalar(
+        &mut self,
+        expr: &ast::Expr,
+        purpose: &Purpose,
+        what: &str,
+        dimension: Option<Dimension>,
+    ) -> Option<Expr> {
+        let value = self.value(expr, purpose)?;
+        self.check_dimension(expr, what, value.dimension, dimension)?;
+        match value.form {
+            Form::Scalar(value) => Some(value),
+            Form::Vector(..) => {
+                self.diag.error(rules::expected_scalar(expr.extent(), what));
+                None
+            }
+        }
+    }
+
+    /// The components of a vector of this dimension.
+    pub fn components(
+        &mut self,
+        expr: &ast::Expr,
+        purpose: &Purpose,
+        what: &str,
+        dimension: Option<Dimension>,
+    ) -> Option<(Expr, Expr)> {
+        let value = self.value(expr, purpose)?;
+        self.check_dimension(expr, what, value.dimension, dimension)?;
+        match value.form {
+            Form::Vector(x, y) => Some((x, y)),
+            Form::Scalar(_) => {
+                self.diag.error(rules::expected_vector(expr.extent(), what));
+                None
+            }
+        }
+    }
+
+    /// Reports a value of another dimension than is wanted, when both are known.
+    pub fn check_dimension(
+        &mut self,
+        expr: &ast::Expr,
+        what: &str,
+        found: Option<Dimension>,
+        wanted: Option<Dimension>,
+    ) -> Option<()> {
+        match found.zip(wanted) {
+            Some((found, wanted)) if found != wanted => {
+                self.diag.error(rules::wrong_dimension(expr.extent(), what, &found, &wanted));
+                None
+            }
+            _ => Some(()),
+        }
+    }
+
+    fn vector(&mut self, x: &ast::Expr, y: &ast::Expr, purpose: &Purpose) -> Option<Value> {
+        let left = self.value(x, purpose);
+        let dimension = left.as_ref().and_then(|left| left.dimension);
+        let right = self.scalar(y, purpose, "a component of a vector", dimension);
+        let left = left?;
+        match left.form {
+            Form::Scalar(left) => Some(Value::vector(left, right?, dimension)),
+            Form::Vector(..) => {
+                self.diag.error(rules::expected_scalar(x.extent(), "a component of a vector"));
+                None
+            }
+        }
+    }
+
+    fn name(&mut self, name: &Ident, purpose: &Purpose) -> Option<Value> {
+        if name == "pi" {
+            return Some(Value::scalar(Expr::Pi, None));
+        }
+        if name == "t" {
+            self.forbid_motion(name, "the time", purpose)?;
+            return Some(Value::scalar(Expr::Time, Some(Dimension::TIME)));
+        }
+        match self.names.lookup(purpose.scope, name) {
+            Some(Symbol::Parameter(id)) => {
+                let unit = self.units.get(id.0).copied().flatten();
+                let value = Expr::Parameter(id);
+                let value = unit.map_or(value.clone(), |unit| unit.expr_to_si(value));
+                Some(Value::scalar(value, unit.map(|unit| unit.dimension)))
+            }
+            Some(Symbol::Let(id)) => {
+                let value = self.let_value(id, name)?;
+                let moves = match &value.form {
+                    Form::Scalar(value) => motion(value),
+                    Form::Vector(x, y) => motion(x).or_else(|| motion(y)),
+                };
+                if let Some(on) = moves {
+                    self.forbid_motion(name, on, purpose)?;
+                }
+                Some(value)
+            }
+            Some(Symbol::Broken) => None,
+            Some(symbol) => {
+                let members = Self::members(symbol);
+                self.diag.error(names::not_a_value(name, symbol.what(), members));
+                None
+            }
+            None if name == "ground" => {
+                self.diag.error(names::not_a_value(name, "what does not move", &[]));
+                None
+            }
+            None => {
+                let error = names::unknown_value(name, &self.names.values(purpose.scope));
+                self.diag.error(error);
+                None
+            }
+        }
+    }
+
+    /// Reports the use of something that moves where nothing may.
+    pub fn forbid_motion(&mut self, at: impl Into<crate::diag::Extent>, on: &str, purpose: &Purpose) -> Option<()> {
+        match &purpose.fixed {
+            None => Some(()),
+            Some(what) => {
+                self.diag.error(rules::must_not_move(at, what, on));
+                None
+            }
+        }
+    }
+
+    /// A direction of a body that is not known to have no length.
+    pub fn direction(&mut self, direction: &ast::OnBody, scope: super::names::Scope) -> Option<Direction> {
+        let purpose = Purpose::fixed(scope, "a direction".into());
+        let body = self.body_or_ground(&direction.body);
+        let x = self.scalar(&direction.x, &purpose, "a component of a direction", None);
+        let y = self.scalar(&direction.y, &purpose, "a component of a direction", None);
+        let (body, x, y) = (body?, x?, y?);
+        let zero = |component: &Expr| super::constant::at_defaults(component, &[]) == Some(0.0);
+        if zero(&x) && zero(&y) {
+            let last = direction.y.extent().last;
+            let at = crate::diag::Extent { first: direction.x.extent().first, last };
+            self.diag.error(rules::direction_without_length(at, &direction.body));
+            return None;
+        }
+        Some(Direction { body, x, y, span: direction.body.span() })
+    }
+}

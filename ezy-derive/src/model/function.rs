@@ -1,0 +1,132 @@
+//! Calls: the functions of the language, their arguments and dimensions.
+
+use super::context::{Context, Purpose};
+use super::dimension::Dimension;
+use super::names::Symbol;
+use super::value::{Form, Value};
+use super::{Expr, Function};
+use crate::diag::{Extent, names, rules};
+use crate::parse::ast;
+use proc_macro2::{Ident, Span};
+
+/// Functions of scalars.
+const SCALAR: [(&str, Function, usize, Rule); 14] = [
+    ("sin", Function::Sin, 1, Rule::Plain),
+    ("cos", Function::Cos, 1, Rule::Plain),
+    ("tan", Function::Tan, 1, Rule::Plain),
+    ("asin", Function::Asin, 1, Rule::Plain),
+    ("acos", Function::Acos, 1, Rule::Plain),
+    ("atan2", Function::Atan2, 2, Rule::Ratio),
+    ("sqrt", Function::Sqrt, 1, Rule::Root),
+    ("exp", Function::Exp, 1, Rule::Plain),
+    ("ln", Function::Ln, 1, Rule::Plain),
+    ("tanh", Function::Tanh, 1, Rule::Plain),
+    ("abs", Function::Abs, 1, Rule::Same),
+    ("min", Function::Min, 2, Rule::Same),
+    ("max", Function::Max, 2, Rule::Same),
+    ("sign", Function::Sign, 1, Rule::Ratio),
+];
+
+/// Functions of vectors, with the number of their arguments.
+const VECTOR: [(&str, usize); 3] = [("dot", 2), ("cross", 2), ("norm", 1)];
+
+/// What a function asks of dimensions, and what it gives.
+#[derive(Debug, Clone, Copy)]
+enum Rule {
+    /// A plain number or an angle, of the same.
+    Plain,
+    /// Like arguments; a plain number.
+    Ratio,
+    /// Like arguments; the same dimension.
+    Same,
+    /// The square root of the dimension.
+    Root,
+}
+
+impl Context<'_> {
+    pub fn call(&mut self, function: &Ident, arguments: &[ast::Expr], end: Span, purpose: &Purpose) -> Option<Value> {
+        let name = function.to_string();
+        let scalar = SCALAR.iter().find(|(known, ..)| *known == name);
+        let vector = VECTOR.iter().find(|(known, _)| *known == name);
+        let Some(arity) = scalar.map(|row| row.2).or(vector.map(|row| row.1)) else {
+            let error = self.not_a_function(function, Extent { first: function.span(), last: end }, purpose);
+            self.diag.error(error);
+            return None;
+        };
+        if arguments.len() != arity {
+            self.diag.error(rules::arity(function, arity, arguments.len()));
+            return None;
+        }
+        match scalar {
+            Some((_, function, _, rule)) => self.scalar_call(&name, *function, *rule, arguments, purpose),
+            None => self.vector_call(&name, arguments, purpose),
+        }
+    }
+
+    fn not_a_function(&self, function: &Ident, call: Extent, purpose: &Purpose) -> syn::Error {
+        let symbol = self.names.lookup(purpose.scope, function);
+        if function == "ground" || matches!(symbol, Some(Symbol::Body(_))) {
+            return rules::place_as_value(call, function);
+        }
+        let functions = SCALAR.iter().map(|row| row.0).chain(VECTOR.iter().map(|row| row.0));
+        let functions: Vec<&str> = functions.collect();
+        match symbol {
+            Some(symbol @ (Symbol::Parameter(_) | Symbol::Let(_))) => rules::called_value(function, symbol.what()),
+            _ => names::unknown_function(function, &functions),
+        }
+    }
+
+    fn scalar_call(
+        &mut self,
+        name: &str,
+        function: Function,
+        rule: Rule,
+        arguments: &[ast::Expr],
+        purpose: &Purpose,
+    ) -> Option<Value> {
+        let what = format!("an argument of `{name}`");
+        let mut dimension = None;
+        let mut resolved = Vec::new();
+        for argument in arguments {
+            let value = self.value(argument, purpose);
+            let wanted = if matches!(rule, Rule::Plain) { Some(Dimension::NONE) } else { dimension };
+            let found = value.as_ref().and_then(|value| value.dimension);
+            self.check_dimension(argument, &what, found, wanted);
+            dimension = dimension.or(found);
+            match value.map(|value| value.form) {
+                Some(Form::Scalar(value)) => resolved.push(value),
+                Some(Form::Vector(..)) => self.diag.error(rules::expected_scalar(argument.extent(), &what)),
+                None => {}
+            }
+        }
+        let dimension = match rule {
+            Rule::Plain | Rule::Ratio => Some(Dimension::NONE),
+            Rule::Same => dimension,
+            Rule::Root => dimension.and_then(|dimension| dimension.power(0.5)),
+        };
+        (resolved.len() == arguments.len()).then(|| Value::scalar(Expr::Call(function, resolved), dimension))
+    }
+
+    fn vector_call(&mut self, name: &str, arguments: &[ast::Expr], purpose: &Purpose) -> Option<Value> {
+        let what = format!("an argument of `{name}`");
+        let mut resolved = Vec::new();
+        for argument in arguments {
+            let Some(value) = self.value(argument, purpose) else { continue };
+            match value.form {
+                Form::Vector(x, y) => resolved.push((x, y, value.dimension)),
+                Form::Scalar(_) => self.diag.error(rules::expected_vector(argument.extent(), &what)),
+            }
+        }
+        if resolved.len() != arguments.len() {
+            return None;
+        }
+        let (ax, ay, a) = resolved.first()?.clone();
+        let Some((bx, by, b)) = resolved.get(1).cloned() else {
+            let square = Value::dot(ax.clone(), ay.clone(), ax, ay);
+            return Some(Value::scalar(Expr::Call(Function::Sqrt, vec![square]), a));
+        };
+        let dimension = a.zip(b).map(|(a, b)| a.times(b));
+        let value = if name == "dot" { Value::dot(ax, ay, bx, by) } else { Value::cross(ax, ay, bx, by) };
+        Some(Value::scalar(value, dimension))
+    }
+}

@@ -1,0 +1,137 @@
+//! `let` values and named places: resolved when first used, so that their order does not matter.
+
+use super::context::{Context, PointSource, Purpose, State};
+use super::names::{Scope, Symbol};
+use super::value::{Form, Value};
+use super::{BodyId, Expr, Place, PointId};
+use crate::diag::{names, rules};
+use crate::parse::ast;
+use proc_macro2::Ident;
+
+/// Values are inserted where they are used: more parts than this would make the equations explode.
+const MAX_PARTS: usize = 2_000;
+/// The same for the depth of an expression, which bounds the recursion of all later stages.
+const MAX_DEPTH: usize = 300;
+
+impl Context<'_> {
+    /// The value of a `let`, used at `at`.
+    pub fn let_value(&mut self, id: usize, at: &Ident) -> Option<Value> {
+        let (scope, source) = self.lets[id].source;
+        match &self.lets[id].state {
+            State::Done(value) => return Some(value.clone()),
+            State::Faulty => return None,
+            State::InWork => {
+                self.diag.error(rules::cyclic_let(at, &source.name));
+                return None;
+            }
+            State::Waiting => {}
+        }
+        self.lets[id].state = State::InWork;
+        let value = self.value(&source.value, &Purpose::moving(scope));
+        let value = value.filter(|value| {
+            let (parts, depth) = match &value.form {
+                Form::Scalar(value) => size(value),
+                Form::Vector(x, y) => (size(x).0 + size(y).0, size(x).1.max(size(y).1)),
+            };
+            let small = parts <= MAX_PARTS && depth <= MAX_DEPTH;
+            if !small {
+                self.diag.error(rules::let_too_large(&source.name));
+            }
+            small
+        });
+        self.lets[id].state = value.clone().map_or(State::Faulty, State::Done);
+        value
+    }
+
+    /// A place in the text.
+    pub fn place(&mut self, place: &ast::Place, scope: Scope) -> Option<Place> {
+        match place {
+            ast::Place::OnBody(place) => self.on_body(place, scope),
+            ast::Place::Named(name) => match self.names.lookup(scope, name) {
+                Some(Symbol::Point(id) | Symbol::Hinge(_, id)) => {
+                    self.point_place(id, name).map(|place| Place { span: name.span(), ..place })
+                }
+                Some(Symbol::Broken) => None,
+                Some(symbol) => {
+                    self.diag.error(names::not_a_place(name, symbol.what(), matches!(symbol, Symbol::Body(_))));
+                    None
+                }
+                None if name == "ground" => {
+                    self.diag.error(names::not_a_place(name, "what does not move", true));
+                    None
+                }
+                None => {
+                    let error = names::unknown_place(name, &self.names.places());
+                    self.diag.error(error);
+                    None
+                }
+            },
+        }
+    }
+
+    /// The place of a named point, used at `at`.
+    pub fn point_place(&mut self, id: PointId, at: &Ident) -> Option<Place> {
+        match &self.points[id.0].state {
+            State::Done(place) => return Some(place.clone()),
+            State::Faulty => return None,
+            State::InWork => {
+                self.diag.error(rules::cyclic_place(at));
+                return None;
+            }
+            State::Waiting => {}
+        }
+        self.points[id.0].state = State::InWork;
+        let place = match self.points[id.0].source {
+            PointSource::Point(point) => self.on_body(&point.place, None),
+            PointSource::Hinge(hinge) => self.place(&hinge.a, None),
+        };
+        self.points[id.0].state = place.clone().map_or(State::Faulty, State::Done);
+        place
+    }
+
+    fn on_body(&mut self, place: &ast::OnBody, scope: Scope) -> Option<Place> {
+        let purpose = Purpose::fixed(scope, "a place on a body".into());
+        let length = Some(super::dimension::Dimension::LENGTH);
+        let body = self.body_or_ground(&place.body);
+        let x = self.scalar(&place.x, &purpose, "a place", length);
+        let y = self.scalar(&place.y, &purpose, "a place", length);
+        Some(Place { body: body?, x: x?, y: y?, span: place.body.span() })
+    }
+
+    /// A body, or `Some(None)` for the ground.
+    pub fn body_or_ground(&mut self, name: &Ident) -> Option<Option<BodyId>> {
+        if name == "ground" { Some(None) } else { self.body(name, true).map(Some) }
+    }
+
+    /// A body that is not the ground.
+    pub fn body(&mut self, name: &Ident, or_ground: bool) -> Option<BodyId> {
+        let error = match self.names.lookup(None, name) {
+            Some(Symbol::Body(id)) => return Some(id),
+            Some(Symbol::Broken) => return None,
+            Some(symbol) => names::not_a_body(name, symbol.what()),
+            None if name == "ground" => rules::ground_is_no_body(name),
+            None => {
+                let ground: &[&str] = if or_ground { &["ground"] } else { &[] };
+                names::unknown_body(name, &[ground, &self.names.bodies()].concat())
+            }
+        };
+        self.diag.error(error);
+        None
+    }
+}
+
+/// Parts and depth of an expression.
+fn size(expr: &Expr) -> (usize, usize) {
+    let of = |parts: &mut dyn Iterator<Item = &Expr>| {
+        let (parts, depth) = parts.map(size).fold((0, 0), |sum, part| (sum.0 + part.0, sum.1.max(part.1)));
+        (parts + 1, depth + 1)
+    };
+    match expr {
+        Expr::Neg(a) => of(&mut [&**a].into_iter()),
+        Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Mul(a, b) | Expr::Div(a, b) | Expr::Pow(a, b) => {
+            of(&mut [&**a, &**b].into_iter())
+        }
+        Expr::Call(_, arguments) => of(&mut arguments.iter()),
+        _ => (1, 1),
+    }
+}

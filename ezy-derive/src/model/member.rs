@@ -1,0 +1,87 @@
+//! `owner.member`: coordinates and velocities of bodies, points and hinges.
+
+use super::context::{Context, Purpose};
+use super::dimension::Dimension;
+use super::names::Symbol;
+use super::value::Value;
+use super::{BodyId, Component, Expr, PointId};
+use crate::diag::{Extent, names};
+use proc_macro2::Ident;
+
+const BODY: &[&str] = &["x", "y", "phi", "vx", "vy", "omega", "v"];
+const POINT: &[&str] = &["x", "y", "vx", "vy", "v"];
+const HINGE: &[&str] = &["x", "y", "vx", "vy", "v", "angle", "rate"];
+
+impl Context<'_> {
+    /// What can stand behind the dot.
+    pub const fn members(symbol: Symbol) -> &'static [&'static str] {
+        match symbol {
+            Symbol::Body(_) => BODY,
+            Symbol::Point(_) => POINT,
+            Symbol::Hinge(..) => HINGE,
+            _ => &[],
+        }
+    }
+
+    pub fn member(&mut self, owner: &Ident, member: &Ident, purpose: &Purpose) -> Option<Value> {
+        let Some(symbol) = self.names.lookup(purpose.scope, owner) else {
+            let error = if owner == "ground" || owner == "t" || owner == "pi" {
+                names::no_members(member, owner, "a name of the language")
+            } else {
+                names::unknown_owner(owner, &self.names.owners())
+            };
+            self.diag.error(error);
+            return None;
+        };
+        let name = member.to_string();
+        let value = match symbol {
+            Symbol::Broken => return None,
+            Symbol::Body(id) => body_member(id, &name),
+            Symbol::Point(id) => point_member(id, &name),
+            Symbol::Hinge(row, point) => match name.as_str() {
+                "angle" => Some(Value::scalar(Expr::HingeAngle(row), Some(Dimension::NONE))),
+                "rate" => Some(Value::scalar(Expr::HingeRate(row), Some(Dimension::ANGULAR_VELOCITY))),
+                _ => point_member(point, &name),
+            },
+            Symbol::Parameter(_) | Symbol::Let(_) | Symbol::Skate(_) => {
+                self.diag.error(names::no_members(member, owner, symbol.what()));
+                return None;
+            }
+        };
+        let Some(value) = value else {
+            self.diag.error(names::unknown_member(member, owner, symbol.what(), Self::members(symbol)));
+            return None;
+        };
+        let moving = if matches!(name.as_str(), "x" | "y" | "phi" | "angle") { "the position" } else { "the velocity" };
+        self.forbid_motion(Extent { first: owner.span(), last: member.span() }, moving, purpose)?;
+        Some(value)
+    }
+}
+
+fn body_member(id: BodyId, member: &str) -> Option<Value> {
+    let coordinate = |component| Expr::Coordinate(id, component);
+    let velocity = |component| Expr::Velocity(id, component);
+    Some(match member {
+        "x" => Value::scalar(coordinate(Component::X), Some(Dimension::LENGTH)),
+        "y" => Value::scalar(coordinate(Component::Y), Some(Dimension::LENGTH)),
+        "phi" => Value::scalar(coordinate(Component::Phi), Some(Dimension::NONE)),
+        "vx" => Value::scalar(velocity(Component::X), Some(Dimension::VELOCITY)),
+        "vy" => Value::scalar(velocity(Component::Y), Some(Dimension::VELOCITY)),
+        "omega" => Value::scalar(velocity(Component::Phi), Some(Dimension::ANGULAR_VELOCITY)),
+        "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Some(Dimension::VELOCITY)),
+        _ => return None,
+    })
+}
+
+fn point_member(id: PointId, member: &str) -> Option<Value> {
+    let position = |component| Expr::PointPosition(id, component);
+    let velocity = |component| Expr::PointVelocity(id, component);
+    Some(match member {
+        "x" => Value::scalar(position(Component::X), Some(Dimension::LENGTH)),
+        "y" => Value::scalar(position(Component::Y), Some(Dimension::LENGTH)),
+        "vx" => Value::scalar(velocity(Component::X), Some(Dimension::VELOCITY)),
+        "vy" => Value::scalar(velocity(Component::Y), Some(Dimension::VELOCITY)),
+        "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Some(Dimension::VELOCITY)),
+        _ => return None,
+    })
+}

@@ -1,0 +1,127 @@
+//! What each name stands for. A model has one set of names for everything that expressions and places can
+//! use; each effect adds its own.
+
+use super::{BodyId, EffectId, ParameterId, PointId, RowId};
+use crate::diag::{Diagnostics, names as message};
+use proc_macro2::{Ident, Span};
+
+/// Names with a meaning of their own.
+const RESERVED: [(&str, &str); 3] = [("t", "the time"), ("pi", "the number π"), ("ground", "what does not move")];
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Symbol {
+    Body(BodyId),
+    Parameter(ParameterId),
+    Let(usize),
+    Point(PointId),
+    Hinge(RowId, PointId),
+    Skate(RowId),
+    /// Its declaration could not be read; uses are no faults.
+    Broken,
+}
+
+impl Symbol {
+    /// In a sentence: ``"`rear` is " + …``.
+    pub const fn what(self) -> &'static str {
+        match self {
+            Self::Body(_) => "a body",
+            Self::Parameter(_) => "a parameter",
+            Self::Let(_) => "a value",
+            Self::Point(_) => "a point",
+            Self::Hinge(..) => "a hinge",
+            Self::Skate(_) => "a skate",
+            Self::Broken => "not readable",
+        }
+    }
+
+    const fn is_value(self) -> bool {
+        matches!(self, Self::Parameter(_) | Self::Let(_))
+    }
+
+    const fn is_place(self) -> bool {
+        matches!(self, Self::Point(_) | Self::Hinge(..))
+    }
+}
+
+#[derive(Debug)]
+struct Declared {
+    name: String,
+    span: Span,
+    symbol: Symbol,
+}
+
+/// `None` is the model, otherwise an effect.
+pub type Scope = Option<EffectId>;
+
+#[derive(Debug, Default)]
+pub struct Names {
+    model: Vec<Declared>,
+    effects: Vec<Vec<Declared>>,
+}
+
+impl Names {
+    /// Makes room for the names of one more effect.
+    pub fn open_effect(&mut self) {
+        self.effects.push(Vec::new());
+    }
+
+    /// Declares `name`, unless it is taken.
+    pub fn declare(&mut self, scope: Scope, name: &Ident, symbol: Symbol, diag: &mut Diagnostics) {
+        let text = name.to_string();
+        if let Some((_, meaning)) = RESERVED.iter().find(|(reserved, _)| *reserved == text) {
+            diag.error(message::reserved(name, meaning));
+            return;
+        }
+        if let Some(first) = self.find(scope, &text) {
+            diag.error(message::declared_twice(name, first.symbol.what(), first.span));
+            return;
+        }
+        let declared = Declared { name: text, span: name.span(), symbol };
+        match scope {
+            None => self.model.push(declared),
+            Some(effect) => self.effects[effect.0].push(declared),
+        }
+    }
+
+    /// Keeps uses of `name` from being faults, unless something else has this name.
+    pub fn declare_broken(&mut self, name: &Ident) {
+        let text = name.to_string();
+        if self.find(None, &text).is_none() {
+            self.model.push(Declared { name: text, span: name.span(), symbol: Symbol::Broken });
+        }
+    }
+
+    pub fn lookup(&self, scope: Scope, name: &Ident) -> Option<Symbol> {
+        self.find(scope, &name.to_string()).map(|declared| declared.symbol)
+    }
+
+    pub fn bodies(&self) -> Vec<&str> {
+        let bodies = self.model.iter().filter(|declared| matches!(declared.symbol, Symbol::Body(_)));
+        bodies.map(|declared| declared.name.as_str()).collect()
+    }
+
+    pub fn places(&self) -> Vec<&str> {
+        let places = self.model.iter().filter(|declared| declared.symbol.is_place());
+        places.map(|declared| declared.name.as_str()).collect()
+    }
+
+    /// Parameters and `let` values.
+    pub fn values(&self, scope: Scope) -> Vec<&str> {
+        let values = self.visible(scope).filter(|declared| declared.symbol.is_value());
+        values.map(|declared| declared.name.as_str()).collect()
+    }
+
+    /// Everything that can stand before a dot.
+    pub fn owners(&self) -> Vec<&str> {
+        [self.bodies(), self.places()].concat()
+    }
+
+    fn find(&self, scope: Scope, name: &str) -> Option<&Declared> {
+        self.visible(scope).find(|declared| declared.name == name)
+    }
+
+    fn visible(&self, scope: Scope) -> impl Iterator<Item = &Declared> {
+        let own = scope.and_then(|effect| self.effects.get(effect.0));
+        own.into_iter().flatten().chain(&self.model)
+    }
+}

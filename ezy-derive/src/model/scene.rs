@@ -1,0 +1,129 @@
+//! Scenes: one start, one end, and the effects that are called for.
+
+use super::case::camel_case;
+use super::constant::constant;
+use super::context::Context;
+use super::unit::Unit;
+use super::{EffectId, Scene, StartId};
+use crate::diag::{names, rules};
+use crate::parse::ast;
+use proc_macro2::Ident;
+
+/// What scenes choose from.
+pub struct Choice<'a> {
+    pub starts: Vec<&'a Ident>,
+    pub effects: Vec<&'a ast::Effect>,
+    /// Names of items that could not be parsed.
+    pub broken: &'a [Ident],
+}
+
+impl Context<'_> {
+    pub fn scene(&mut self, scene: &ast::Scene, documentation: String, choice: &Choice) -> Option<Scene> {
+        let start = self.scene_start(scene, choice);
+        let until_s = self.scene_until(scene);
+        let effects = self.scene_effects(scene, choice);
+        self.check_shared_parameters(scene, &effects, choice);
+        let name = scene.name.clone();
+        Some(Scene { name, documentation, start: start?, until_s: until_s?, effects })
+    }
+
+    fn scene_start(&mut self, scene: &ast::Scene, choice: &Choice) -> Option<StartId> {
+        let known = strings(&choice.starts);
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        let Some(name) = &scene.start else {
+            if !scene.broken {
+                self.diag.error(rules::scene_without_start(&scene.name, &known));
+            }
+            return None;
+        };
+        let found = choice.starts.iter().position(|start| *start == name);
+        if found.is_none() && !choice.broken.contains(name) {
+            self.diag.error(names::unknown_start(name, &known));
+        }
+        found.map(StartId)
+    }
+
+    fn scene_until(&mut self, scene: &ast::Scene) -> Option<f64> {
+        let Some(until) = &scene.until else {
+            if !scene.broken {
+                self.diag.error(rules::scene_without_until(&scene.name));
+            }
+            return None;
+        };
+        let factor = ast::UnitFactor { name: until.unit.clone(), exponent: 1 };
+        let unit = Unit::resolve(&ast::Unit { text: String::new(), factors: vec![factor] }, self.diag);
+        let number = constant(&until.value, "the end of a scene");
+        let (unit, number) = (unit?, self.diag.keep(number)?);
+        if unit.dimension != super::dimension::Dimension::TIME {
+            self.diag.error(rules::until_in_wrong_unit(&until.unit));
+            return None;
+        }
+        let until_s = unit.to_si(number);
+        if until_s > 0.0 && until_s.is_finite() {
+            return Some(until_s);
+        }
+        self.diag.error(rules::until_not_positive(until.value.extent(), &scene.name));
+        None
+    }
+
+    fn scene_effects(&mut self, scene: &ast::Scene, choice: &Choice) -> Vec<EffectId> {
+        let mut effects: Vec<(EffectId, &Ident)> = Vec::new();
+        for name in &scene.effects {
+            let Some(index) = choice.effects.iter().position(|effect| effect.name == *name) else {
+                if !choice.broken.contains(name) {
+                    let known = strings(&choice.effects.iter().map(|effect| &effect.name).collect::<Vec<_>>());
+                    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+                    self.diag.error(names::unknown_effect(name, &known));
+                }
+                continue;
+            };
+            match effects.iter().find(|(id, _)| id.0 == index) {
+                Some((_, first)) => self.diag.error(rules::effect_twice(name, &scene.name, first)),
+                None => effects.push((EffectId(index), name)),
+            }
+        }
+        effects.into_iter().map(|(id, _)| id).collect()
+    }
+
+    /// The parameters of a scene are the fields of one type.
+    fn check_shared_parameters(&mut self, scene: &ast::Scene, effects: &[EffectId], choice: &Choice) {
+        for (i, second) in effects.iter().enumerate() {
+            for first in &effects[..i] {
+                let (first, second) = (choice.effects[first.0], choice.effects[second.0]);
+                for name in parameters(second).filter(|name| parameters(first).any(|other| other == *name)) {
+                    self.diag.error(rules::shared_parameter(name, &scene.name, &first.name, &second.name));
+                }
+            }
+        }
+    }
+
+    /// Types are the scenes' names in CamelCase: they must be names, and differ.
+    pub fn check_scene_types(&mut self, scenes: &[&ast::Scene]) {
+        for (i, scene) in scenes.iter().enumerate() {
+            let type_name = camel_case(&scene.name.to_string());
+            if crate::parse::is_rust_keyword(&type_name) {
+                self.diag.error(rules::no_type_name(&scene.name, &type_name));
+            }
+            let same = |other: &&&ast::Scene| camel_case(&other.name.to_string()) == type_name;
+            match scenes[..i].iter().find(same) {
+                Some(first) if first.name == scene.name => {
+                    self.diag.error(names::declared_twice(&scene.name, "a scene", first.name.span()));
+                }
+                Some(first) => self.diag.error(rules::same_type_name(&scene.name, &type_name, &first.name)),
+                None => {}
+            }
+        }
+    }
+}
+
+/// Names of the parameters of an effect.
+pub fn parameters(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
+    effect.items.iter().filter_map(|item| match &item.kind {
+        ast::ItemKind::Parameter(parameter) => Some(&parameter.name),
+        _ => None,
+    })
+}
+
+fn strings(names: &[&Ident]) -> Vec<String> {
+    names.iter().map(|name| name.to_string()).collect()
+}

@@ -1,0 +1,121 @@
+//! Units: what they measure, and how many SI units they are.
+
+use super::Expr;
+use super::dimension::Dimension;
+use crate::diag::{Diagnostics, names};
+use crate::parse::ast;
+use std::f64::consts::PI;
+
+/// A unit is `times / over * pi^pi` SI units; whole numbers, so that 200 mm is the f64 nearest to 0.2 m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    times: f64,
+    over: f64,
+    pi: i32,
+    pub dimension: Dimension,
+}
+
+struct Known {
+    name: &'static str,
+    times: f64,
+    over: f64,
+    pi: i32,
+    dimension: Dimension,
+}
+
+const fn known(name: &'static str, times: f64, over: f64, dimension: Dimension) -> Known {
+    Known { name, times, over, pi: 0, dimension }
+}
+
+const ENERGY: Dimension = Dimension::TORQUE;
+const POWER: Dimension = Dimension::base(2, 1, -3);
+
+static KNOWN: [Known; 28] = [
+    known("m", 1.0, 1.0, Dimension::LENGTH),
+    known("mm", 1.0, 1e3, Dimension::LENGTH),
+    known("cm", 1.0, 1e2, Dimension::LENGTH),
+    known("km", 1e3, 1.0, Dimension::LENGTH),
+    known("kg", 1.0, 1.0, Dimension::MASS),
+    known("g", 1.0, 1e3, Dimension::MASS),
+    known("t", 1e3, 1.0, Dimension::MASS),
+    known("s", 1.0, 1.0, Dimension::TIME),
+    known("ms", 1.0, 1e3, Dimension::TIME),
+    known("us", 1.0, 1e6, Dimension::TIME),
+    known("min", 60.0, 1.0, Dimension::TIME),
+    known("h", 3600.0, 1.0, Dimension::TIME),
+    known("rad", 1.0, 1.0, Dimension::NONE),
+    known("mrad", 1.0, 1e3, Dimension::NONE),
+    Known { name: "deg", times: 1.0, over: 180.0, pi: 1, dimension: Dimension::NONE },
+    known("Hz", 1.0, 1.0, Dimension::ANGULAR_VELOCITY),
+    known("kHz", 1e3, 1.0, Dimension::ANGULAR_VELOCITY),
+    known("N", 1.0, 1.0, Dimension::FORCE),
+    known("mN", 1.0, 1e3, Dimension::FORCE),
+    known("kN", 1e3, 1.0, Dimension::FORCE),
+    known("MN", 1e6, 1.0, Dimension::FORCE),
+    known("J", 1.0, 1.0, ENERGY),
+    known("mJ", 1.0, 1e3, ENERGY),
+    known("kJ", 1e3, 1.0, ENERGY),
+    known("MJ", 1e6, 1.0, ENERGY),
+    known("W", 1.0, 1.0, POWER),
+    known("kW", 1e3, 1.0, POWER),
+    known("MW", 1e6, 1.0, POWER),
+];
+
+impl Unit {
+    const ONE: Self = Self { times: 1.0, over: 1.0, pi: 0, dimension: Dimension::NONE };
+
+    /// Reports every unknown name.
+    pub fn resolve(unit: &ast::Unit, diag: &mut Diagnostics) -> Option<Self> {
+        let factors: Vec<Option<Self>> = unit.factors.iter().map(|factor| Self::factor(factor, diag)).collect();
+        factors.into_iter().try_fold(Self::ONE, |product, factor| Some(product.times(factor?)))
+    }
+
+    fn factor(factor: &ast::UnitFactor, diag: &mut Diagnostics) -> Option<Self> {
+        let Some(known) = KNOWN.iter().find(|known| factor.name == known.name) else {
+            let names: Vec<&str> = KNOWN.iter().map(|known| known.name).collect();
+            diag.error(names::unknown_unit(&factor.name, &names));
+            return None;
+        };
+        let one = Self { times: known.times, over: known.over, pi: known.pi, dimension: known.dimension };
+        let inverse = Self {
+            times: known.over,
+            over: known.times,
+            pi: -known.pi,
+            dimension: Dimension::NONE.over(known.dimension),
+        };
+        let base = if factor.exponent < 0 { inverse } else { one };
+        Some((0..factor.exponent.abs()).fold(Self::ONE, |product, _| product.times(base)))
+    }
+
+    fn times(self, other: Self) -> Self {
+        Self {
+            times: self.times * other.times,
+            over: self.over * other.over,
+            pi: self.pi + other.pi,
+            dimension: self.dimension.times(other.dimension),
+        }
+    }
+
+    /// `value` of this unit, in SI units.
+    pub fn to_si(self, value: f64) -> f64 {
+        value * self.times * PI.powi(self.pi) / self.over
+    }
+
+    /// The same as an expression; SI units leave no operation.
+    pub fn expr_to_si(self, mut value: Expr) -> Expr {
+        let number = |number| Box::new(Expr::Number(number));
+        if self.times != 1.0 {
+            value = Expr::Mul(Box::new(value), number(self.times));
+        }
+        for _ in 0..self.pi {
+            value = Expr::Mul(Box::new(value), Box::new(Expr::Pi));
+        }
+        for _ in 0..-self.pi {
+            value = Expr::Div(Box::new(value), Box::new(Expr::Pi));
+        }
+        if self.over != 1.0 {
+            value = Expr::Div(Box::new(value), number(self.over));
+        }
+        value
+    }
+}

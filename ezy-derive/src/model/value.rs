@@ -1,0 +1,128 @@
+//! Scalars and vectors, and what the operators make of them.
+
+use super::Expr;
+use super::dimension::Dimension;
+use crate::diag::rules;
+use crate::parse::ast::Operator;
+use proc_macro2::Span;
+use syn::Result;
+
+/// An expression with its shape; the dimension is `None` where a unit was not declared or a bare number takes part.
+#[derive(Debug, Clone)]
+pub struct Value {
+    pub form: Form,
+    pub dimension: Option<Dimension>,
+}
+
+#[derive(Debug, Clone)]
+pub enum Form {
+    Scalar(Expr),
+    Vector(Expr, Expr),
+}
+
+impl Value {
+    pub fn scalar(value: Expr, dimension: Option<Dimension>) -> Self {
+        Self { form: Form::Scalar(value), dimension }
+    }
+
+    pub fn vector(x: Expr, y: Expr, dimension: Option<Dimension>) -> Self {
+        Self { form: Form::Vector(x, y), dimension }
+    }
+
+    pub fn shape(&self) -> &'static str {
+        match self.form {
+            Form::Scalar(_) => "a scalar",
+            Form::Vector(..) => "a vector",
+        }
+    }
+
+    pub fn negative(self) -> Self {
+        let form = match self.form {
+            Form::Scalar(value) => Form::Scalar(neg(value)),
+            Form::Vector(x, y) => Form::Vector(neg(x), neg(y)),
+        };
+        Self { form, ..self }
+    }
+
+    /// `self operator other`; the message of a fault sits on the operator.
+    pub fn binary(self, operator: Operator, at: Span, other: Self) -> Result<Self> {
+        let fault = rules::operands(at, operator, self.shape(), other.shape());
+        let dimension = self.dimension_with(operator, at, &other)?;
+        let form = match (operator, self.form, other.form) {
+            (_, Form::Scalar(a), Form::Scalar(b)) => Form::Scalar(apply(operator, a, b)),
+            (Operator::Add | Operator::Subtract, Form::Vector(ax, ay), Form::Vector(bx, by)) => {
+                Form::Vector(apply(operator, ax, bx), apply(operator, ay, by))
+            }
+            (Operator::Multiply | Operator::Divide, Form::Vector(x, y), Form::Scalar(b)) => {
+                Form::Vector(apply(operator, x, b.clone()), apply(operator, y, b))
+            }
+            (Operator::Multiply, Form::Scalar(a), Form::Vector(x, y)) => Form::Vector(mul(a.clone(), x), mul(a, y)),
+            _ => return Err(fault),
+        };
+        Ok(Self { form, dimension })
+    }
+
+    fn dimension_with(&self, operator: Operator, at: Span, other: &Self) -> Result<Option<Dimension>> {
+        let both = self.dimension.zip(other.dimension);
+        Ok(match operator {
+            Operator::Add | Operator::Subtract => match both {
+                Some((a, b)) if a != b => return Err(rules::unlike_sum(at, operator, &a, &b)),
+                _ => self.dimension.or(other.dimension),
+            },
+            Operator::Multiply => both.map(|(a, b)| a.times(b)),
+            Operator::Divide => both.map(|(a, b)| a.over(b)),
+            Operator::Power => match &other.form {
+                Form::Scalar(exponent) => {
+                    self.dimension.zip(number(exponent)).and_then(|(dimension, exponent)| dimension.power(exponent))
+                }
+                Form::Vector(..) => None,
+            },
+        })
+    }
+
+    /// a · b
+    pub fn dot(ax: Expr, ay: Expr, bx: Expr, by: Expr) -> Expr {
+        add(mul(ax, bx), mul(ay, by))
+    }
+
+    /// The component of a × b out of the plane.
+    pub fn cross(ax: Expr, ay: Expr, bx: Expr, by: Expr) -> Expr {
+        sub(mul(ax, by), mul(ay, bx))
+    }
+}
+
+/// The value of a literal with or without signs.
+fn number(expr: &Expr) -> Option<f64> {
+    match expr {
+        Expr::Number(value) => Some(*value),
+        Expr::Neg(operand) => number(operand).map(|value| -value),
+        Expr::Div(a, b) => number(a).zip(number(b)).map(|(a, b)| a / b),
+        _ => None,
+    }
+}
+
+fn apply(operator: Operator, a: Expr, b: Expr) -> Expr {
+    match operator {
+        Operator::Add => add(a, b),
+        Operator::Subtract => sub(a, b),
+        Operator::Multiply => mul(a, b),
+        Operator::Divide => Expr::Div(Box::new(a), Box::new(b)),
+        Operator::Power => Expr::Pow(Box::new(a), Box::new(b)),
+    }
+}
+
+fn neg(a: Expr) -> Expr {
+    Expr::Neg(Box::new(a))
+}
+
+fn add(a: Expr, b: Expr) -> Expr {
+    Expr::Add(Box::new(a), Box::new(b))
+}
+
+fn sub(a: Expr, b: Expr) -> Expr {
+    Expr::Sub(Box::new(a), Box::new(b))
+}
+
+fn mul(a: Expr, b: Expr) -> Expr {
+    Expr::Mul(Box::new(a), Box::new(b))
+}

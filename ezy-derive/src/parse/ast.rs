@@ -1,0 +1,225 @@
+//! The model text as a tree: what was written and where, without meaning.
+
+use crate::diag::Extent;
+use proc_macro2::{Ident, Span};
+
+pub struct Model {
+    pub visibility: syn::Visibility,
+    pub name: Ident,
+    pub documentation: String,
+    pub items: Vec<Item>,
+    /// Names of items that could not be parsed: their uses are no faults of their own.
+    pub broken: Vec<Ident>,
+}
+
+#[derive(Debug)]
+pub struct Item {
+    pub documentation: String,
+    pub kind: ItemKind,
+}
+
+#[derive(Debug)]
+pub enum ItemKind {
+    Parameter(Parameter),
+    Let(Let),
+    Body(Body),
+    Point(Point),
+    Hinge(Hinge),
+    Skate(Skate),
+    Torque(Torque),
+    Force(Force),
+    Effect(Effect),
+    Start(Start),
+    Scene(Scene),
+}
+
+#[derive(Debug)]
+pub struct Parameter {
+    pub name: Ident,
+    pub unit: Option<Unit>,
+    pub value: Expr,
+    /// The value as written, blanks removed.
+    pub value_text: String,
+}
+
+#[derive(Debug)]
+pub struct Let {
+    pub name: Ident,
+    pub value: Expr,
+}
+
+#[derive(Debug)]
+pub struct Body {
+    pub name: Ident,
+    pub mass: Expr,
+    pub inertia: Expr,
+}
+
+#[derive(Debug)]
+pub struct Point {
+    pub name: Ident,
+    pub place: OnBody,
+}
+
+#[derive(Debug)]
+pub struct Hinge {
+    pub name: Ident,
+    pub a: Place,
+    pub b: Place,
+}
+
+#[derive(Debug)]
+pub struct Skate {
+    pub name: Ident,
+    pub at: Place,
+    pub along: OnBody,
+}
+
+#[derive(Debug)]
+pub struct Torque {
+    pub on: Ident,
+    /// `torque on ~ from: value`
+    pub from: Option<Ident>,
+    pub value: Expr,
+}
+
+#[derive(Debug)]
+pub struct Force {
+    pub at: Place,
+    pub direction: Option<ForceDirection>,
+    pub value: Expr,
+}
+
+#[derive(Debug)]
+pub struct ForceDirection {
+    pub across: bool,
+    pub direction: OnBody,
+}
+
+#[derive(Debug)]
+pub struct Effect {
+    pub name: Ident,
+    pub items: Vec<Item>,
+}
+
+#[derive(Debug)]
+pub struct Start {
+    pub name: Ident,
+    pub given: Vec<Given>,
+    /// The word `rest` of `at rest;`.
+    pub at_rest: Option<Ident>,
+}
+
+/// One quantity of a body in a start.
+#[derive(Debug)]
+pub struct Given {
+    pub body: Ident,
+    pub quantity: Quantity,
+    /// The word that gives it.
+    pub word: Ident,
+    /// One value, or two for a vector; `None` where a component is left free.
+    pub values: Vec<Option<Expr>>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    Position,
+    Angle,
+    Velocity,
+    Rate,
+    X,
+    Y,
+    VelocityX,
+    VelocityY,
+}
+
+#[derive(Debug)]
+pub struct Scene {
+    pub name: Ident,
+    pub start: Option<Ident>,
+    pub until: Option<Duration>,
+    pub effects: Vec<Ident>,
+    /// Whether a statement could not be parsed, so that a missing one is no fault of its own.
+    pub broken: bool,
+}
+
+#[derive(Debug)]
+pub struct Duration {
+    pub value: Expr,
+    pub unit: Ident,
+}
+
+/// A point by its name, or a place on a body.
+#[derive(Debug)]
+pub enum Place {
+    Named(Ident),
+    OnBody(OnBody),
+}
+
+/// `body(x, y)`: a place or a direction in the axes of a body.
+#[derive(Debug)]
+pub struct OnBody {
+    pub body: Ident,
+    pub x: Expr,
+    pub y: Expr,
+}
+
+/// A product of powers of units.
+#[derive(Debug)]
+pub struct Unit {
+    /// As written, blanks removed.
+    pub text: String,
+    pub factors: Vec<UnitFactor>,
+}
+
+#[derive(Debug)]
+pub struct UnitFactor {
+    pub name: Ident,
+    pub exponent: i32,
+}
+
+#[derive(Debug, Clone)]
+pub enum Expr {
+    Number { value: f64, span: Span },
+    Name(Ident),
+    Member { owner: Ident, member: Ident },
+    Call { function: Ident, arguments: Vec<Expr>, end: Span },
+    Vector { x: Box<Expr>, y: Box<Expr>, start: Span, end: Span },
+    Negative { sign: Span, operand: Box<Expr> },
+    Binary { operator: Operator, span: Span, left: Box<Expr>, right: Box<Expr> },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+}
+
+impl Operator {
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::Add => "+",
+            Self::Subtract => "-",
+            Self::Multiply => "*",
+            Self::Divide => "/",
+            Self::Power => "^",
+        }
+    }
+}
+
+impl Expr {
+    pub fn extent(&self) -> Extent {
+        match self {
+            Self::Number { span, .. } => (*span).into(),
+            Self::Name(name) => name.into(),
+            Self::Member { owner, member } => Extent { first: owner.span(), last: member.span() },
+            Self::Call { function, end, .. } => Extent { first: function.span(), last: *end },
+            Self::Vector { start, end, .. } => Extent { first: *start, last: *end },
+            Self::Negative { sign, operand } => Extent { first: *sign, last: operand.extent().last },
+            Self::Binary { left, right, .. } => Extent { first: left.extent().first, last: right.extent().last },
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Expressions, by recursive descent: `+ -` bind weakest, then `* /`, then the sign, then `^` (to the right).
+
+use super::ast::{Expr, Operator};
+use super::token::{end, expected, name, parenthesised, peek_number};
+use crate::diag::syntax;
+use proc_macro2::Span;
+use syn::parse::ParseStream;
+use syn::{Lit, Result, Token};
+
+/// Keeps the recursion over an expression, here and in all later stages, far from the end of the stack.
+const MAX_PARTS: usize = 400;
+
+/// A scalar or a vector.
+pub fn expression(input: ParseStream) -> Result<Expr> {
+    Parser { parts: 0 }.sum(input)
+}
+
+struct Parser {
+    parts: usize,
+}
+
+impl Parser {
+    fn count(&mut self, at: Span) -> Result<()> {
+        self.parts += 1;
+        if self.parts > MAX_PARTS { Err(syntax::expression_too_large(at, MAX_PARTS)) } else { Ok(()) }
+    }
+
+    fn sum(&mut self, input: ParseStream) -> Result<Expr> {
+        let mut left = self.product(input)?;
+        loop {
+            let (operator, span) = match () {
+                () if input.peek(Token![+]) => (Operator::Add, input.parse::<Token![+]>()?.span),
+                () if input.peek(Token![-]) => (Operator::Subtract, input.parse::<Token![-]>()?.span),
+                () => return Ok(left),
+            };
+            self.count(span)?;
+            left = binary(operator, span, left, self.product(input)?);
+        }
+    }
+
+    fn product(&mut self, input: ParseStream) -> Result<Expr> {
+        let mut left = self.signed(input)?;
+        loop {
+            let (operator, span) = match () {
+                () if input.peek(Token![*]) => (Operator::Multiply, input.parse::<Token![*]>()?.span),
+                () if input.peek(Token![/]) => (Operator::Divide, input.parse::<Token![/]>()?.span),
+                () => return Ok(left),
+            };
+            if operator == Operator::Multiply && input.peek(Token![*]) {
+                return Err(syntax::power_of_other_languages(input.span()));
+            }
+            self.count(span)?;
+            left = binary(operator, span, left, self.signed(input)?);
+        }
+    }
+
+    fn signed(&mut self, input: ParseStream) -> Result<Expr> {
+        if !input.peek(Token![-]) {
+            return self.power(input);
+        }
+        let sign = input.parse::<Token![-]>()?.span;
+        self.count(sign)?;
+        Ok(Expr::Negative { sign, operand: Box::new(self.signed(input)?) })
+    }
+
+    fn power(&mut self, input: ParseStream) -> Result<Expr> {
+        let base = self.primary(input)?;
+        if !input.peek(Token![^]) {
+            return Ok(base);
+        }
+        let span = input.parse::<Token![^]>()?.span;
+        Ok(binary(Operator::Power, span, base, self.signed(input)?))
+    }
+
+    fn primary(&mut self, input: ParseStream) -> Result<Expr> {
+        self.count(input.span())?;
+        if peek_number(input) {
+            return number(input);
+        }
+        if input.peek(syn::token::Paren) {
+            return self.group(input);
+        }
+        let owner = name(input, "a value")?;
+        if input.peek(syn::token::Paren) {
+            let brackets = parenthesised(input)?;
+            let arguments = self.arguments(&brackets.inside)?;
+            return Ok(Expr::Call { function: owner, arguments, end: brackets.close });
+        }
+        if input.peek(Token![.]) {
+            input.parse::<Token![.]>()?;
+            return Ok(Expr::Member { owner, member: name(input, "the name of a member")? });
+        }
+        Ok(Expr::Name(owner))
+    }
+
+    /// `(e)` or the vector `(x, y)`.
+    fn group(&mut self, input: ParseStream) -> Result<Expr> {
+        let brackets = parenthesised(input)?;
+        let inside = &brackets.inside;
+        let x = self.sum(inside)?;
+        if inside.is_empty() {
+            return Ok(x);
+        }
+        if !inside.peek(Token![,]) {
+            return Err(expected(inside, "`)`"));
+        }
+        inside.parse::<Token![,]>()?;
+        let y = self.sum(inside)?;
+        end(inside, ")")?;
+        Ok(Expr::Vector { x: Box::new(x), y: Box::new(y), start: brackets.open, end: brackets.close })
+    }
+
+    fn arguments(&mut self, inside: ParseStream) -> Result<Vec<Expr>> {
+        let mut arguments = Vec::new();
+        while !inside.is_empty() {
+            arguments.push(self.sum(inside)?);
+            if !inside.is_empty() {
+                inside.parse::<Token![,]>().map_err(|_| expected(inside, "`,` or `)`"))?;
+            }
+        }
+        Ok(arguments)
+    }
+}
+
+fn binary(operator: Operator, span: Span, left: Expr, right: Expr) -> Expr {
+    Expr::Binary { operator, span, left: Box::new(left), right: Box::new(right) }
+}
+
+fn number(input: ParseStream) -> Result<Expr> {
+    let literal: Lit = input.parse()?;
+    let (digits, suffix) = match &literal {
+        Lit::Int(literal) => (literal.base10_digits(), literal.suffix()),
+        Lit::Float(literal) => (literal.base10_digits(), literal.suffix()),
+        _ => return Err(syntax::expected(literal.span(), "a number", "another literal")),
+    };
+    if !suffix.is_empty() {
+        return Err(syntax::number_with_suffix(literal.span(), digits, suffix));
+    }
+    // the decimal digits as written: the nearest f64
+    match digits.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(Expr::Number { value, span: literal.span() }),
+        _ => Err(syntax::number_too_large(literal.span(), digits)),
+    }
+}

@@ -1,0 +1,72 @@
+//! From tokens to a tree. Knows syntax alone, and goes on after a fault.
+
+pub mod ast;
+mod body;
+mod effect;
+mod expression;
+mod force;
+mod hinge;
+mod item;
+mod let_value;
+mod parameter;
+mod place;
+mod point;
+mod scene;
+mod skate;
+mod start;
+mod token;
+mod torque;
+mod unit;
+
+pub use token::is_rust_keyword;
+
+use crate::diag::{Diagnostics, syntax};
+use proc_macro2::{Ident, Span, TokenStream};
+use syn::Result;
+use syn::parse::{ParseStream, Parser};
+use token::{found, name, word};
+
+/// What the parser keeps while it goes on after faults.
+pub struct Log<'a> {
+    pub diag: &'a mut Diagnostics,
+    pub broken: Vec<Ident>,
+}
+
+/// The model text as a tree. Faults go to `diag`; what could not be parsed is missing in the tree, its name is kept.
+pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
+    let mut model = ast::Model {
+        visibility: syn::Visibility::Inherited,
+        name: Ident::new("Model", Span::call_site()),
+        documentation: String::new(),
+        items: Vec::new(),
+        broken: Vec::new(),
+    };
+    let mut log = Log { diag, broken: Vec::new() };
+    let mut header = Ok(());
+    let rest = (|input: ParseStream| {
+        header = self::model(input, &mut model, &mut log);
+        Ok(())
+    })
+    .parse2(tokens);
+    model.broken = log.broken;
+    // syn reports tokens that were left over; those follow a fault that is known already, if there is one
+    let rest = if diag.is_empty() { rest } else { Ok(()) };
+    diag.keep(header.and(rest));
+    model
+}
+
+fn model(input: ParseStream, model: &mut ast::Model, log: &mut Log) -> Result<()> {
+    if input.is_empty() {
+        return Err(syntax::no_model(Span::call_site()));
+    }
+    model.documentation = item::documentation(input)?;
+    model.visibility = input.parse()?;
+    word(input, "model").map_err(|error| syntax::with_example(error, "model", "pub model Name { … }"))?;
+    model.name = name(input, "the name of the model")?;
+    let body = token::braced(input)?;
+    item::items(&body.inside, item::MODEL, &mut model.items, log);
+    if !input.is_empty() {
+        log.diag.error(syntax::text_after_model(input.span(), &found(input)));
+    }
+    Ok(())
+}

@@ -1,0 +1,37 @@
+//! Places and directions: `body(x, y)`, or the name of a point.
+
+use super::ast::{OnBody, Place};
+use super::expression::expression;
+use super::token::{end, name, parenthesised};
+use crate::diag::syntax;
+use syn::parse::ParseStream;
+use syn::{Result, Token};
+
+pub fn place(input: ParseStream) -> Result<Place> {
+    let owner = name(input, "a place: the name of a point, or `body(x, y)`")?;
+    if !input.peek(syn::token::Paren) {
+        return Ok(Place::Named(owner));
+    }
+    let (x, y) = pair(input, expression)?;
+    Ok(Place::OnBody(OnBody { body: owner, x, y }))
+}
+
+pub fn on_body(input: ParseStream, what: &str) -> Result<OnBody> {
+    let body = name(input, what)?;
+    let (x, y) = pair(input, expression)?;
+    Ok(OnBody { body, x, y })
+}
+
+/// `(x, y)`
+pub fn pair<T>(input: ParseStream, component: impl Fn(ParseStream) -> Result<T>) -> Result<(T, T)> {
+    let brackets = parenthesised(input)?;
+    let inside = &brackets.inside;
+    let x = component(inside)?;
+    if inside.is_empty() {
+        return Err(syntax::bare_vector_component(crate::diag::Extent { first: brackets.open, last: brackets.close }));
+    }
+    super::token::sign::<Token![,]>(inside)?;
+    let y = component(inside)?;
+    end(inside, ")")?;
+    Ok((x, y))
+}

@@ -1,0 +1,86 @@
+//! `start name { body at (x, y) angle e velocity (vx, vy) rate w; …; at rest; }`
+
+use super::Log;
+use super::ast::{Expr, Given, ItemKind, Quantity, Start};
+use super::expression::expression;
+use super::place::pair;
+use super::token::{braced, expected, name, peek_word, sign, skip, word};
+use crate::diag::syntax;
+use proc_macro2::Ident;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Result, Token};
+
+/// The words that give a quantity of a body.
+const QUANTITIES: [(&str, Quantity); 8] = [
+    ("at", Quantity::Position),
+    ("angle", Quantity::Angle),
+    ("velocity", Quantity::Velocity),
+    ("rate", Quantity::Rate),
+    ("x", Quantity::X),
+    ("y", Quantity::Y),
+    ("vx", Quantity::VelocityX),
+    ("vy", Quantity::VelocityY),
+];
+
+pub fn start(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
+    let name = name(input, "the name of the start")?;
+    let inside = braced(input)?.inside;
+    let mut start = Start { name, given: Vec::new(), at_rest: None };
+    while !inside.is_empty() {
+        if let Err(error) = statement(&inside, &mut start) {
+            log.diag.error(syntax::with_example(error, "start", "start folded { seat at (0, 0) angle 0; at rest; }"));
+            while !inside.peek(Token![;]) && skip(&inside) {}
+            inside.parse::<Option<Token![;]>>()?;
+        }
+    }
+    Ok(ItemKind::Start(start))
+}
+
+fn statement(input: ParseStream, start: &mut Start) -> Result<()> {
+    if peek_word(input, "at") && input.peek2(Ident::peek_any) && is_at_rest(&input.fork()) {
+        word(input, "at")?;
+        start.at_rest = Some(word(input, "rest")?);
+        sign::<Token![;]>(input)?;
+        return Ok(());
+    }
+    let body = name(input, "the name of a body, or `at rest`")?;
+    if input.peek(Token![;]) {
+        return Err(syntax::empty_start_statement(&body));
+    }
+    while !input.peek(Token![;]) {
+        let given = given(input, &body)?;
+        start.given.push(given);
+    }
+    sign::<Token![;]>(input).map(|_| ())
+}
+
+fn is_at_rest(fork: ParseStream) -> bool {
+    fork.call(Ident::parse_any).is_ok() && peek_word(fork, "rest") && fork.peek2(Token![;])
+}
+
+fn given(input: ParseStream, body: &Ident) -> Result<Given> {
+    let Some((word, _)) = input.cursor().ident() else { return Err(expected(input, "a quantity or `;`")) };
+    let Some((_, quantity)) = QUANTITIES.iter().find(|(known, _)| word == known) else {
+        let words: Vec<&str> = QUANTITIES.iter().map(|(known, _)| *known).collect();
+        return Err(syntax::unknown_word(&word, "a start", &words));
+    };
+    input.call(Ident::parse_any)?;
+    let values = match quantity {
+        Quantity::Position | Quantity::Velocity => {
+            let (x, y) = pair(input, free_or_value)?;
+            vec![x, y]
+        }
+        _ => vec![Some(expression(input)?)],
+    };
+    Ok(Given { body: body.clone(), quantity: *quantity, word, values })
+}
+
+/// `_` leaves a component free.
+fn free_or_value(input: ParseStream) -> Result<Option<Expr>> {
+    if input.peek(Token![_]) {
+        input.parse::<Token![_]>()?;
+        return Ok(None);
+    }
+    expression(input).map(Some)
+}

@@ -1,0 +1,75 @@
+//! Units: products, quotients and whole powers of names, such as `kg*m^2` or `N*s/m`.
+
+use super::ast::{Unit, UnitFactor};
+use super::token::{end, expected, name, parenthesised};
+use syn::parse::ParseStream;
+use syn::{LitInt, Result, Token};
+
+/// Beyond it no unit is meant, and products of exponents stay far from overflow.
+const MAX_EXPONENT: i32 = 12;
+
+pub fn unit(input: ParseStream) -> Result<Unit> {
+    let mut unit = Unit { text: String::new(), factors: Vec::new() };
+    product(input, 1, 0, &mut unit)?;
+    Ok(unit)
+}
+
+fn product(input: ParseStream, exponent: i32, depth: usize, unit: &mut Unit) -> Result<()> {
+    power(input, exponent, depth, unit)?;
+    loop {
+        if input.peek(Token![*]) {
+            input.parse::<Token![*]>()?;
+            unit.text.push('*');
+            power(input, exponent, depth, unit)?;
+        } else if input.peek(Token![/]) {
+            input.parse::<Token![/]>()?;
+            unit.text.push('/');
+            power(input, -exponent, depth, unit)?;
+        } else {
+            return Ok(());
+        }
+    }
+}
+
+fn power(input: ParseStream, exponent: i32, depth: usize, unit: &mut Unit) -> Result<()> {
+    if input.peek(LitInt) && input.fork().parse::<LitInt>().is_ok_and(|one| one.to_string() == "1") {
+        input.parse::<LitInt>()?;
+        unit.text.push('1');
+        return Ok(());
+    }
+    if input.peek(syn::token::Paren) && depth < MAX_EXPONENT as usize {
+        let brackets = parenthesised(input)?;
+        unit.text.push('(');
+        product(&brackets.inside, exponent, depth + 1, unit)?;
+        unit.text.push(')');
+        return end(&brackets.inside, ")");
+    }
+    let name = name(input, "a unit")?;
+    unit.text.push_str(&name.to_string());
+    let mut factor = UnitFactor { name, exponent };
+    if input.peek(Token![^]) {
+        input.parse::<Token![^]>()?;
+        unit.text.push('^');
+        factor.exponent *= whole_number(input, unit)?;
+    }
+    unit.factors.push(factor);
+    Ok(())
+}
+
+fn whole_number(input: ParseStream, unit: &mut Unit) -> Result<i32> {
+    let at = input.fork();
+    let negative = input.peek(Token![-]);
+    if negative {
+        input.parse::<Token![-]>()?;
+        unit.text.push('-');
+    }
+    let literal = input.parse::<LitInt>().ok().filter(|literal| literal.suffix().is_empty());
+    let digits = literal.and_then(|literal| literal.base10_parse::<i32>().ok());
+    match digits.filter(|digits| (1..=MAX_EXPONENT).contains(digits)) {
+        Some(digits) => {
+            unit.text.push_str(&digits.to_string());
+            Ok(if negative { -digits } else { digits })
+        }
+        None => Err(expected(&at, "a whole exponent")),
+    }
+}

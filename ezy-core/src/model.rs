@@ -316,7 +316,15 @@ pub trait Scene: Send + Sync {
 
     /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
     /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished.
-    fn accelerations(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> DeficientRows;
+    fn accelerations(
+        &self,
+        c: &[f64],
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> DeficientRows;
 
     /// Generated mass-weighted correction: the `delta` of smallest `deltaᵀ M delta` with `G(q, t) delta = −residual`.
     /// Reads `n_c` residuals, writes `n_q`; needs M > 0, meaningless when a pivot vanished.

@@ -1,0 +1,114 @@
+//! Accelerations and multipliers; corrections with the same matrix.
+
+use super::system::Solver;
+use super::{Metric, MotionError, System};
+use crate::linalg::diagnose;
+use crate::model::Scene;
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// Accelerations and multipliers at one state: solves `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`.
+    ///
+    /// | name | shape | unit |
+    /// |---|---|---|
+    /// | `q`, `v` | `n_q` | m, rad; m/s, rad/s |
+    /// | `a` (written) | `n_q` | m/s², rad/s² |
+    /// | `lambda` (written) | `n_c` | N, N·m |
+    ///
+    /// # Errors
+    /// [`MotionError`] when K is singular, with the rows or coordinates to blame; `a` and `lambda` are then
+    /// unspecified.
+    /// # Cost
+    /// One factorisation and one solve; no allocation unless it fails.
+    pub fn accelerations(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), MotionError> {
+        self.counters.evaluations += 1;
+        self.counters.factorizations += 1;
+        let (scene, c) = (self.scene, &self.constants);
+        let regular = match &mut self.solver {
+            Solver::Generated => scene.accelerations(c, t, q, v, a, lambda).none(),
+            Solver::Factored(kkt) => {
+                let buffers = &mut self.buffers;
+                scene.velocity_jacobian(c, t, q, &mut buffers.jacobian);
+                let regular = kkt.factor(&self.mass, &buffers.jacobian).is_ok();
+                if regular {
+                    let (F, gamma) = buffers.right_side.split_at_mut(q.len());
+                    scene.applied_force(c, t, q, v, F);
+                    scene.convective_term(c, t, q, v, gamma);
+                    gamma.iter_mut().for_each(|h| *h = -*h);
+                    kkt.solve(&mut buffers.right_side);
+                    let (solved_a, solved_lambda) = buffers.right_side.split_at(q.len());
+                    a.copy_from_slice(solved_a);
+                    lambda.copy_from_slice(solved_lambda);
+                }
+                regular
+            }
+        };
+        if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
+    }
+
+    /// The smallest `delta` (`n_q`) with `G(q, t) delta = −residual` (`n_c`), smallest in the mass matrix or, with
+    /// [`Metric::Euclidean`], in plain numbers.
+    ///
+    /// # Errors
+    /// As [`System::accelerations`].
+    /// # Cost
+    /// One factorisation and one solve; no allocation but for the first Euclidean correction.
+    pub fn correction(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        residual: &[f64],
+        metric: Metric,
+        delta: &mut [f64],
+    ) -> Result<(), MotionError> {
+        self.counters.factorizations += 1;
+        let (scene, c) = (self.scene, &self.constants);
+        let regular = match (&mut self.solver, metric) {
+            (Solver::Generated, Metric::Mass) => scene.correction(c, t, q, residual, delta).none(),
+            (Solver::Factored(kkt), Metric::Mass) => {
+                let buffers = &mut self.buffers;
+                scene.velocity_jacobian(c, t, q, &mut buffers.jacobian);
+                let regular = kkt.factor(&self.mass, &buffers.jacobian).is_ok();
+                if regular {
+                    buffers.right_side[..q.len()].fill(0.0);
+                    buffers.right_side[q.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
+                    kkt.solve(&mut buffers.right_side);
+                    delta.copy_from_slice(&buffers.right_side[..q.len()]);
+                }
+                regular
+            }
+            (_, Metric::Euclidean) => {
+                scene.velocity_jacobian(c, t, q, &mut self.buffers.jacobian);
+                let euclidean =
+                    self.euclidean.get_or_insert_with(|| Box::new(super::projection::Euclidean::new(self.info)));
+                euclidean.velocity_correction(&self.buffers.jacobian, residual, delta)
+            }
+        };
+        if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
+    }
+
+    /// Names what makes K singular. Slow; only for reports.
+    #[cold]
+    pub(super) fn why_singular(&mut self, t: f64, q: &[f64]) -> MotionError {
+        let (scene, info) = (self.scene, self.info);
+        scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+        match diagnose(&self.mass, &info.jacobian, &self.buffers.jacobian) {
+            None => MotionError::NotFinite { t, quantity: "the constraint Jacobian" },
+            Some(found) if found.rows.is_empty() => MotionError::UndeterminedMotion {
+                t,
+                coordinates: found.coordinates.iter().map(|&i| info.coordinates[i].name).collect(),
+            },
+            Some(found) => MotionError::DependentRows {
+                t,
+                rows: found.rows.iter().map(|&i| info.rows[i].name).collect(),
+                smallest_singular_value: found.smallest_singular_value,
+            },
+        }
+    }
+}

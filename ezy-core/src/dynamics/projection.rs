@@ -1,0 +1,202 @@
+//! Back onto the constraints: positions first, then velocities at the projected positions.
+
+use super::{MotionError, System, max_abs};
+use crate::linalg::{DenseKkt, KktFactorization};
+use crate::model::{Scene, SceneInfo};
+
+/// What is projected after each step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Projection {
+    /// Nothing.
+    None,
+    /// Velocities only.
+    Velocities,
+    /// Positions only; less accurate than nothing, for comparison.
+    Positions,
+    /// Positions, then velocities at the projected positions.
+    #[default]
+    Both,
+}
+
+impl Projection {
+    /// Whether positions are projected.
+    pub fn positions(self) -> bool {
+        matches!(self, Self::Positions | Self::Both)
+    }
+
+    /// Whether velocities are projected.
+    pub fn velocities(self) -> bool {
+        matches!(self, Self::Velocities | Self::Both)
+    }
+}
+
+/// In which metric a correction is smallest.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Metric {
+    /// δᵀ M δ. A velocity projection then never adds kinetic energy when the constraints do not depend on time, and
+    /// a position correction [C; 0] violates no velocity row to first order.
+    #[default]
+    Mass,
+    /// δᵀ δ, which adds metres to radians: the least-squares projection of the seed report, for comparison.
+    /// Positions are corrected along the position rows only, as there.
+    Euclidean,
+}
+
+/// |C| that a projection has to reach.
+const POSITION_TOLERANCE: f64 = 1e-12;
+
+/// Rounding of C in units of ε times the largest coordinate: a row sums a handful of terms of that size. Matters
+/// from 500 m on, where [`POSITION_TOLERANCE`] is out of reach.
+pub(super) const ROUNDING_OF_ROWS: f64 = 8.0 * f64::EPSILON;
+
+/// Gauss–Newton passes; from the drift of one step two are plenty.
+const MAX_PASSES: usize = 10;
+
+/// |C| that counts as zero at `q`.
+pub(super) fn position_tolerance(q: &[f64]) -> f64 {
+    POSITION_TOLERANCE.max(ROUNDING_OF_ROWS * max_abs(q))
+}
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// Largest |C(q, t)| over the position rows; zero without any.
+    pub fn position_residual(&mut self, t: f64, q: &[f64]) -> f64 {
+        let residual = &mut self.buffers.residual[..self.info.n_position_rows];
+        self.scene.position_constraint(&self.constants, t, q, residual);
+        max_abs(residual)
+    }
+
+    /// Largest residual of all rows at velocity level: C_q v + C_t and S v + s_t.
+    pub fn velocity_residual(&mut self, t: f64, q: &[f64], v: &[f64]) -> f64 {
+        self.scene.velocity_constraint(&self.constants, t, q, v, &mut self.buffers.residual);
+        max_abs(&self.buffers.residual)
+    }
+
+    /// Moves `q` onto C = 0 by Gauss–Newton, each pass at the corrected point, and returns the number of passes.
+    /// A `q` that fulfils the rows to 1e-12 is left as it is.
+    ///
+    /// # Errors
+    /// [`MotionError::ProjectionStalled`] when 1e-12 is not reached in 10 passes, and those of
+    /// [`System::accelerations`].
+    pub fn project_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<usize, MotionError> {
+        let n_h = self.info.n_position_rows;
+        let tolerance = position_tolerance(q);
+        let mut passes = 0;
+        loop {
+            let norm = self.position_residual(t, q);
+            if norm <= tolerance {
+                return Ok(passes);
+            }
+            if !norm.is_finite() {
+                return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
+            }
+            if passes == MAX_PASSES {
+                let row = self.buffers.residual[..n_h].iter().position(|c| c.abs() == norm).unwrap_or(0);
+                return Err(MotionError::ProjectionStalled {
+                    t,
+                    residual: norm,
+                    row: self.info.rows[row].name,
+                    passes,
+                    tolerance,
+                });
+            }
+            self.buffers.residual[n_h..].fill(0.0);
+            self.correct(t, q, metric, Level::Position)?;
+            q.iter_mut().zip(&self.buffers.delta).for_each(|(q, delta)| *q += delta);
+            passes += 1;
+        }
+    }
+
+    /// Moves `v` onto all rows at velocity level, at the positions `q`, by one linear solve.
+    ///
+    /// # Errors
+    /// As [`System::accelerations`].
+    pub fn project_velocities(&mut self, t: f64, q: &[f64], v: &mut [f64], metric: Metric) -> Result<(), MotionError> {
+        self.scene.velocity_constraint(&self.constants, t, q, v, &mut self.buffers.residual);
+        self.correct(t, q, metric, Level::Velocity)?;
+        v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v += delta);
+        Ok(())
+    }
+
+    /// Correction for the residual in the buffer, into the buffer.
+    fn correct(&mut self, t: f64, q: &[f64], metric: Metric, level: Level) -> Result<(), MotionError> {
+        let residual = std::mem::take(&mut self.buffers.residual);
+        let mut delta = std::mem::take(&mut self.buffers.delta);
+        let outcome = match (metric, level) {
+            (Metric::Euclidean, Level::Position) => self.euclidean_position_correction(t, q, &residual, &mut delta),
+            _ => self.correction(t, q, &residual, metric, &mut delta),
+        };
+        self.buffers.residual = residual;
+        self.buffers.delta = delta;
+        outcome
+    }
+
+    fn euclidean_position_correction(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        residual: &[f64],
+        delta: &mut [f64],
+    ) -> Result<(), MotionError> {
+        self.counters.factorizations += 1;
+        self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+        let info = self.info;
+        let euclidean = self.euclidean.get_or_insert_with(|| Box::new(Euclidean::new(info)));
+        let regular = euclidean.position_correction(&self.buffers.jacobian, &residual[..info.n_position_rows], delta);
+        if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Level {
+    Position,
+    Velocity,
+}
+
+/// `δ = −Gᵀ (G Gᵀ)⁻¹ r`, from K with M = 1: over the position rows for positions, over all rows for velocities.
+pub(super) struct Euclidean {
+    ones: Vec<f64>,
+    positions: DenseKkt,
+    velocities: DenseKkt,
+    right_side: Vec<f64>,
+}
+
+impl Euclidean {
+    pub fn new(info: &SceneInfo) -> Self {
+        let n_q = info.n_coordinates();
+        Self {
+            ones: vec![1.0; n_q],
+            positions: DenseKkt::new(n_q, &info.jacobian, info.n_position_rows),
+            velocities: DenseKkt::new(n_q, &info.jacobian, info.n_rows()),
+            right_side: vec![0.0; n_q + info.n_rows()],
+        }
+    }
+
+    /// False when the rows depend on each other.
+    pub fn position_correction(&mut self, jacobian: &[f64], residual: &[f64], delta: &mut [f64]) -> bool {
+        solve(&mut self.positions, &self.ones, jacobian, residual, &mut self.right_side, delta)
+    }
+
+    /// False when the rows depend on each other.
+    pub fn velocity_correction(&mut self, jacobian: &[f64], residual: &[f64], delta: &mut [f64]) -> bool {
+        solve(&mut self.velocities, &self.ones, jacobian, residual, &mut self.right_side, delta)
+    }
+}
+
+fn solve(
+    kkt: &mut DenseKkt,
+    ones: &[f64],
+    jacobian: &[f64],
+    residual: &[f64],
+    right_side: &mut [f64],
+    delta: &mut [f64],
+) -> bool {
+    let (n_q, x) = (ones.len(), &mut right_side[..ones.len() + residual.len()]);
+    let regular = kkt.factor(ones, jacobian).is_ok();
+    if regular {
+        x[..n_q].fill(0.0);
+        x[n_q..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
+        kkt.solve(x);
+        delta.copy_from_slice(&x[..n_q]);
+    }
+    regular
+}

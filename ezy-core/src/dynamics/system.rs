@@ -1,0 +1,143 @@
+//! A scene with its constants, solver and buffers.
+
+use super::SystemError;
+use super::projection::Euclidean;
+use crate::linalg::{Backend, DenseKkt, KktFactorization, SparseKkt};
+use crate::model::{Scene, SceneInfo};
+
+/// A scene made ready for computing: constants, masses, solver and every buffer, allocated once.
+///
+/// ```text
+/// let mut system = System::new(&scene, Backend::Auto)?;
+/// let state = system.consistent_start(&system.scene_start())?;
+/// system.accelerations(state.t, &state.q, &state.v, &mut a, &mut lambda)?;
+/// ```
+pub struct System<'s, S: Scene + ?Sized> {
+    pub(super) scene: &'s S,
+    pub(super) info: &'static SceneInfo,
+    pub(super) constants: Vec<f64>,
+    pub(super) mass: Vec<f64>,
+    pub(super) solver: Solver,
+    /// Made at the first Euclidean correction.
+    pub(super) euclidean: Option<Box<Euclidean>>,
+    pub(super) buffers: Buffers,
+    pub(super) counters: Counters,
+}
+
+/// How K is solved.
+pub(super) enum Solver {
+    Generated,
+    Factored(Box<dyn KktFactorization>),
+}
+
+/// Work done since construction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counters {
+    /// Evaluations of the accelerations.
+    pub evaluations: u64,
+    /// Factorisations of K, or runs of a generated elimination, for accelerations and corrections.
+    pub factorizations: u64,
+}
+
+pub(super) struct Buffers {
+    pub jacobian: Vec<f64>,
+    /// `n_q + n_c`.
+    pub right_side: Vec<f64>,
+    /// `n_c`.
+    pub residual: Vec<f64>,
+    /// `n_q`.
+    pub delta: Vec<f64>,
+}
+
+impl<'s, S: Scene + ?Sized> System<'s, S> {
+    /// Checks parameters and masses, computes the constants, chooses the solver.
+    ///
+    /// # Errors
+    /// [`SystemError`] naming the parameter or body that cannot be used.
+    pub fn new(scene: &'s S, backend: Backend) -> Result<Self, SystemError> {
+        let info = scene.info();
+        for (i, parameter) in info.parameters.iter().enumerate() {
+            let value = scene.parameter(i);
+            if !value.is_finite() {
+                return Err(SystemError::ParameterNotFinite { name: parameter.name, value });
+            }
+        }
+        let mut constants = vec![0.0; info.n_constants];
+        scene.constants(&mut constants);
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let mut mass = vec![0.0; n_q];
+        scene.mass_matrix(&constants, &mut mass);
+        if let Some(i) = mass.iter().position(|m| !(m.is_finite() && *m >= 0.0)) {
+            let (body, quantity) = body_of(info, i);
+            return Err(SystemError::Mass { body, quantity, value: mass[i] });
+        }
+        Ok(Self {
+            scene,
+            info,
+            solver: solver(info, &mass, backend)?,
+            constants,
+            mass,
+            euclidean: None,
+            buffers: Buffers {
+                jacobian: vec![0.0; info.jacobian.n_nonzeros()],
+                right_side: vec![0.0; n_q + n_c],
+                residual: vec![0.0; n_c],
+                delta: vec![0.0; n_q],
+            },
+            counters: Counters::default(),
+        })
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &'s S {
+        self.scene
+    }
+
+    /// Names and sizes.
+    pub fn info(&self) -> &'static SceneInfo {
+        self.info
+    }
+
+    /// Everything that depends on parameters alone, to hand to the kernels of the scene.
+    pub fn constants(&self) -> &[f64] {
+        &self.constants
+    }
+
+    /// Diagonal of M.
+    pub fn mass_matrix(&self) -> &[f64] {
+        &self.mass
+    }
+
+    /// Work done so far.
+    pub fn counters(&self) -> Counters {
+        self.counters
+    }
+}
+
+fn solver(info: &'static SceneInfo, mass: &[f64], backend: Backend) -> Result<Solver, SystemError> {
+    let massless = mass.iter().position(|m| *m == 0.0);
+    let needs_mass = |backend| match massless {
+        None => Ok(()),
+        Some(i) => {
+            let (body, quantity) = body_of(info, i);
+            Err(SystemError::BackendNeedsMass { body, quantity, backend })
+        }
+    };
+    let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+    Ok(match (backend, massless) {
+        (Backend::Auto, None) => Solver::Generated,
+        (Backend::Auto, Some(_)) | (Backend::Dense, _) => {
+            Solver::Factored(Box::new(DenseKkt::new(n_q, &info.jacobian, n_c)))
+        }
+        (Backend::Generated, _) => needs_mass("generated").map(|()| Solver::Generated)?,
+        (Backend::Sparse, _) => {
+            needs_mass("sparse")?;
+            Solver::Factored(Box::new(SparseKkt::new(n_q, &info.jacobian)?))
+        }
+    })
+}
+
+/// Body and kind of the mass that stands at entry `i` of the diagonal of M.
+fn body_of(info: &'static SceneInfo, i: usize) -> (&'static str, &'static str) {
+    (info.bodies[i / 3], if i % 3 == 2 { "inertia" } else { "mass" })
+}

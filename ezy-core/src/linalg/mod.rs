@@ -1,0 +1,51 @@
+//! Solvers of `K [x; y] = [r; s]` with `K = [M Gᵀ; G 0]`. Knows no bodies, only M, G and their pattern.
+//!
+//! | backend | needs | method |
+//! |---|---|---|
+//! | generated | M > 0 | the scene's own straight-line elimination, [`crate::model::Scene::accelerations`] |
+//! | dense | K regular | LU with partial pivoting of the scaled K ([`DenseKkt`]) |
+//! | sparse | M > 0 | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
+
+// matrices keep the capital letters of the notation
+#![allow(non_snake_case)]
+
+mod dense;
+mod rank;
+mod sparse;
+
+pub use dense::DenseKkt;
+pub use rank::{RankDiagnosis, diagnose};
+pub use sparse::{SparseKkt, SparseKktError};
+
+/// Which solver of K a run uses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Backend {
+    /// [`Backend::Generated`] when every mass and inertia is positive, [`Backend::Dense`] otherwise.
+    #[default]
+    Auto,
+    /// Straight-line elimination of the scene; needs positive masses and inertias.
+    Generated,
+    /// Pivoted dense LU; the only one for massless bodies.
+    Dense,
+    /// Sparse LDLᵀ; needs positive masses and inertias.
+    Sparse,
+}
+
+/// A factorisation of K, made again at each state.
+pub trait KktFactorization: Send {
+    /// Factors K for the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of the pattern.
+    ///
+    /// # Errors
+    /// [`VanishedPivot`] when K is singular to working precision; [`diagnose`] tells why.
+    fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot>;
+
+    /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]`, with the factors of the last successful [`Self::factor`].
+    fn solve(&mut self, right_side: &mut [f64]);
+}
+
+/// A pivot is zero to working precision.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VanishedPivot {
+    /// Size of the pivot, relative to the entry that it started from.
+    pub relative: f64,
+}

@@ -1,0 +1,48 @@
+//! The columns of a sample, by name and unit.
+
+use crate::model::SceneInfo;
+
+/// One column of a sample.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    /// `t`, `seat.x`, `seat.vx`, `seat.ax`, `lambda.rear`, `work.pump`, `kinetic`, …
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+}
+
+impl Column {
+    fn new(name: impl Into<String>, unit: impl Into<String>) -> Self {
+        Self { name: name.into(), unit: unit.into() }
+    }
+}
+
+/// The columns of every sample of a scene, in the order in which a sample stores them.
+///
+/// Time; coordinates; velocities; accelerations (`body.ax`, `body.ay`, `body.alpha`); multipliers
+/// (`lambda.<row>`); work of each effect (`work.<effect>`); total `work`, `kinetic`, `potential` and `balance`;
+/// `residual.position` and `residual.velocity`.
+pub fn columns(info: &SceneInfo) -> Vec<Column> {
+    let mut all = vec![Column::new("t", "s")];
+    all.extend(info.coordinates.iter().map(|c| Column::new(c.name, c.unit)));
+    all.extend(info.coordinates.iter().map(|c| Column::new(c.velocity_name, format!("{}/s", c.unit))));
+    all.extend(
+        info.coordinates.iter().map(|c| Column::new(acceleration_name(c.velocity_name), format!("{}/s^2", c.unit))),
+    );
+    all.extend(info.rows.iter().map(|r| Column::new(format!("lambda.{}", r.name), r.multiplier_unit)));
+    all.extend(info.effects.iter().map(|e| Column::new(format!("work.{}", e.name), "J")));
+    all.extend(["work", "kinetic", "potential", "balance"].map(|name| Column::new(name, "J")));
+    // hinges leave metres (and metres a second), other rows may leave radians: the largest of a mixture has no unit
+    all.extend(["residual.position", "residual.velocity"].map(|name| Column::new(name, "")));
+    all
+}
+
+/// `seat.vx` becomes `seat.ax`, `seat.omega` becomes `seat.alpha`.
+fn acceleration_name(velocity_name: &str) -> String {
+    let (body, component) = velocity_name.rsplit_once('.').unwrap_or(("", velocity_name));
+    match component {
+        "vx" => format!("{body}.ax"),
+        "vy" => format!("{body}.ay"),
+        _ => format!("{body}.alpha"),
+    }
+}

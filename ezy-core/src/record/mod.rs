@@ -1,0 +1,32 @@
+//! What a run keeps: samples in memory and rows of a CSV file. Knows no solver.
+
+mod columns;
+mod csv_writer;
+mod memory;
+mod names;
+mod sample;
+
+pub use columns::{Column, columns};
+pub use csv_writer::CsvWriter;
+pub use memory::Record;
+pub use names::{UnknownName, find_name};
+pub use sample::{EnergyState, Sample};
+
+/// Takes the samples of a run as they are made.
+pub trait Recorder {
+    /// Keeps one sample.
+    ///
+    /// # Errors
+    /// [`RecordError`] when it could not be kept; the run then stops.
+    fn record(&mut self, sample: &Sample<'_>) -> Result<(), RecordError>;
+}
+
+/// A sample could not be kept.
+#[derive(Debug, thiserror::Error)]
+#[error("the sample at t = {t} s could not be written: {cause}")]
+pub struct RecordError {
+    /// Time of the sample, s.
+    pub t: f64,
+    /// What the file or pipe answered.
+    pub cause: std::io::Error,
+}

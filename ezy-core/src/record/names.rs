@@ -1,0 +1,43 @@
+//! Names that users type, looked up with the nearest known one in the answer.
+
+/// A name that is not known.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{kind} `{name}` is not known{}; known: {}", suggestion(.nearest), .known.join(", "))]
+pub struct UnknownName {
+    /// What the name should have been: `coordinate`, `column`, …
+    pub kind: &'static str,
+    /// The name as given.
+    pub name: String,
+    /// The known name that is most like it, if any is.
+    pub nearest: Option<String>,
+    /// All known names.
+    pub known: Vec<String>,
+}
+
+fn suggestion(nearest: &Option<String>) -> String {
+    nearest.as_ref().map(|n| format!(" (did you mean `{n}`?)")).unwrap_or_default()
+}
+
+/// Jaro–Winkler similarity from which a name is worth suggesting: one or two slips in a short word.
+const SIMILAR: f64 = 0.75;
+
+/// Index of `name` among `known`.
+///
+/// # Errors
+/// [`UnknownName`] with the most similar known name.
+pub fn find_name<'n>(
+    kind: &'static str,
+    name: &str,
+    known: impl Iterator<Item = &'n str> + Clone,
+) -> Result<usize, UnknownName> {
+    if let Some(i) = known.clone().position(|k| k == name) {
+        return Ok(i);
+    }
+    let nearest = known
+        .clone()
+        .map(|k| (strsim::jaro_winkler(k, name), k))
+        .filter(|(similarity, _)| *similarity > SIMILAR)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, k)| k.to_owned());
+    Err(UnknownName { kind, name: name.to_owned(), nearest, known: known.map(str::to_owned).collect() })
+}

@@ -1,0 +1,72 @@
+//! What keeps a run from starting.
+
+use crate::dynamics::{MotionError, StartError, SystemError};
+use crate::record::{RecordError, UnknownName};
+
+/// A run cannot start like this.
+#[derive(Debug, thiserror::Error)]
+pub enum SetupError {
+    /// A start value was given for something that does not exist.
+    #[error(transparent)]
+    UnknownName(#[from] UnknownName),
+    /// Parameters, masses or backend cannot be used.
+    #[error(transparent)]
+    System(#[from] SystemError),
+    /// The step is not a positive length of time.
+    #[error("the step is {step_s} s; give a positive step")]
+    Step {
+        /// The step, s.
+        step_s: f64,
+    },
+    /// More steps than anyone waits for.
+    #[error(
+        "{steps:.1e} steps of {step_s} s lie between the start and the end; at most {limit:.0e} are taken: give a larger step or an earlier end"
+    )]
+    TooManySteps {
+        /// Steps that the run would take.
+        steps: f64,
+        /// The step, s.
+        step_s: f64,
+        /// The largest number that is accepted.
+        limit: f64,
+    },
+    /// The end is before the start or not a number.
+    #[error(
+        "the run is to end at {until_s} s but starts at {start_s} s; give a finite end that is not before the start"
+    )]
+    Until {
+        /// The end, s.
+        until_s: f64,
+        /// The start, s.
+        start_s: f64,
+    },
+    /// The recording interval is not a positive length of time.
+    #[error(
+        "the recording interval is {every_s} s; give a positive interval, or none to keep only the start and the end"
+    )]
+    Every {
+        /// The interval, s.
+        every_s: f64,
+    },
+    /// More samples than memory holds.
+    #[error(
+        "{samples:.1e} samples {every_s} s apart lie between the start and the end; at most {limit:.0e} are kept: give a longer interval"
+    )]
+    TooManySamples {
+        /// Samples that the run would keep.
+        samples: f64,
+        /// The interval, s.
+        every_s: f64,
+        /// The largest number that is accepted.
+        limit: f64,
+    },
+    /// The start values do not fit.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// There is no motion from the start.
+    #[error("the motion cannot start: {0}")]
+    Motion(#[from] MotionError),
+    /// Not even the first sample could be written.
+    #[error(transparent)]
+    Record(#[from] RecordError),
+}

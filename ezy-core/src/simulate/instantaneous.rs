@@ -1,0 +1,34 @@
+//! One state of a run with its accelerations.
+
+use crate::dynamics::{MotionError, State, System};
+use crate::integrate::Knot;
+use crate::model::{Scene, SceneInfo};
+
+/// A state with all that is known about it.
+pub(super) struct Instantaneous {
+    pub state: State,
+    pub a: Vec<f64>,
+    pub lambda: Vec<f64>,
+    pub power: Vec<f64>,
+}
+
+impl Instantaneous {
+    pub fn zero(info: &SceneInfo) -> Self {
+        let (n_q, n_c, n_e) = (info.n_coordinates(), info.n_rows(), info.n_effects());
+        Self { state: State::zero(n_q, n_e), a: vec![0.0; n_q], lambda: vec![0.0; n_c], power: vec![0.0; n_e] }
+    }
+
+    pub fn evaluate<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
+        let State { t, q, v, .. } = &self.state;
+        system.accelerations(*t, q, v, &mut self.a, &mut self.lambda)
+    }
+
+    pub fn evaluate_power<S: Scene + ?Sized>(&mut self, system: &System<'_, S>) {
+        let State { t, q, v, .. } = &self.state;
+        system.power(*t, q, v, &mut self.power);
+    }
+
+    pub fn knot(&self) -> Knot<'_> {
+        Knot { state: &self.state, a: &self.a, power: &self.power }
+    }
+}

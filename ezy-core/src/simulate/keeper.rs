@@ -1,0 +1,59 @@
+//! Completes samples and keeps them.
+
+use super::instantaneous::Instantaneous;
+use crate::dynamics::{State, System};
+use crate::model::{Scene, SceneInfo};
+use crate::record::{EnergyState, Record, RecordError, Recorder, Sample};
+
+/// The record of a run and, when there is one, the recorder that a caller gave.
+pub(super) struct Keeper<'s> {
+    record: Record,
+    recorder: Option<&'s mut dyn Recorder>,
+    /// Kinetic and potential energy of the first sample, J.
+    initial_energy: Option<f64>,
+}
+
+impl<'s> Keeper<'s> {
+    pub fn new(info: &'static SceneInfo, recorder: Option<&'s mut dyn Recorder>) -> Self {
+        Self { record: Record::new(info), recorder, initial_energy: None }
+    }
+
+    pub fn n_kept(&self) -> usize {
+        self.record.len()
+    }
+
+    /// Time of the last sample, s.
+    pub fn last_time(&self) -> f64 {
+        self.record.samples().next_back().map_or(f64::NEG_INFINITY, |last| last.t)
+    }
+
+    pub fn into_record(self) -> Record {
+        self.record
+    }
+
+    /// Adds energies and residuals to an evaluated state and keeps the sample.
+    pub fn keep<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        at: &Instantaneous,
+    ) -> Result<(), RecordError> {
+        let State { t, q, v, work: works } = &at.state;
+        let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
+        let work = works.iter().sum();
+        let balance = kinetic + potential - work - *self.initial_energy.get_or_insert(kinetic + potential);
+        let sample = Sample {
+            info: system.info(),
+            t: *t,
+            coordinates: q,
+            velocities: v,
+            accelerations: &at.a,
+            multipliers: &at.lambda,
+            work: works,
+            energy: EnergyState { kinetic, potential, work, balance },
+            position_residual: system.position_residual(*t, q),
+            velocity_residual: system.velocity_residual(*t, q, v),
+        };
+        self.record.push(&sample);
+        self.recorder.as_mut().map_or(Ok(()), |recorder| recorder.record(&sample))
+    }
+}

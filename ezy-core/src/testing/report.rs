@@ -1,0 +1,80 @@
+//! What the checks of a scene found.
+
+use crate::dynamics::{MotionError, StartError, SystemError};
+use crate::simulate::SetupError;
+
+/// One check.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// What was compared: `Jacobian against finite differences`, …
+    pub name: &'static str,
+    /// Comparisons made.
+    pub n_compared: usize,
+    /// Largest error found; relative where `tolerance` is.
+    pub largest_error: f64,
+    /// Largest error that is accepted.
+    pub tolerance: f64,
+    /// Where the tolerance comes from.
+    pub reason: &'static str,
+}
+
+impl Check {
+    /// Whether the error is within the tolerance.
+    pub fn passed(&self) -> bool {
+        self.largest_error <= self.tolerance
+    }
+}
+
+/// All checks of one scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CheckReport {
+    /// Name of the model.
+    pub model: &'static str,
+    /// Name of the scene.
+    pub scene: &'static str,
+    /// In the order in which they were made.
+    pub checks: Vec<Check>,
+}
+
+impl CheckReport {
+    /// Whether all checks passed.
+    pub fn passed(&self) -> bool {
+        self.checks.iter().all(Check::passed)
+    }
+}
+
+impl std::fmt::Display for CheckReport {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        writeln!(f, "{}/{}", self.model, self.scene)?;
+        let width = self.checks.iter().map(|c| c.name.len()).max().unwrap_or(0);
+        for c in &self.checks {
+            let verdict = if c.passed() { "ok" } else { "FAILED" };
+            writeln!(
+                f,
+                "  {:width$}  largest error {:8.1e}  tolerance {:8.1e}  {:>6} compared  {verdict}",
+                c.name, c.largest_error, c.tolerance, c.n_compared
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// A scene that is wrong, or that cannot be checked.
+#[derive(Debug, thiserror::Error)]
+pub enum CheckError {
+    /// Some checks failed; the report holds all of them.
+    #[error("some checks failed:\n{0}")]
+    Failed(CheckReport),
+    /// Parameters or masses cannot be used.
+    #[error(transparent)]
+    System(#[from] SystemError),
+    /// There is no consistent start.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// The equations are singular.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// The short run of the energy check could not start.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+}

@@ -33,8 +33,11 @@ pub fn unknown_effect(name: &Ident, effects: &[&str]) -> syn::Error {
     unknown(name, "effect", effects, "declared effects")
 }
 
-pub fn unknown_unit(name: &Ident, units: &[&str]) -> syn::Error {
-    let help = suggestion(&name.to_string(), units, "units");
+pub fn unknown_unit(name: &Ident, spelled_out: Option<&str>, units: &[&str]) -> syn::Error {
+    let help = match spelled_out {
+        Some(unit) => format!("write `{unit}`"),
+        None => suggestion(&name.to_string(), units, "units"),
+    };
     fault_with_help(name, format_args!("`{name}` is no known unit"), help)
 }
 

@@ -87,8 +87,8 @@ pub fn constant_not_finite(at: Extent, of: &str, value: f64) -> syn::Error {
 pub fn negative_mass(at: Extent, what: &str, value: f64, unit: &str) -> syn::Error {
     fault_with_help(
         at,
-        format_args!("{what} is negative: {value} {unit}"),
-        format_args!("write a positive value, such as `{}`", -value),
+        format_args!("{what} is negative: {value:?} {unit}"),
+        format_args!("write a positive value, such as `{:?}`", -value),
     )
 }
 
@@ -159,6 +159,14 @@ pub fn let_too_large(name: &Ident) -> syn::Error {
         name,
         format_args!("the value `{name}` grows too large when the values that it uses are inserted"),
         "use fewer values of values",
+    )
+}
+
+pub fn let_used_too_early(name: &Ident) -> syn::Error {
+    fault_with_help(
+        name,
+        format_args!("the value `{name}` ends a long chain of values, each used before it is declared"),
+        "declare values before their uses",
     )
 }
 
@@ -235,11 +243,12 @@ pub fn effect_named_model(name: &Ident) -> syn::Error {
 }
 
 pub fn no_type_name(scene: &Ident, type_name: &str) -> syn::Error {
-    fault_with_help(
-        scene,
-        format_args!("scene `{scene}` would be the type `{type_name}`, which is no name in Rust"),
-        "write another name",
-    )
+    let text = if type_name.is_empty() {
+        format!("scene `{scene}` has no letter that could name its type")
+    } else {
+        format!("scene `{scene}` would be the type `{type_name}`, which is no name in Rust")
+    };
+    fault_with_help(scene, text, "write another name")
 }
 
 pub fn same_type_name(scene: &Ident, type_name: &str, first: &Ident) -> syn::Error {
@@ -258,7 +267,7 @@ pub fn no_module_name(model: &Ident, module: &str) -> syn::Error {
     fault_with_help(
         model,
         format_args!("model `{model}` would be the module `{module}`, which is no name in Rust"),
-        "write another name",
+        format_args!("write another name, such as `{model}Model`"),
     )
 }
 

@@ -70,7 +70,11 @@ pub fn number_with_suffix(at: Span, digits: &str, suffix: &str) -> syn::Error {
 }
 
 pub fn number_too_large(at: Span, text: &str) -> syn::Error {
-    fault(at, format_args!("`{text}` is not a finite number of double precision"))
+    fault_with_help(
+        at,
+        format_args!("`{text}` is too large for a number of double precision"),
+        format_args!("write a number below {:e}", f64::MAX),
+    )
 }
 
 pub fn expression_too_large(at: Span, limit: usize) -> syn::Error {
@@ -78,6 +82,14 @@ pub fn expression_too_large(at: Span, limit: usize) -> syn::Error {
         at,
         format_args!("this expression has more than {limit} parts"),
         "name some of its parts with `let name = …;`",
+    )
+}
+
+pub fn brackets_too_deep(at: Span, limit: usize) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("these brackets are nested more than {limit} deep"),
+        "name some of the parts with `let name = …;`",
     )
 }
 
@@ -114,6 +126,14 @@ pub fn empty_start_statement(body: &Ident) -> syn::Error {
         body,
         format_args!("nothing is given for `{body}`"),
         format_args!("write `{body} at (0, 0) angle 0;` or remove `{body}`"),
+    )
+}
+
+pub fn body_at_rest(at: Span, body: &Ident) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("`rest` is said of all bodies at once, not of `{body}` alone"),
+        format_args!("write `at rest;`, or `{body} velocity (0, 0) rate 0;`"),
     )
 }
 

@@ -14,6 +14,8 @@ pub struct Context<'a> {
     /// By [`super::ParameterId`].
     pub units: Vec<Option<Unit>>,
     pub lets: Vec<Lazy<(Scope, &'a ast::Let), Value>>,
+    /// How many `let` values are in work.
+    pub n_lets_in_work: usize,
     /// By [`super::PointId`].
     pub points: Vec<Lazy<PointSource<'a>, Place>>,
 }

@@ -2,6 +2,65 @@
 
 use std::fmt;
 
+/// What is known about the dimension of an expression.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// A bare number or a parameter without unit takes part: it may stand for anything.
+    Unknown,
+    /// The value of a function: changes no dimension as a factor, stands for anything by itself.
+    Plain,
+    Known(Dimension),
+}
+
+impl Measure {
+    pub fn times(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
+            (Self::Plain, other) | (other, Self::Plain) => other,
+            (Self::Known(a), Self::Known(b)) => Self::Known(a.times(b)),
+        }
+    }
+
+    pub fn over(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
+            (measure, Self::Plain) => measure,
+            (Self::Plain, Self::Known(b)) => Self::Known(Dimension::NONE.over(b)),
+            (Self::Known(a), Self::Known(b)) => Self::Known(a.over(b)),
+        }
+    }
+
+    /// What is known of a sum.
+    pub fn or(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Known(_), _) | (Self::Unknown, Self::Plain) => self,
+            _ => other,
+        }
+    }
+
+    /// A power; `None` is an exponent that is not a number.
+    pub fn power(self, exponent: Option<f64>) -> Self {
+        match (self, exponent) {
+            (Self::Plain, _) => Self::Plain,
+            (Self::Known(dimension), Some(exponent)) => dimension.power(exponent).map_or(Self::Unknown, Self::Known),
+            _ => Self::Unknown,
+        }
+    }
+
+    pub const fn known(self) -> Option<Dimension> {
+        match self {
+            Self::Known(dimension) => Some(dimension),
+            _ => None,
+        }
+    }
+}
+
+impl From<Dimension> for Measure {
+    fn from(dimension: Dimension) -> Self {
+        Self::Known(dimension)
+    }
+}
+
 /// A power of metre, kilogram and second, each in sixths, so that square and cube roots stay whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension {
@@ -14,7 +73,7 @@ const ONE: i32 = 6;
 
 /// What messages call a dimension, where the base units would not be recognised.
 const NAMED: [(Dimension, &str); 8] = [
-    (Dimension::NONE, "rad or a plain number"),
+    (Dimension::NONE, "rad"),
     (Dimension::ANGULAR_VELOCITY, "rad/s"),
     (Dimension::FORCE, "N"),
     (Dimension::TORQUE, "N*m"),

@@ -1,7 +1,7 @@
 //! Expressions: each name becomes an id, vectors become components.
 
 use super::context::{Context, Purpose, motion};
-use super::dimension::Dimension;
+use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
 use super::value::{Form, Value};
 use super::{Direction, Expr};
@@ -13,7 +13,7 @@ impl Context<'_> {
     /// The value of an expression; `None` when faults were reported.
     pub fn value(&mut self, expr: &ast::Expr, purpose: &Purpose) -> Option<Value> {
         match expr {
-            ast::Expr::Number { value, .. } => Some(Value::scalar(Expr::Number(*value), None)),
+            ast::Expr::Number { value, .. } => Some(Value::scalar(Expr::Number(*value), Measure::Unknown)),
             ast::Expr::Name(name) => self.name(name, purpose),
             ast::Expr::Member { owner, member } => self.member(owner, member, purpose),
             ast::Expr::Call { function, arguments, end } => self.call(function, arguments, *end, purpose),
@@ -35,10 +35,21 @@ impl Context<'_> {
         what: &str,
         dimension: Option<Dimension>,
     ) -> Option<Expr> {
+        let (value, found) = self.scalar_of_any_dimension(expr, purpose, what)?;
+        self.check_dimension(expr, what, found, dimension)?;
+        Some(value)
+    }
+
+    /// A scalar and what is known of its dimension.
+    pub fn scalar_of_any_dimension(
+        &mut self,
+        expr: &ast::Expr,
+        purpose: &Purpose,
+        what: &str,
+    ) -> Option<(Expr, Measure)> {
         let value = self.value(expr, purpose)?;
-        self.check_dimension(expr, what, value.dimension, dimension)?;
         match value.form {
-            Form::Scalar(value) => Some(value),
+            Form::Scalar(scalar) => Some((scalar, value.measure)),
             Form::Vector(..) => {
                 self.diag.error(rules::expected_scalar(expr.extent(), what));
                 None
@@ -55,14 +66,12 @@ impl Context<'_> {
         dimension: Option<Dimension>,
     ) -> Option<(Expr, Expr)> {
         let value = self.value(expr, purpose)?;
-        self.check_dimension(expr, what, value.dimension, dimension)?;
-        match value.form {
-            Form::Vector(x, y) => Some((x, y)),
-            Form::Scalar(_) => {
-                self.diag.error(rules::expected_vector(expr.extent(), what));
-                None
-            }
-        }
+        let Form::Vector(x, y) = value.form else {
+            self.diag.error(rules::expected_vector(expr.extent(), what));
+            return None;
+        };
+        self.check_dimension(expr, what, value.measure, dimension)?;
+        Some((x, y))
     }
 
     /// Reports a value of another dimension than is wanted, when both are known.
@@ -70,10 +79,10 @@ impl Context<'_> {
         &mut self,
         expr: &ast::Expr,
         what: &str,
-        found: Option<Dimension>,
+        found: Measure,
         wanted: Option<Dimension>,
     ) -> Option<()> {
-        match found.zip(wanted) {
+        match found.known().zip(wanted) {
             Some((found, wanted)) if found != wanted => {
                 self.diag.error(rules::wrong_dimension(expr.extent(), what, &found, &wanted));
                 None
@@ -83,33 +92,28 @@ impl Context<'_> {
     }
 
     fn vector(&mut self, x: &ast::Expr, y: &ast::Expr, purpose: &Purpose) -> Option<Value> {
-        let left = self.value(x, purpose);
-        let dimension = left.as_ref().and_then(|left| left.dimension);
-        let right = self.scalar(y, purpose, "a component of a vector", dimension);
-        let left = left?;
-        match left.form {
-            Form::Scalar(left) => Some(Value::vector(left, right?, dimension)),
-            Form::Vector(..) => {
-                self.diag.error(rules::expected_scalar(x.extent(), "a component of a vector"));
-                None
-            }
-        }
+        let what = "a component of a vector";
+        let first = self.scalar_of_any_dimension(x, purpose, what);
+        let second = self.scalar_of_any_dimension(y, purpose, what);
+        let ((first, measure), (second, found)) = (first?, second?);
+        self.check_dimension(y, what, found, measure.known())?;
+        Some(Value::vector(first, second, measure.or(found)))
     }
 
     fn name(&mut self, name: &Ident, purpose: &Purpose) -> Option<Value> {
         if name == "pi" {
-            return Some(Value::scalar(Expr::Pi, None));
+            return Some(Value::scalar(Expr::Pi, Measure::Unknown));
         }
         if name == "t" {
             self.forbid_motion(name, "the time", purpose)?;
-            return Some(Value::scalar(Expr::Time, Some(Dimension::TIME)));
+            return Some(Value::scalar(Expr::Time, Dimension::TIME));
         }
         match self.names.lookup(purpose.scope, name) {
             Some(Symbol::Parameter(id)) => {
                 let unit = self.units.get(id.0).copied().flatten();
                 let value = Expr::Parameter(id);
                 let value = unit.map_or(value.clone(), |unit| unit.expr_to_si(value));
-                Some(Value::scalar(value, unit.map(|unit| unit.dimension)))
+                Some(Value::scalar(value, unit.map_or(Measure::Unknown, |unit| unit.dimension.into())))
             }
             Some(Symbol::Let(id)) => {
                 let value = self.let_value(id, name)?;
@@ -129,7 +133,7 @@ impl Context<'_> {
                 None
             }
             None if name == "ground" => {
-                self.diag.error(names::not_a_value(name, "what does not move", &[]));
+                self.diag.error(names::not_a_value(name, "the fixed ground", &[]));
                 None
             }
             None => {

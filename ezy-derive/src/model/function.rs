@@ -1,7 +1,7 @@
 //! Calls: the functions of the language, their arguments and dimensions.
 
 use super::context::{Context, Purpose};
-use super::dimension::Dimension;
+use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
 use super::value::{Form, Value};
 use super::{Expr, Function};
@@ -14,9 +14,9 @@ const SCALAR: [(&str, Function, usize, Rule); 14] = [
     ("sin", Function::Sin, 1, Rule::Plain),
     ("cos", Function::Cos, 1, Rule::Plain),
     ("tan", Function::Tan, 1, Rule::Plain),
-    ("asin", Function::Asin, 1, Rule::Plain),
-    ("acos", Function::Acos, 1, Rule::Plain),
-    ("atan2", Function::Atan2, 2, Rule::Ratio),
+    ("asin", Function::Asin, 1, Rule::Arc),
+    ("acos", Function::Acos, 1, Rule::Arc),
+    ("atan2", Function::Atan2, 2, Rule::ArcOfRatio),
     ("sqrt", Function::Sqrt, 1, Rule::Root),
     ("exp", Function::Exp, 1, Rule::Plain),
     ("ln", Function::Ln, 1, Rule::Plain),
@@ -24,7 +24,7 @@ const SCALAR: [(&str, Function, usize, Rule); 14] = [
     ("abs", Function::Abs, 1, Rule::Same),
     ("min", Function::Min, 2, Rule::Same),
     ("max", Function::Max, 2, Rule::Same),
-    ("sign", Function::Sign, 1, Rule::Ratio),
+    ("sign", Function::Sign, 1, Rule::Sign),
 ];
 
 /// Functions of vectors, with the number of their arguments.
@@ -33,10 +33,14 @@ const VECTOR: [(&str, usize); 3] = [("dot", 2), ("cross", 2), ("norm", 1)];
 /// What a function asks of dimensions, and what it gives.
 #[derive(Debug, Clone, Copy)]
 enum Rule {
-    /// A plain number or an angle, of the same.
+    /// A plain number or an angle; a plain number.
     Plain,
-    /// Like arguments; a plain number.
-    Ratio,
+    /// A plain number; an angle.
+    Arc,
+    /// Like arguments; an angle.
+    ArcOfRatio,
+    /// Anything; a plain number.
+    Sign,
     /// Like arguments; the same dimension.
     Same,
     /// The square root of the dimension.
@@ -85,26 +89,28 @@ impl Context<'_> {
         purpose: &Purpose,
     ) -> Option<Value> {
         let what = format!("an argument of `{name}`");
-        let mut dimension = None;
+        let mut measure = Measure::Unknown;
         let mut resolved = Vec::new();
         for argument in arguments {
-            let value = self.value(argument, purpose);
-            let wanted = if matches!(rule, Rule::Plain) { Some(Dimension::NONE) } else { dimension };
-            let found = value.as_ref().and_then(|value| value.dimension);
-            self.check_dimension(argument, &what, found, wanted);
-            dimension = dimension.or(found);
-            match value.map(|value| value.form) {
-                Some(Form::Scalar(value)) => resolved.push(value),
-                Some(Form::Vector(..)) => self.diag.error(rules::expected_scalar(argument.extent(), &what)),
-                None => {}
+            let Some((value, found)) = self.scalar_of_any_dimension(argument, purpose, &what) else { continue };
+            let wanted = match rule {
+                // `sin(t)` is understood: 1 rad/s
+                Rule::Plain if found == Measure::Known(Dimension::TIME) => None,
+                Rule::Plain | Rule::Arc => Some(Dimension::NONE),
+                _ => measure.known(),
+            };
+            if self.check_dimension(argument, &what, found, wanted).is_some() {
+                resolved.push(value);
             }
+            measure = measure.or(found);
         }
-        let dimension = match rule {
-            Rule::Plain | Rule::Ratio => Some(Dimension::NONE),
-            Rule::Same => dimension,
-            Rule::Root => dimension.and_then(|dimension| dimension.power(0.5)),
+        let measure = match rule {
+            Rule::Plain | Rule::Sign => Measure::Plain,
+            Rule::Arc | Rule::ArcOfRatio => Dimension::NONE.into(),
+            Rule::Same => measure,
+            Rule::Root => measure.power(Some(0.5)),
         };
-        (resolved.len() == arguments.len()).then(|| Value::scalar(Expr::Call(function, resolved), dimension))
+        (resolved.len() == arguments.len()).then(|| Value::scalar(Expr::Call(function, resolved), measure))
     }
 
     fn vector_call(&mut self, name: &str, arguments: &[ast::Expr], purpose: &Purpose) -> Option<Value> {
@@ -113,7 +119,7 @@ impl Context<'_> {
         for argument in arguments {
             let Some(value) = self.value(argument, purpose) else { continue };
             match value.form {
-                Form::Vector(x, y) => resolved.push((x, y, value.dimension)),
+                Form::Vector(x, y) => resolved.push((x, y, value.measure)),
                 Form::Scalar(_) => self.diag.error(rules::expected_vector(argument.extent(), &what)),
             }
         }
@@ -125,8 +131,7 @@ impl Context<'_> {
             let square = Value::dot(ax.clone(), ay.clone(), ax, ay);
             return Some(Value::scalar(Expr::Call(Function::Sqrt, vec![square]), a));
         };
-        let dimension = a.zip(b).map(|(a, b)| a.times(b));
         let value = if name == "dot" { Value::dot(ax, ay, bx, by) } else { Value::cross(ax, ay, bx, by) };
-        Some(Value::scalar(value, dimension))
+        Some(Value::scalar(value, a.times(b)))
     }
 }

@@ -12,6 +12,8 @@ use proc_macro2::Ident;
 const MAX_PARTS: usize = 2_000;
 /// The same for the depth of an expression, which bounds the recursion of all later stages.
 const MAX_DEPTH: usize = 300;
+/// Values used before they are declared are resolved by recursion, whose depth this bounds.
+const MAX_LETS_IN_WORK: usize = 32;
 
 impl Context<'_> {
     /// The value of a `let`, used at `at`.
@@ -26,8 +28,14 @@ impl Context<'_> {
             }
             State::Waiting => {}
         }
+        if self.n_lets_in_work == MAX_LETS_IN_WORK {
+            self.diag.error(rules::let_used_too_early(&source.name));
+            return None;
+        }
         self.lets[id].state = State::InWork;
+        self.n_lets_in_work += 1;
         let value = self.value(&source.value, &Purpose::moving(scope));
+        self.n_lets_in_work -= 1;
         let value = value.filter(|value| {
             let (parts, depth) = match &value.form {
                 Form::Scalar(value) => size(value),
@@ -57,7 +65,7 @@ impl Context<'_> {
                     None
                 }
                 None if name == "ground" => {
-                    self.diag.error(names::not_a_place(name, "what does not move", true));
+                    self.diag.error(names::not_a_place(name, "the fixed ground", true));
                     None
                 }
                 None => {

@@ -39,8 +39,8 @@ impl Context<'_> {
             Symbol::Body(id) => body_member(id, &name),
             Symbol::Point(id) => point_member(id, &name),
             Symbol::Hinge(row, point) => match name.as_str() {
-                "angle" => Some(Value::scalar(Expr::HingeAngle(row), Some(Dimension::NONE))),
-                "rate" => Some(Value::scalar(Expr::HingeRate(row), Some(Dimension::ANGULAR_VELOCITY))),
+                "angle" => Some(Value::scalar(Expr::HingeAngle(row), Dimension::NONE)),
+                "rate" => Some(Value::scalar(Expr::HingeRate(row), Dimension::ANGULAR_VELOCITY)),
                 _ => point_member(point, &name),
             },
             Symbol::Parameter(_) | Symbol::Let(_) | Symbol::Skate(_) => {
@@ -62,13 +62,13 @@ fn body_member(id: BodyId, member: &str) -> Option<Value> {
     let coordinate = |component| Expr::Coordinate(id, component);
     let velocity = |component| Expr::Velocity(id, component);
     Some(match member {
-        "x" => Value::scalar(coordinate(Component::X), Some(Dimension::LENGTH)),
-        "y" => Value::scalar(coordinate(Component::Y), Some(Dimension::LENGTH)),
-        "phi" => Value::scalar(coordinate(Component::Phi), Some(Dimension::NONE)),
-        "vx" => Value::scalar(velocity(Component::X), Some(Dimension::VELOCITY)),
-        "vy" => Value::scalar(velocity(Component::Y), Some(Dimension::VELOCITY)),
-        "omega" => Value::scalar(velocity(Component::Phi), Some(Dimension::ANGULAR_VELOCITY)),
-        "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Some(Dimension::VELOCITY)),
+        "x" => Value::scalar(coordinate(Component::X), Dimension::LENGTH),
+        "y" => Value::scalar(coordinate(Component::Y), Dimension::LENGTH),
+        "phi" => Value::scalar(coordinate(Component::Phi), Dimension::NONE),
+        "vx" => Value::scalar(velocity(Component::X), Dimension::VELOCITY),
+        "vy" => Value::scalar(velocity(Component::Y), Dimension::VELOCITY),
+        "omega" => Value::scalar(velocity(Component::Phi), Dimension::ANGULAR_VELOCITY),
+        "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Dimension::VELOCITY),
         _ => return None,
     })
 }
@@ -77,11 +77,11 @@ fn point_member(id: PointId, member: &str) -> Option<Value> {
     let position = |component| Expr::PointPosition(id, component);
     let velocity = |component| Expr::PointVelocity(id, component);
     Some(match member {
-        "x" => Value::scalar(position(Component::X), Some(Dimension::LENGTH)),
-        "y" => Value::scalar(position(Component::Y), Some(Dimension::LENGTH)),
-        "vx" => Value::scalar(velocity(Component::X), Some(Dimension::VELOCITY)),
-        "vy" => Value::scalar(velocity(Component::Y), Some(Dimension::VELOCITY)),
-        "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Some(Dimension::VELOCITY)),
+        "x" => Value::scalar(position(Component::X), Dimension::LENGTH),
+        "y" => Value::scalar(position(Component::Y), Dimension::LENGTH),
+        "vx" => Value::scalar(velocity(Component::X), Dimension::VELOCITY),
+        "vy" => Value::scalar(velocity(Component::Y), Dimension::VELOCITY),
+        "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Dimension::VELOCITY),
         _ => return None,
     })
 }

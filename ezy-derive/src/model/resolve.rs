@@ -13,7 +13,14 @@ use proc_macro2::Ident;
 /// The model, if there is no error, neither here nor before.
 pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
     let mut resolver = Resolver {
-        context: Context { diag, names: Names::default(), units: Vec::new(), lets: Vec::new(), points: Vec::new() },
+        context: Context {
+            diag,
+            names: Names::default(),
+            units: Vec::new(),
+            lets: Vec::new(),
+            n_lets_in_work: 0,
+            points: Vec::new(),
+        },
         parameters: Vec::new(),
         effects: Vec::new(),
         n_bodies: 0,
@@ -88,9 +95,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn resolve(&mut self, ast: &'a ast::Model) -> Model {
-        let defaults: Vec<f64> = (self.parameters.iter().zip(&self.context.units))
-            .map(|(parameter, unit)| unit.map_or(parameter.default, |unit| unit.to_si(parameter.default)))
-            .collect();
+        let defaults: Vec<f64> = self.parameters.iter().map(|parameter| parameter.default).collect();
         let context = &mut self.context;
         for id in 0..context.lets.len() {
             let (_, source) = context.lets[id].source;
@@ -138,8 +143,8 @@ impl<'a> Resolver<'a> {
         }
         context.check_massless(&bodies, &rows);
         let effect_names: Vec<&Ident> = self.effects.iter().map(|effect| &effect.name).collect();
-        unique(&start_names, "a start", context.diag);
         unique(&effect_names, "an effect", context.diag);
+        unique(&start_names, "a start", context.diag);
         for name in effect_names.into_iter().filter(|name| *name == "model") {
             context.diag.error(rules::effect_named_model(name));
         }
@@ -151,7 +156,9 @@ impl<'a> Resolver<'a> {
             .filter_map(|(item, scene)| context.scene(scene, item.documentation.clone(), &choice))
             .collect();
         context.check_whole(ast, self.n_bodies, scene_items.len());
-        context.warn_unused_parameters(&choice, &scene_items);
+        if context.diag.is_empty() {
+            context.warn_unused_parameters(&choice, &scene_items);
+        }
         Model {
             visibility: ast.visibility.clone(),
             name: ast.name.clone(),

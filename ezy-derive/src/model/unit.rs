@@ -61,6 +61,23 @@ static KNOWN: [Known; 28] = [
     known("MW", 1e6, 1.0, POWER),
 ];
 
+/// How units are written in full or by other people, plurals included, and what they are here.
+const SPELLED_OUT: [(&str, &str); 13] = [
+    ("kilog", "kg"),
+    ("gram", "g"),
+    ("meter", "m"),
+    ("metre", "m"),
+    ("millim", "mm"),
+    ("centim", "cm"),
+    ("sec", "s"),
+    ("hour", "h"),
+    ("radian", "rad"),
+    ("degree", "deg"),
+    ("newton", "N"),
+    ("joule", "J"),
+    ("watt", "W"),
+];
+
 impl Unit {
     const ONE: Self = Self { times: 1.0, over: 1.0, pi: 0, dimension: Dimension::NONE };
 
@@ -73,7 +90,8 @@ impl Unit {
     fn factor(factor: &ast::UnitFactor, diag: &mut Diagnostics) -> Option<Self> {
         let Some(known) = KNOWN.iter().find(|known| factor.name == known.name) else {
             let names: Vec<&str> = KNOWN.iter().map(|known| known.name).collect();
-            diag.error(names::unknown_unit(&factor.name, &names));
+            let spelled = SPELLED_OUT.iter().find(|(name, _)| factor.name.to_string().to_lowercase().starts_with(name));
+            diag.error(names::unknown_unit(&factor.name, spelled.map(|(_, sign)| *sign), &names));
             return None;
         };
         let one = Self { times: known.times, over: known.over, pi: known.pi, dimension: known.dimension };

@@ -1,17 +1,17 @@
 //! Scalars and vectors, and what the operators make of them.
 
 use super::Expr;
-use super::dimension::Dimension;
+use super::dimension::Measure;
 use crate::diag::rules;
 use crate::parse::ast::Operator;
 use proc_macro2::Span;
 use syn::Result;
 
-/// An expression with its shape; the dimension is `None` where a unit was not declared or a bare number takes part.
+/// An expression with its shape and what is known of its dimension.
 #[derive(Debug, Clone)]
 pub struct Value {
     pub form: Form,
-    pub dimension: Option<Dimension>,
+    pub measure: Measure,
 }
 
 #[derive(Debug, Clone)]
@@ -21,12 +21,12 @@ pub enum Form {
 }
 
 impl Value {
-    pub fn scalar(value: Expr, dimension: Option<Dimension>) -> Self {
-        Self { form: Form::Scalar(value), dimension }
+    pub fn scalar(value: Expr, measure: impl Into<Measure>) -> Self {
+        Self { form: Form::Scalar(value), measure: measure.into() }
     }
 
-    pub fn vector(x: Expr, y: Expr, dimension: Option<Dimension>) -> Self {
-        Self { form: Form::Vector(x, y), dimension }
+    pub fn vector(x: Expr, y: Expr, measure: impl Into<Measure>) -> Self {
+        Self { form: Form::Vector(x, y), measure: measure.into() }
     }
 
     pub fn shape(&self) -> &'static str {
@@ -47,7 +47,7 @@ impl Value {
     /// `self operator other`; the message of a fault sits on the operator.
     pub fn binary(self, operator: Operator, at: Span, other: Self) -> Result<Self> {
         let fault = rules::operands(at, operator, self.shape(), other.shape());
-        let dimension = self.dimension_with(operator, at, &other)?;
+        let measure = self.measure_with(operator, at, &other)?;
         let form = match (operator, self.form, other.form) {
             (_, Form::Scalar(a), Form::Scalar(b)) => Form::Scalar(apply(operator, a, b)),
             (Operator::Add | Operator::Subtract, Form::Vector(ax, ay), Form::Vector(bx, by)) => {
@@ -59,23 +59,21 @@ impl Value {
             (Operator::Multiply, Form::Scalar(a), Form::Vector(x, y)) => Form::Vector(mul(a.clone(), x), mul(a, y)),
             _ => return Err(fault),
         };
-        Ok(Self { form, dimension })
+        Ok(Self { form, measure })
     }
 
-    fn dimension_with(&self, operator: Operator, at: Span, other: &Self) -> Result<Option<Dimension>> {
-        let both = self.dimension.zip(other.dimension);
+    fn measure_with(&self, operator: Operator, at: Span, other: &Self) -> Result<Measure> {
+        let (a, b) = (self.measure, other.measure);
         Ok(match operator {
-            Operator::Add | Operator::Subtract => match both {
+            Operator::Add | Operator::Subtract => match a.known().zip(b.known()) {
                 Some((a, b)) if a != b => return Err(rules::unlike_sum(at, operator, &a, &b)),
-                _ => self.dimension.or(other.dimension),
+                _ => a.or(b),
             },
-            Operator::Multiply => both.map(|(a, b)| a.times(b)),
-            Operator::Divide => both.map(|(a, b)| a.over(b)),
+            Operator::Multiply => a.times(b),
+            Operator::Divide => a.over(b),
             Operator::Power => match &other.form {
-                Form::Scalar(exponent) => {
-                    self.dimension.zip(number(exponent)).and_then(|(dimension, exponent)| dimension.power(exponent))
-                }
-                Form::Vector(..) => None,
+                Form::Scalar(exponent) => a.power(number(exponent)),
+                Form::Vector(..) => Measure::Unknown,
             },
         })
     }

@@ -1,7 +1,7 @@
 //! Expressions, by recursive descent: `+ -` bind weakest, then `* /`, then the sign, then `^` (to the right).
 
 use super::ast::{Expr, Operator};
-use super::token::{end, expected, name, parenthesised, peek_number};
+use super::token::{Bracketed, end, expected, name, parenthesised, peek_number};
 use crate::diag::syntax;
 use proc_macro2::Span;
 use syn::parse::ParseStream;
@@ -9,14 +9,18 @@ use syn::{Lit, Result, Token};
 
 /// Keeps the recursion over an expression, here and in all later stages, far from the end of the stack.
 const MAX_PARTS: usize = 400;
+/// The same for brackets in brackets, each of which takes several calls.
+const MAX_BRACKETS: usize = 50;
 
 /// A scalar or a vector.
 pub fn expression(input: ParseStream) -> Result<Expr> {
-    Parser { parts: 0 }.sum(input)
+    Parser { parts: 0, brackets: 0 }.sum(input)
 }
 
 struct Parser {
     parts: usize,
+    /// How many brackets are open.
+    brackets: usize,
 }
 
 impl Parser {
@@ -78,13 +82,14 @@ impl Parser {
             return number(input);
         }
         if input.peek(syn::token::Paren) {
-            return self.group(input);
+            return self.in_brackets(input, Self::group);
         }
         let owner = name(input, "a value")?;
         if input.peek(syn::token::Paren) {
-            let brackets = parenthesised(input)?;
-            let arguments = self.arguments(&brackets.inside)?;
-            return Ok(Expr::Call { function: owner, arguments, end: brackets.close });
+            return self.in_brackets(input, |parser, brackets| {
+                let arguments = parser.arguments(&brackets.inside)?;
+                Ok(Expr::Call { function: owner, arguments, end: brackets.close })
+            });
         }
         if input.peek(Token![.]) {
             input.parse::<Token![.]>()?;
@@ -93,9 +98,23 @@ impl Parser {
         Ok(Expr::Name(owner))
     }
 
-    /// `(e)` or the vector `(x, y)`.
-    fn group(&mut self, input: ParseStream) -> Result<Expr> {
+    fn in_brackets(
+        &mut self,
+        input: ParseStream,
+        parse: impl FnOnce(&mut Self, &Bracketed) -> Result<Expr>,
+    ) -> Result<Expr> {
         let brackets = parenthesised(input)?;
+        if self.brackets == MAX_BRACKETS {
+            return Err(syntax::brackets_too_deep(brackets.open, MAX_BRACKETS));
+        }
+        self.brackets += 1;
+        let result = parse(self, &brackets);
+        self.brackets -= 1;
+        result
+    }
+
+    /// `(e)` or the vector `(x, y)`.
+    fn group(&mut self, brackets: &Bracketed) -> Result<Expr> {
         let inside = &brackets.inside;
         let x = self.sum(inside)?;
         if inside.is_empty() {

@@ -44,11 +44,15 @@ pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
     let mut log = Log { diag, broken: Vec::new() };
     let mut header = Ok(());
     let rest = (|input: ParseStream| {
-        header = self::model(input, &mut model, &mut log);
+        header = self::model(input, &mut model, &mut log)
+            .map_err(|error| syntax::with_example(error, "model", "pub model Name { … }"));
         Ok(())
     })
     .parse2(tokens);
     model.broken = log.broken;
+    if header.is_err() {
+        model.broken.push(model.name.clone()); // then everything is missing, which is no fault of its own
+    }
     // syn reports tokens that were left over; those follow a fault that is known already, if there is one
     let rest = if diag.is_empty() { rest } else { Ok(()) };
     diag.keep(header.and(rest));
@@ -61,7 +65,7 @@ fn model(input: ParseStream, model: &mut ast::Model, log: &mut Log) -> Result<()
     }
     model.documentation = item::documentation(input)?;
     model.visibility = input.parse()?;
-    word(input, "model").map_err(|error| syntax::with_example(error, "model", "pub model Name { … }"))?;
+    word(input, "model")?;
     model.name = name(input, "the name of the model")?;
     let body = token::braced(input)?;
     item::items(&body.inside, item::MODEL, &mut model.items, log);

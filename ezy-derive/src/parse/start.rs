@@ -5,6 +5,7 @@ use super::ast::{Expr, Given, ItemKind, Quantity, Start};
 use super::expression::expression;
 use super::place::pair;
 use super::token::{braced, expected, name, peek_word, sign, skip, word};
+use crate::diag::nearest::nearest;
 use crate::diag::syntax;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -48,8 +49,9 @@ fn statement(input: ParseStream, start: &mut Start) -> Result<()> {
     if input.peek(Token![;]) {
         return Err(syntax::empty_start_statement(&body));
     }
+    let first = start.given.len();
     while !input.peek(Token![;]) {
-        let given = given(input, &body)?;
+        let given = given(input, &body, start.given.len() == first)?;
         start.given.push(given);
     }
     sign::<Token![;]>(input).map(|_| ())
@@ -59,13 +61,19 @@ fn is_at_rest(fork: ParseStream) -> bool {
     fork.call(Ident::parse_any).is_ok() && peek_word(fork, "rest") && fork.peek2(Token![;])
 }
 
-fn given(input: ParseStream, body: &Ident) -> Result<Given> {
+fn given(input: ParseStream, body: &Ident, first: bool) -> Result<Given> {
     let Some((word, _)) = input.cursor().ident() else { return Err(expected(input, "a quantity or `;`")) };
     let Some((_, quantity)) = QUANTITIES.iter().find(|(known, _)| word == known) else {
         let words: Vec<&str> = QUANTITIES.iter().map(|(known, _)| *known).collect();
+        if !first && nearest(&word.to_string(), &words).is_none() {
+            return Err(expected(input, "a quantity or `;`"));
+        }
         return Err(syntax::unknown_word(&word, "a start", &words));
     };
     input.call(Ident::parse_any)?;
+    if *quantity == Quantity::Position && peek_word(input, "rest") {
+        return Err(syntax::body_at_rest(input.span(), body));
+    }
     let values = match quantity {
         Quantity::Position | Quantity::Velocity => {
             let (x, y) = pair(input, free_or_value)?;

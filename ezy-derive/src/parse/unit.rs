@@ -7,6 +7,8 @@ use syn::{LitInt, Result, Token};
 
 /// Beyond it no unit is meant, and products of exponents stay far from overflow.
 const MAX_EXPONENT: i32 = 12;
+/// Brackets in brackets: `(N/(m*s))^2`.
+const MAX_BRACKETS: usize = 2;
 
 pub fn unit(input: ParseStream) -> Result<Unit> {
     let mut unit = Unit { text: String::new(), factors: Vec::new() };
@@ -37,22 +39,24 @@ fn power(input: ParseStream, exponent: i32, depth: usize, unit: &mut Unit) -> Re
         unit.text.push('1');
         return Ok(());
     }
-    if input.peek(syn::token::Paren) && depth < MAX_EXPONENT as usize {
+    let first = unit.factors.len();
+    if input.peek(syn::token::Paren) && depth < MAX_BRACKETS {
         let brackets = parenthesised(input)?;
         unit.text.push('(');
         product(&brackets.inside, exponent, depth + 1, unit)?;
         unit.text.push(')');
-        return end(&brackets.inside, ")");
+        end(&brackets.inside, ")")?;
+    } else {
+        let name = name(input, "a unit")?;
+        unit.text.push_str(&name.to_string());
+        unit.factors.push(UnitFactor { name, exponent });
     }
-    let name = name(input, "a unit")?;
-    unit.text.push_str(&name.to_string());
-    let mut factor = UnitFactor { name, exponent };
     if input.peek(Token![^]) {
         input.parse::<Token![^]>()?;
         unit.text.push('^');
-        factor.exponent *= whole_number(input, unit)?;
+        let power = whole_number(input, unit)?;
+        unit.factors[first..].iter_mut().for_each(|factor| factor.exponent *= power);
     }
-    unit.factors.push(factor);
     Ok(())
 }
 

@@ -1,6 +1,31 @@
 //! Texts without faults.
 
 use super::{EZY_ROLLER, good};
+use crate::model::constant::at_defaults;
+use crate::model::{Component, Expr, ForceKind, Model, RowKind};
+use std::f64::consts::PI;
+
+/// A body, parameters and values, and a torque whose value is looked at.
+fn with_torque(items: &str, torque: &str) -> Model {
+    good(&format!(
+        "pub model M {{ body seat {{ mass: 1, inertia: 1 }} point A = seat(1, 2); {items}
+         torque seat: {torque}; start s {{ }} scene c {{ start s; until 1 s; }} }}"
+    ))
+}
+
+fn torque(model: &Model) -> &Expr {
+    match &model.forces[0].kind {
+        ForceKind::Torque { value, .. } => value,
+        other => panic!("not a torque: {other:?}"),
+    }
+}
+
+/// The value of a torque with the declared parameters.
+fn value(items: &str, torque_value: &str) -> f64 {
+    let model = with_torque(items, torque_value);
+    let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    at_defaults(torque(&model), &defaults).expect("the value does not move")
+}
 
 #[test]
 fn analytic_model_of_ezy_roller_has_every_item() {
@@ -9,4 +34,125 @@ fn analytic_model_of_ezy_roller_has_every_item() {
     assert_eq!(counts, [2, 11, 3, 3]);
     let counts = [model.forces.len(), model.effects.len(), model.starts.len(), model.scenes.len()];
     assert_eq!(counts, [2, 2, 2, 3]);
+}
+
+#[test]
+fn analytic_parameter_keeps_unit_text_and_documentation() {
+    let model = good(EZY_ROLLER);
+    let a = &model.parameters[0];
+    assert_eq!((a.unit.as_str(), a.default_text.as_str()), ("m", "0.2"));
+    assert_eq!(a.documentation, "rear axle A, behind the seat's centre of mass");
+    let omega = &model.parameters[9];
+    assert_eq!((omega.unit.as_str(), omega.default_text.as_str()), ("rad/s", "pi"));
+    assert_eq!(omega.effect.map(|id| id.0), Some(0));
+}
+
+#[test]
+fn analytic_parameter_is_the_nearest_number() {
+    let model = good(EZY_ROLLER);
+    let values: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    assert_eq!(values, [0.2, 0.6, 0.1, 0.1, 46.0, 10.0, 1.0, 0.005, 2.0, PI, 0.5]);
+}
+
+#[test]
+fn analytic_hinge_is_a_point_on_its_first_body() {
+    let model = good(EZY_ROLLER);
+    let names: Vec<String> = model.points.iter().map(|point| point.name.to_string()).collect();
+    assert_eq!(names, ["A", "C", "B"]);
+    let RowKind::Hinge { a, .. } = &model.rows[0].kind else { panic!("the first row is the hinge") };
+    assert_eq!(model.points[2].place.body, a.body);
+}
+
+#[test]
+fn analytic_start_gives_what_it_says() {
+    let model = good(EZY_ROLLER);
+    let given: Vec<(usize, Component, bool)> =
+        model.starts[0].values.iter().map(|value| (value.body.0, value.component, value.rate)).collect();
+    let (x, y, phi) = (Component::X, Component::Y, Component::Phi);
+    assert_eq!(given, [(0, x, false), (0, y, false), (0, phi, false), (1, phi, false)]);
+}
+
+#[test]
+fn analytic_scene_selects_start_end_and_effects() {
+    let model = good(EZY_ROLLER);
+    let scenes: Vec<(usize, f64, usize)> =
+        model.scenes.iter().map(|scene| (scene.start.0, scene.until_s, scene.effects.len())).collect();
+    assert_eq!(scenes, [(1, 1.0, 0), (0, 60.0, 1), (0, 60.0, 2)]);
+    assert_eq!(model.scenes[2].documentation, "Both effects together.");
+}
+
+#[test]
+fn analytic_operators_bind_as_in_mathematics() {
+    assert_eq!(value("", "1 - 2 - 3"), -4.0);
+    assert_eq!(value("", "2 + 3 * 4 / 6"), 4.0);
+    assert_eq!(value("", "-2^2"), -4.0);
+    assert_eq!(value("", "2^3^2"), 512.0);
+    assert_eq!(value("", "2^-1 * 8"), 4.0);
+    assert_eq!(value("", "--3 * -(1 + 1)"), -6.0);
+}
+
+#[test]
+fn analytic_functions_have_their_values() {
+    assert_eq!(value("", "1 * atan2(1, 0) + sqrt(4) + abs(-3)"), PI / 2.0 + 2.0 + 3.0);
+    assert_eq!(value("", "min(1, 2) + max(1, 2) + sign(-5)"), 2.0);
+    assert_eq!(value("", "dot((1, 2), (3, 4)) + cross((1, 2), (3, 4)) + norm((3, 4))"), 11.0 - 2.0 + 5.0);
+}
+
+#[test]
+fn analytic_vectors_split_into_components() {
+    assert_eq!(value("let u = 2 * (1, 2) - (1, 1) / 2;", "dot(u, (1, 10))"), 1.5 + 35.0);
+}
+
+#[test]
+fn analytic_units_count_in_si() {
+    assert_eq!(value("param l: mm = 200;", "1 * l"), 0.2);
+    assert_eq!(value("param f: kN*cm = 3;", "1 * f"), 30.0);
+    assert_eq!(value("param angle: deg = 90;", "1 * angle"), PI / 2.0);
+    assert_eq!(value("param j: g*cm^2 = -20;", "-1 * j"), 2e-6);
+    assert_eq!(value("param w: (1/min)^2 = 7200;", "1 * w"), 2.0);
+}
+
+#[test]
+fn analytic_si_units_leave_no_operation() {
+    let model = with_torque("param f: kg*m^2/s^2 = 3;", "f");
+    assert!(matches!(torque(&model), Expr::Parameter(_)));
+}
+
+#[test]
+fn analytic_values_are_inserted_in_any_order() {
+    assert_eq!(value("let b = a + 1; let a = 2 * k; param k = 3;", "b"), 7.0);
+}
+
+#[test]
+fn analytic_words_of_the_language_are_names_elsewhere() {
+    good(
+        "pub model Words { param mass = 1; param rest = 2; param along = 3;
+         body body { mass: mass, inertia: mass } body at { mass: 1, inertia: 1 }
+         point point = body(along, 0); hinge hinge: point ~ at(0, 0);
+         skate start: at hinge along at(1, 0); effect effect { force at point: (rest, 0); }
+         start scene { at at (0, 0) angle rest; body rate 0; at rest; }
+         scene until { start scene; until 1 s; with effect; } }",
+    );
+}
+
+#[test]
+fn analytic_members_are_coordinates_and_velocities() {
+    let moving = [("seat.omega", "Velocity(BodyId(0), Phi)"), ("A.y", "PointPosition(PointId(0), Y)"), ("t", "Time")];
+    for (text, expected) in moving {
+        let model = with_torque("", &format!("2 * {text}"));
+        assert_eq!(format!("{:?}", torque(&model)), format!("Mul(Number(2.0), {expected})"));
+    }
+}
+
+#[test]
+fn analytic_bare_numbers_may_stand_for_anything() {
+    for text in ["cos(3 * t)", "cos(t)", "2 * seat.omega", "sign(seat.x) * 3 + 1", "1 + 2 * A.x", "0"] {
+        with_torque("", text);
+    }
+}
+
+#[test]
+fn analytic_known_units_agree_in_a_spring() {
+    let items = "param k: N/m = 3; param l: m = 1; param c: N*s/m = 1; param m: kg = 1; param e: J = 2;";
+    with_torque(items, "A.x * (k * (l - A.y) - c * A.vy) * cos(seat.phi) + norm(A.v)^2 * m - sqrt(e * e) / exp(2)");
 }

@@ -1,6 +1,8 @@
 //! From text to model, and to messages.
 
+mod fuzz;
 mod good;
+mod messages;
 
 use super::Model;
 use crate::diag::Diagnostics;

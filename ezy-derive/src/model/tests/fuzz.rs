@@ -1,0 +1,108 @@
+//! No text, however mistaken, panics; each is a model or has an error.
+
+use super::{EZY_ROLLER, resolve};
+use crate::diag::Diagnostics;
+use proc_macro2::{Group, TokenStream, TokenTree};
+use std::str::FromStr;
+
+/// Mutated texts. A few thousand meet every branch of the parser many times.
+const N_TEXTS: usize = 3000;
+/// Mistakes of one text: from one slip to a heap of words.
+const MAX_MISTAKES: usize = 6;
+
+/// Constructs that the EzyRoller does not need.
+const MORE: &str = "pub model More {
+    param angle: deg = 30; param k = 1.5e1; let lift = 2 * norm(A.v) ^ 2 - min(k, 3) / cross(A.v, (1, -k));
+    body rear { mass: 1, inertia: 2 } body front { mass: 0, inertia: 0 }
+    point A = ground(1, k); hinge pin: rear(0, k) ~ A; hinge next: pin ~ front(-k, 0);
+    force at rear(0, 1) across front(1, 0): lift * pin.rate;
+    start s { rear at (_, 1) velocity (k, _) angle -pi / 4; front vx 1 vy 2; }
+    effect drag { param c: N*s/m = 2; let f = -c * pin.v; force at pin: f; torque rear: c * 3; }
+    scene only { start s; until 2 min; with drag; }
+}";
+
+/// A linear congruential generator (Knuth's MMIX constants): the same texts on every machine.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 33) as usize % n.max(1)
+    }
+}
+
+#[test]
+fn invariant_mutated_texts_give_a_model_or_an_error() {
+    let mut random = Random(20);
+    let texts = [EZY_ROLLER, MORE].map(|text| TokenStream::from_str(text).expect("good texts are tokens"));
+    let all: Vec<TokenTree> = texts.iter().cloned().flat_map(flatten).collect();
+    let mut n_models = 0;
+    for i in 0..N_TEXTS {
+        let mut text = texts[i % 2].clone();
+        for _ in 0..=random.below(MAX_MISTAKES) {
+            text = mutate(text, &all, &mut random);
+        }
+        let shown = text.to_string();
+        let mut diag = Diagnostics::default();
+        let ast = crate::parse::parse(text, &mut diag);
+        let model = crate::model::resolve(ast, &mut diag);
+        assert_eq!(model.is_some(), diag.is_empty(), "{shown}");
+        let _ = diag.into_compile_errors();
+        n_models += usize::from(model.is_some());
+    }
+    assert!(0 < n_models && n_models < N_TEXTS, "the mutations are neither empty nor all fatal: {n_models}");
+}
+
+#[test]
+fn invariant_other_constructs_are_a_model() {
+    let (model, messages) = resolve(MORE);
+    assert!(model.is_some(), "{messages:#?}");
+}
+
+#[test]
+fn invariant_deep_brackets_and_signs_end_in_an_error() {
+    for (open, close) in [("(", ")"), ("-", ""), ("sin(", ")"), ("2^", ""), ("1 - (2 * ", ")")] {
+        let value = format!("{}1{}", open.repeat(2000), close.repeat(2000));
+        let (_, messages) = resolve(&format!("pub model M {{ param a = {value}; }}"));
+        assert!(messages[0].contains(" more than "), "{}", messages[0]);
+    }
+}
+
+#[test]
+fn invariant_values_in_reverse_order_end_in_an_error() {
+    let lets: String = (0..2000).map(|i| format!("let a{i} = 1 + a{};", i + 1)).collect();
+    let (_, messages) = resolve(&format!("pub model M {{ {lets} }}"));
+    assert!(messages[0].contains("long chain of values"), "{}", messages[0]);
+}
+
+/// Deletes, repeats, swaps or inserts one token, somewhere in the tree.
+fn mutate(text: TokenStream, all: &[TokenTree], random: &mut Random) -> TokenStream {
+    let mut trees: Vec<TokenTree> = text.into_iter().collect();
+    if trees.is_empty() {
+        return trees.into_iter().collect();
+    }
+    let i = random.below(trees.len());
+    if let (TokenTree::Group(group), 1..) = (&trees[i], random.below(8)) {
+        let inside = mutate(group.stream(), all, random);
+        trees[i] = Group::new(group.delimiter(), inside).into();
+        return trees.into_iter().collect();
+    }
+    let j = random.below(trees.len());
+    match random.below(5) {
+        0 => drop(trees.remove(i)),
+        1 => trees.insert(i, trees[j].clone()),
+        2 => trees.swap(i, j),
+        3 => trees.insert(i, all[random.below(all.len())].clone()),
+        _ => trees[i] = all[random.below(all.len())].clone(),
+    }
+    trees.into_iter().collect()
+}
+
+/// Every token tree, also inside of brackets.
+fn flatten(text: TokenStream) -> Vec<TokenTree> {
+    let inside = |tree: TokenTree| match &tree {
+        TokenTree::Group(group) => [vec![tree.clone()], flatten(group.stream())].concat(),
+        _ => vec![tree],
+    };
+    text.into_iter().flat_map(inside).collect()
+}

@@ -1,0 +1,70 @@
+//! Every message with its exact text and place, in golden files.
+//!
+//! A case of a golden file is a remark, the text (behind `>`), and its messages as `line:column text`; a blank
+//! line ends it. `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the files anew.
+
+use super::resolve;
+use std::path::PathBuf;
+
+/// What stands before the items of a case, on line 1, and behind them.
+const BEFORE: &str = "pub model M { body seat { mass: 1, inertia: 1 } body bar { mass: 1, inertia: 1 } \
+    param k: N*s/m = 1; point A = seat(-1, 0); hinge B: seat(1, 0) ~ bar(-1, 0); \
+    skate rear: at A along seat(1, 0); start begin { at rest; }\n";
+const BEHIND: &str = "\nscene run { start begin; until 1 s; } }";
+
+#[test]
+fn regress_messages_of_syntax() {
+    check("syntax", |items| format!("{BEFORE}{items}{BEHIND}"));
+}
+
+#[test]
+fn regress_messages_of_whole_models() {
+    check("model", str::to_owned);
+}
+
+#[test]
+fn regress_messages_of_names() {
+    check("names", |items| format!("{BEFORE}{items}{BEHIND}"));
+}
+
+#[test]
+fn regress_messages_of_values() {
+    check("values", |items| format!("{BEFORE}{items}{BEHIND}"));
+}
+
+#[test]
+fn regress_messages_of_mechanisms() {
+    check("mechanism", |items| format!("{BEFORE}{items}{BEHIND}"));
+}
+
+#[test]
+fn regress_messages_of_starts_and_scenes() {
+    check("scenes", |items| format!("{BEFORE}{items}{BEHIND}"));
+}
+
+/// Compares the messages of each case of a golden file.
+fn check(golden: &str, model: impl Fn(&str) -> String) {
+    let manifest = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let path = manifest.join("src/model/tests/messages").join(golden).with_extension("txt");
+    let old = std::fs::read_to_string(&path).expect("the golden file is there");
+    let new: Vec<String> = old.trim_end().split("\n\n").map(|case| with_messages(case, &model)).collect();
+    let new = new.join("\n\n") + "\n";
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        std::fs::write(&path, &new).expect("the golden file can be written");
+    }
+    for (old, new) in old.trim_end().split("\n\n").zip(new.trim_end().split("\n\n")) {
+        assert!(std::env::var_os("UPDATE_GOLDEN").is_some() || old == new, "expected:\n{old}\n\nfound:\n{new}");
+    }
+}
+
+/// The remark and the text of a case with the messages that the text has now.
+fn with_messages(case: &str, model: impl Fn(&str) -> String) -> String {
+    let kept: Vec<&str> = case.lines().filter(|line| line.starts_with("# ") || line.starts_with('>')).collect();
+    let text: Vec<&str> = kept.iter().filter_map(|line| line.strip_prefix('>')).map(str::trim_end).collect();
+    let text: Vec<&str> = text.iter().map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
+    let (model, messages) = resolve(&model(&text.join("\n")));
+    let fatal = messages.iter().any(|message| !message.contains(" warning: "));
+    assert_eq!(model.is_none(), fatal, "a text is a model unless it has an error:\n{case}");
+    let kept = kept.into_iter().map(str::to_owned);
+    kept.chain(messages).collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,147 @@
+//! Names and patterns of the hand-written EzyRoller.
+
+use ezy_core::model::{
+    CoordinateInfo, EffectInfo, Formula, Operations, ParameterInfo, PointInfo, RowInfo, SceneInfo, SparsityPattern,
+};
+
+const fn f(text: &'static str) -> Formula {
+    Formula { text, latex: "", mathml: "" }
+}
+
+const fn coordinate(name: &'static str, velocity_name: &'static str, unit: &'static str) -> CoordinateInfo {
+    CoordinateInfo { name, velocity_name, unit, symbol: f(name), velocity_symbol: f(velocity_name) }
+}
+
+const fn row(
+    name: &'static str,
+    kind: &'static str,
+    constraint: &'static str,
+    convective_term: &'static str,
+) -> RowInfo {
+    RowInfo { name, kind, multiplier_unit: "N", constraint: f(constraint), convective_term: f(convective_term) }
+}
+
+const fn parameter(name: &'static str, unit: &'static str, default: f64, default_text: &'static str) -> ParameterInfo {
+    ParameterInfo { name, unit, default, default_text, documentation: "", effect: None, symbol: f(name) }
+}
+
+const fn of_pump(parameter: ParameterInfo) -> ParameterInfo {
+    ParameterInfo { effect: Some("pump"), ..parameter }
+}
+
+const COORDINATES: [CoordinateInfo; 6] = [
+    coordinate("seat.x", "seat.vx", "m"),
+    coordinate("seat.y", "seat.vy", "m"),
+    coordinate("seat.phi", "seat.omega", "rad"),
+    coordinate("bar.x", "bar.vx", "m"),
+    coordinate("bar.y", "bar.vy", "m"),
+    coordinate("bar.phi", "bar.omega", "rad"),
+];
+
+const ROWS: [RowInfo; 4] = [
+    row(
+        "B.x",
+        "hinge",
+        "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
+        "-b*cos(seat.phi)*seat.omega^2 - d*cos(bar.phi)*bar.omega^2",
+    ),
+    row(
+        "B.y",
+        "hinge",
+        "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
+        "-b*sin(seat.phi)*seat.omega^2 - d*sin(bar.phi)*bar.omega^2",
+    ),
+    row(
+        "rear",
+        "skate",
+        "-seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi) - a*seat.omega",
+        "-(seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi))*seat.omega",
+    ),
+    row(
+        "front",
+        "skate",
+        "-bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi) + c*bar.omega",
+        "-(bar.vx*cos(bar.phi) + bar.vy*sin(bar.phi))*bar.omega",
+    ),
+];
+
+const PARAMETERS: [ParameterInfo; 10] = [
+    parameter("a", "m", 0.2, "0.2"),
+    parameter("b", "m", 0.6, "0.6"),
+    parameter("c", "m", 0.1, "0.1"),
+    parameter("d", "m", 0.1, "0.1"),
+    parameter("m1", "kg", 46.0, "46.0"),
+    parameter("i1", "kg*m^2", 10.0, "10.0"),
+    parameter("m2", "kg", 1.0, "1.0"),
+    parameter("i2", "kg*m^2", 0.005, "0.005"),
+    of_pump(parameter("m0", "N*m", 2.0, "2.0")),
+    of_pump(parameter("omega", "rad/s", std::f64::consts::PI, "pi")),
+];
+
+const EFFECTS: [EffectInfo; 1] = [EffectInfo { name: "pump", documentation: "" }];
+
+const JACOBIAN_ENTRIES: [Formula; 14] = [
+    f("1"),
+    f("-b*sin(seat.phi)"),
+    f("-1"),
+    f("-d*sin(bar.phi)"),
+    f("1"),
+    f("b*cos(seat.phi)"),
+    f("-1"),
+    f("d*cos(bar.phi)"),
+    f("-sin(seat.phi)"),
+    f("cos(seat.phi)"),
+    f("-a"),
+    f("-sin(bar.phi)"),
+    f("cos(bar.phi)"),
+    f("c"),
+];
+
+const MASS_ENTRIES: [Formula; 6] = [f("m1"), f("m1"), f("i1"), f("m2"), f("m2"), f("i2")];
+
+const fn scene(
+    name: &'static str,
+    until_s: f64,
+    parameters: &'static [ParameterInfo],
+    effects: &'static [EffectInfo],
+    force_entries: &'static [Formula],
+) -> SceneInfo {
+    SceneInfo {
+        model: "HandRoller",
+        name,
+        documentation: "",
+        bodies: &["seat", "bar"],
+        coordinates: &COORDINATES,
+        points: &[
+            PointInfo { name: "A", body: Some(0) },
+            PointInfo { name: "C", body: Some(1) },
+            PointInfo { name: "B", body: Some(0) },
+        ],
+        rows: &ROWS,
+        n_position_rows: 2,
+        parameters,
+        effects,
+        until_s,
+        n_constants: parameters.len(),
+        jacobian: SparsityPattern { starts: &[0, 4, 8, 11, 14], columns: &[0, 2, 3, 5, 1, 2, 4, 5, 0, 1, 2, 3, 4, 5] },
+        jacobian_entries: &JACOBIAN_ENTRIES,
+        mass_entries: &MASS_ENTRIES,
+        force_entries,
+        elimination: &[],
+        acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+        correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+    }
+}
+
+/// Everything about the scene `coast`.
+pub static COAST: SceneInfo =
+    scene("coast", 1.0, PARAMETERS.split_at(8).0, &[], &[f("0"), f("0"), f("0"), f("0"), f("0"), f("0")]);
+
+/// Everything about the scene `driven`.
+pub static DRIVEN: SceneInfo = scene(
+    "driven",
+    60.0,
+    &PARAMETERS,
+    &EFFECTS,
+    &[f("0"), f("0"), f("m0*cos(omega*t)"), f("0"), f("0"), f("-m0*cos(omega*t)")],
+);

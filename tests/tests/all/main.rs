@@ -1,0 +1,6 @@
+//! Properties of every scene and every solver, one a file.
+
+mod scenes;
+
+mod exact_start;
+mod trajectories;

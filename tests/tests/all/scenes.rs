@@ -1,0 +1,39 @@
+//! The scenes that the tests run over.
+
+use ezy_core::model::Scene;
+use ezy_tests::hand_roller::HandRoller;
+
+/// A scene under test, with the route by which its equations were made.
+pub struct Case {
+    pub route: &'static str,
+    pub scene: Box<dyn Scene>,
+}
+
+/// The coasting EzyRoller by every route.
+pub fn coast() -> Vec<Case> {
+    vec![Case { route: "hand", scene: Box::new(HandRoller::coast()) }]
+}
+
+/// The driven EzyRoller by every route.
+pub fn driven() -> Vec<Case> {
+    vec![Case { route: "hand", scene: Box::new(HandRoller::driven()) }]
+}
+
+/// Both scenes by every route.
+pub fn all() -> Vec<Case> {
+    coast().into_iter().chain(driven()).collect()
+}
+
+/// Sets parameters by name.
+pub fn set(scene: &mut dyn Scene, values: &[(&str, f64)]) {
+    for (name, value) in values {
+        let i = scene.info().parameters.iter().position(|p| p.name == *name).expect("a parameter of the scene");
+        scene.set_parameter(i, *value);
+    }
+}
+
+/// Largest difference of two vectors.
+pub fn distance(x: &[f64], y: &[f64]) -> f64 {
+    assert_eq!(x.len(), y.len());
+    x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, |m, d| if d > m || d.is_nan() { d } else { m })
+}

@@ -102,7 +102,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
             let Some(step) = self.free_correction(t, q, n_c, &start.v_given) else { break };
             trial.iter_mut().zip(v.iter()).zip(&step).for_each(|((x, v), s)| *x = v + s);
             let trial_norm = self.velocity_residual(t, q, &trial);
-            if !(trial_norm < norm) {
+            if trial_norm.is_nan() || trial_norm >= norm {
                 break;
             }
             v.copy_from_slice(&trial);
@@ -149,7 +149,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// Names the rows whose residual in the buffer exceeds the tolerance.
     fn contradiction(&self, level: &'static str, n_rows: usize, tolerance: f64, held: Vec<&'static str>) -> StartError {
         let residual = &self.buffers.residual[..n_rows];
-        let mut rows: Vec<usize> = (0..n_rows).filter(|&i| !(residual[i].abs() <= tolerance)).collect();
+        let mut rows: Vec<usize> =
+            (0..n_rows).filter(|&i| residual[i].is_nan() || residual[i].abs() > tolerance).collect();
         rows.sort_by(|&i, &j| residual[j].abs().total_cmp(&residual[i].abs()));
         let rows = rows.into_iter().map(|i| self.info.rows[i].name).collect();
         StartError::Contradiction { level, rows, residual: max_abs(residual), tolerance, held }

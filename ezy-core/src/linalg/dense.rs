@@ -51,8 +51,7 @@ impl KktFactorization for DenseKkt {
         for i in 0..n {
             let i_pivot = i + self.factors.view((i, i), (n - i, 1)).column(0).icamax();
             let pivot = self.factors[(i_pivot, i)];
-            // written so that a NaN counts as vanished
-            if !(pivot.abs() > PIVOT_TOLERANCE) {
+            if pivot.is_nan() || pivot.abs() <= PIVOT_TOLERANCE {
                 return Err(VanishedPivot { relative: pivot.abs() });
             }
             self.pivot_rows[i] = i_pivot;

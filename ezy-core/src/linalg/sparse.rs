@@ -113,8 +113,7 @@ impl KktFactorization for SparseKkt {
             .map_err(|_| VanishedPivot { relative: 0.0 })?;
         for (place, start) in self.pivot_places.iter().zip(&self.pivot_starts) {
             let relative = -self.factors[*place] / start;
-            // written so that a NaN counts as vanished
-            if !(relative > PIVOT_TOLERANCE) {
+            if relative.is_nan() || relative <= PIVOT_TOLERANCE {
                 return Err(VanishedPivot { relative });
             }
         }

@@ -141,7 +141,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
 
     fn tell_progress(&mut self, steps: u64, n_steps: u64) {
         if let Some(progress) = &mut self.on_progress
-            && (steps % n_steps.div_ceil(N_PROGRESS) == 0 || steps == n_steps)
+            && (steps.is_multiple_of(n_steps.div_ceil(N_PROGRESS)) || steps == n_steps)
         {
             progress(steps as f64 / n_steps as f64);
         }

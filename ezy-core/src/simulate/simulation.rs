@@ -158,7 +158,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             return Err(SetupError::TooManySteps { steps, step_s, limit: MAX_STEPS });
         }
         if let Some(every_s) = self.every_s {
-            if !(every_s > 0.0) {
+            if every_s.is_nan() || every_s <= 0.0 {
                 return Err(SetupError::Every { every_s });
             }
             let samples = (until_s - start_s) / every_s;

@@ -1,5 +1,50 @@
 //! Checks of a scene against finite differences and against itself, for one line in a user's test.
+//!
+//! ```text
+//! ezy_core::testing::check_scene(&scene)?;
+//! ```
 
+// matrices keep the capital letters of the notation
+#![allow(non_snake_case)]
+
+mod derivatives;
+mod energy;
+mod probe;
 mod report;
+mod solvers;
 
 pub use report::{Check, CheckError, CheckReport};
+
+use crate::dynamics::System;
+use crate::linalg::Backend;
+use crate::model::Scene;
+use probe::Probe;
+
+/// Checks everything that a scene says about itself in more than one way.
+///
+/// At 1,000 random states, the same ones each time: C_q and the velocity rows against central differences of C;
+/// [h; s] against central differences of the velocity rows along the motion; G against the velocity rows; the sum of
+/// the powers against F·v; accelerations, multipliers and mass-weighted corrections of the generated elimination and
+/// the sparse backend against the dense one. At the start: the rank of the rows. Over a short run: the energy
+/// balance, extrapolated to step zero.
+///
+/// # Errors
+/// [`CheckError::Failed`] with the report when a check failed, others when the scene cannot be set up or started.
+pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckError> {
+    let mut system = System::new(scene, Backend::Auto)?;
+    let start = system.consistent_start(&system.scene_start())?;
+    let info = scene.info();
+    let probe = Probe::new(scene, system.constants());
+    let mut checks = vec![
+        solvers::rank_at_start(&mut system, &start),
+        derivatives::jacobian_of_positions(&probe),
+        derivatives::velocity_rows(&probe),
+        derivatives::convective_term(&probe),
+        derivatives::jacobian_of_velocities(&probe),
+        derivatives::power(&probe),
+    ];
+    checks.extend(solvers::backends(&probe)?);
+    checks.push(energy::balance(scene, start.t)?);
+    let report = CheckReport { model: info.model, scene: info.name, checks };
+    if report.passed() { Ok(report) } else { Err(CheckError::Failed(report)) }
+}

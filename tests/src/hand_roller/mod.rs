@@ -121,7 +121,7 @@ impl Scene for HandRoller {
     }
 
     fn power(&self, c: &[f64], t: f64, _q: &[f64], v: &[f64], out: &mut [f64]) {
-        out[0] = torque(c, t) * (v[2] - v[5]);
+        out.fill(torque(c, t) * (v[2] - v[5]));
     }
 
     fn potential_energy(&self, _c: &[f64], _t: f64, _q: &[f64]) -> f64 {

@@ -3,4 +3,5 @@
 mod scenes;
 
 mod exact_start;
+mod self_check;
 mod trajectories;

@@ -1,0 +1,139 @@
+//! Derived equations against differences of the expressions that they come from.
+
+use super::Check;
+use super::probe::{Probe, RandomState, Worst};
+use crate::dynamics::max_abs;
+use crate::model::Scene;
+
+/// Step of central differences, ε^(1/3): truncation and rounding are then both about ε^(2/3).
+const STEP: f64 = 6e-6;
+
+/// Relative to rows and coordinates: truncation step²/6 times a third derivative, which for lengths, sines and speeds
+/// up to two is at most 10 times as large, plus rounding ε/step: 10 · 6e-12 + 4e-11, doubled.
+const TOLERANCE: f64 = 2e-10;
+const REASON: &str = "central differences at step eps^(1/3)";
+
+/// Differences of rows that are linear in v, and sums of products, leave rounding: ε times the number of terms and
+/// the size of the velocities.
+const LINEAR_TOLERANCE: f64 = 1e-13;
+const LINEAR_REASON: &str = "rounding";
+
+/// C_q against differences of C in each coordinate.
+pub fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+    let (info, n_h) = (probe.info, probe.info.n_position_rows);
+    let mut worst = Worst::default();
+    let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
+    let mut G = vec![0.0; info.n_rows() * info.n_coordinates()];
+    for RandomState { t, q, .. } in &probe.states {
+        probe.scene.velocity_jacobian(&probe.constants, *t, q, &mut entries);
+        spread(probe, &entries, &mut G);
+        for j in 0..q.len() {
+            let difference = central(n_h, |e, out| {
+                let mut moved = q.clone();
+                moved[j] += e;
+                probe.scene.position_constraint(&probe.constants, *t, &moved, out);
+            });
+            for (row, oracle) in difference.iter().enumerate() {
+                worst.compare(G[row * q.len() + j], *oracle, max_abs(&entries).max(max_abs(q)));
+            }
+        }
+    }
+    check("C_q against differences of C", worst, TOLERANCE, REASON)
+}
+
+/// C_q v + C_t against differences of C along the motion.
+pub fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+    let n_h = probe.info.n_position_rows;
+    let mut worst = Worst::default();
+    let mut rows = vec![0.0; probe.info.n_rows()];
+    for RandomState { t, q, v } in &probe.states {
+        probe.scene.velocity_constraint(&probe.constants, *t, q, v, &mut rows);
+        let difference = central(n_h, |e, out| {
+            probe.scene.position_constraint(&probe.constants, t + e, &along(q, e, v), out);
+        });
+        for (row, oracle) in rows.iter().zip(&difference) {
+            worst.compare(*row, *oracle, max_abs(&rows).max(max_abs(q)));
+        }
+    }
+    check("C_q v + C_t against differences of C", worst, TOLERANCE, REASON)
+}
+
+/// [h; s] against differences of all velocity rows along the motion at constant velocity.
+pub fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+    let n_c = probe.info.n_rows();
+    let mut worst = Worst::default();
+    let mut h = vec![0.0; n_c];
+    for RandomState { t, q, v } in &probe.states {
+        probe.scene.convective_term(&probe.constants, *t, q, v, &mut h);
+        let difference = central(n_c, |e, out| {
+            probe.scene.velocity_constraint(&probe.constants, t + e, &along(q, e, v), v, out);
+        });
+        for (row, oracle) in h.iter().zip(&difference) {
+            worst.compare(*row, *oracle, max_abs(&h));
+        }
+    }
+    check("h, s against differences of the velocity rows", worst, TOLERANCE, REASON)
+}
+
+/// G against differences of the velocity rows in each velocity, which are linear in them.
+pub fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+    let (info, n_c) = (probe.info, probe.info.n_rows());
+    let mut worst = Worst::default();
+    let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
+    let mut G = vec![0.0; n_c * info.n_coordinates()];
+    let (mut rows, mut moved_rows) = (vec![0.0; n_c], vec![0.0; n_c]);
+    for RandomState { t, q, v } in &probe.states {
+        probe.scene.velocity_jacobian(&probe.constants, *t, q, &mut entries);
+        spread(probe, &entries, &mut G);
+        probe.scene.velocity_constraint(&probe.constants, *t, q, v, &mut rows);
+        for j in 0..v.len() {
+            let mut moved = v.clone();
+            moved[j] += 1.0;
+            probe.scene.velocity_constraint(&probe.constants, *t, q, &moved, &mut moved_rows);
+            for row in 0..n_c {
+                let size = max_abs(&rows).max(max_abs(&entries));
+                worst.compare(G[row * v.len() + j], moved_rows[row] - rows[row], size);
+            }
+        }
+    }
+    check("G against the velocity rows", worst, LINEAR_TOLERANCE, LINEAR_REASON)
+}
+
+/// Sum of the powers of all effects against F·v.
+pub fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+    let mut worst = Worst::default();
+    let mut F = vec![0.0; probe.info.n_coordinates()];
+    let mut powers = vec![0.0; probe.info.n_effects()];
+    for RandomState { t, q, v } in &probe.states {
+        probe.scene.applied_force(&probe.constants, *t, q, v, &mut F);
+        probe.scene.power(&probe.constants, *t, q, v, &mut powers);
+        let terms = F.iter().zip(v).map(|(F, v)| F * v);
+        let size = terms.clone().map(f64::abs).sum();
+        worst.compare(powers.iter().sum(), terms.sum(), size);
+    }
+    check("powers against F v", worst, LINEAR_TOLERANCE, LINEAR_REASON)
+}
+
+fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static str) -> Check {
+    Check { name, n_compared: worst.n_compared, largest_error: worst.error, tolerance, reason }
+}
+
+/// `(f(e) − f(−e)) / 2e` for `n` numbers.
+fn central(n: usize, f: impl Fn(f64, &mut [f64])) -> Vec<f64> {
+    let (mut ahead, mut behind) = (vec![0.0; n], vec![0.0; n]);
+    f(STEP, &mut ahead);
+    f(-STEP, &mut behind);
+    ahead.iter().zip(&behind).map(|(a, b)| (a - b) / (2.0 * STEP)).collect()
+}
+
+fn along(q: &[f64], e: f64, v: &[f64]) -> Vec<f64> {
+    q.iter().zip(v).map(|(q, v)| q + e * v).collect()
+}
+
+/// The full matrix, by rows.
+fn spread<S: Scene + ?Sized>(probe: &Probe<'_, S>, entries: &[f64], G: &mut [f64]) {
+    G.fill(0.0);
+    for (k, row, column) in probe.info.jacobian.entries() {
+        G[row * probe.info.n_coordinates() + column] = entries[k];
+    }
+}

@@ -1,0 +1,98 @@
+//! The solvers of K against each other.
+
+use super::probe::{Probe, RandomState, Worst};
+use super::{Check, CheckError};
+use crate::dynamics::{Metric, State, System, max_abs};
+use crate::linalg::Backend;
+use crate::model::Scene;
+
+/// ε times a condition number of 1e5 or so. States where K is closer to singular than [`REGULAR`] are not compared.
+const TOLERANCE: f64 = 1e-10;
+const REASON: &str = "rounding times the condition of K";
+
+/// Accelerations beyond this times the speeds and forces show a K near rank loss.
+const REGULAR: f64 = 1e4;
+
+/// The start must determine the motion.
+pub fn rank_at_start<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Check {
+    let info = system.info();
+    let (mut a, mut lambda) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
+    let singular = system.accelerations(start.t, &start.q, &start.v, &mut a, &mut lambda).is_err();
+    Check {
+        name: "rank of the rows at the start",
+        n_compared: 1,
+        largest_error: f64::from(u8::from(singular)),
+        tolerance: 0.0,
+        reason: "zero when the rows are independent, one when not",
+    }
+}
+
+/// Generated and sparse against dense; nothing to compare with massless bodies, which only the dense one solves.
+pub fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, CheckError> {
+    let mut dense = System::new(probe.scene, Backend::Dense)?;
+    if dense.mass_matrix().contains(&0.0) {
+        return Ok(Vec::new());
+    }
+    let mut generated = System::new(probe.scene, Backend::Generated)?;
+    let mut sparse = System::new(probe.scene, Backend::Sparse)?;
+    let accelerations =
+        |name, system: &mut System<'_, S>, dense: &mut System<'_, S>| check(name, probe, system, dense, solve_motion);
+    let mut checks = vec![
+        accelerations("accelerations, generated against dense", &mut generated, &mut dense),
+        accelerations("accelerations, sparse against dense", &mut sparse, &mut dense),
+    ];
+    checks.push(check("corrections, generated against dense", probe, &mut generated, &mut dense, solve_correction));
+    Ok(checks)
+}
+
+/// A solution vector at a state; `None` where K is singular.
+type Solve<S> = fn(&mut System<'_, S>, &RandomState) -> Option<Vec<f64>>;
+
+fn check<S: Scene + ?Sized>(
+    name: &'static str,
+    probe: &Probe<'_, S>,
+    system: &mut System<'_, S>,
+    oracle: &mut System<'_, S>,
+    solve: Solve<S>,
+) -> Check {
+    let mut worst = Worst::default();
+    for state in &probe.states {
+        let (Some(x), Some(y)) = (solve(system, state), solve(oracle, state)) else { continue };
+        let size = max_abs(&y);
+        if size < REGULAR * scale(probe, state) {
+            x.iter().zip(&y).for_each(|(x, y)| worst.compare(*x, *y, size));
+        }
+    }
+    if worst.n_compared == 0 {
+        // nothing was comparable: that is a failure, not a pass
+        worst.error = f64::NAN;
+    }
+    Check { name, n_compared: worst.n_compared, largest_error: worst.error, tolerance: TOLERANCE, reason: REASON }
+}
+
+fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
+    let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
+    let mut x = vec![0.0; n_q + n_c];
+    let (a, lambda) = x.split_at_mut(n_q);
+    system.accelerations(state.t, &state.q, &state.v, a, lambda).ok()?;
+    Some(x)
+}
+
+/// Correction for the residual that the velocity rows happen to have.
+fn solve_correction<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
+    let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
+    let (mut residual, mut delta) = (vec![0.0; n_c], vec![0.0; n_q]);
+    system.scene().velocity_constraint(system.constants(), state.t, &state.q, &state.v, &mut residual);
+    system.correction(state.t, &state.q, &residual, Metric::Mass, &mut delta).ok()?;
+    Some(delta)
+}
+
+/// Size of forces and convective terms at a state, at least one.
+fn scale<S: Scene + ?Sized>(probe: &Probe<'_, S>, state: &RandomState) -> f64 {
+    let mut F = vec![0.0; probe.info.n_coordinates()];
+    let mut h = vec![0.0; probe.info.n_rows()];
+    let RandomState { t, q, v } = state;
+    probe.scene.applied_force(&probe.constants, *t, q, v, &mut F);
+    probe.scene.convective_term(&probe.constants, *t, q, v, &mut h);
+    max_abs(&F).max(max_abs(&h)).max(1.0)
+}

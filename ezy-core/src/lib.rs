@@ -4,13 +4,14 @@
 //! and checked by [`testing::check_scene`].
 //!
 //! Layers, each of which knows only those on its left: `model ← linalg ← dynamics ← integrate ← simulate`
-//! and `model ← record ← simulate`.
+//! and `model ← record ← simulate`; [`report`] reads records and names.
 
 pub mod dynamics;
 pub mod integrate;
 pub mod linalg;
 pub mod model;
 pub mod record;
+pub mod report;
 pub mod simulate;
 pub mod testing;
 

@@ -1,0 +1,125 @@
+//! The equations of a scene, composed from the printed expressions of [`SceneInfo`].
+//!
+//! Symbols and signs: `docs/notation.md`. Nothing is typed in here but the form of the equations; every entry
+//! comes from the expression that is compiled.
+
+use crate::model::{Formula, SceneInfo};
+
+use super::matrix::{Cell, Matrix};
+
+/// One equation in the three renderings.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Equation {
+    /// What it is, in words: `position constraint`.
+    pub name: &'static str,
+    /// Plain text, several aligned lines.
+    pub text: String,
+    /// LaTeX, to stand in display mode.
+    pub latex: String,
+    /// A `<math>` element.
+    pub mathml: String,
+}
+
+const ZERO: Formula = Formula { text: "0", latex: "0", mathml: "<mrow><mn>0</mn></mrow>" };
+const C: Formula = Formula { text: "C", latex: "C", mathml: "<mi>C</mi>" };
+const C_Q: Formula = Formula { text: "C_q", latex: "C_q", mathml: "<msub><mi>C</mi><mi>q</mi></msub>" };
+const H: Formula = Formula { text: "h", latex: "h", mathml: "<mi>h</mi>" };
+const S: Formula = Formula { text: "S", latex: "S", mathml: "<mi>S</mi>" };
+const S_V: Formula = Formula {
+    text: "S v + s_t",
+    latex: "S v + s_t",
+    mathml: "<mi>S</mi><mi>v</mi><mo>+</mo><msub><mi>s</mi><mi>t</mi></msub>",
+};
+const S_TERM: Formula = Formula { text: "s", latex: "s", mathml: "<mi>s</mi>" };
+const M: Formula = Formula { text: "M", latex: "M", mathml: "<mi>M</mi>" };
+const F: Formula = Formula { text: "F", latex: "F", mathml: "<mi>F</mi>" };
+const A: Formula = Formula { text: "a", latex: "a", mathml: "<mi>a</mi>" };
+const Q: Formula = Formula { text: "q", latex: "q", mathml: "<mi>q</mi>" };
+const V: Formula = Formula { text: "v", latex: "v", mathml: "<mi>v</mi>" };
+const C_Q_T: Formula =
+    Formula { text: "C_q^T", latex: "C_q^T", mathml: "<msubsup><mi>C</mi><mi>q</mi><mi>T</mi></msubsup>" };
+const S_T: Formula = Formula { text: "S^T", latex: "S^T", mathml: "<msup><mi>S</mi><mi>T</mi></msup>" };
+const LAMBDA_C: Formula =
+    Formula { text: "lambda_C", latex: "\\lambda_C", mathml: "<msub><mi>λ</mi><mi>C</mi></msub>" };
+const LAMBDA_S: Formula =
+    Formula { text: "lambda_S", latex: "\\lambda_S", mathml: "<msub><mi>λ</mi><mi>S</mi></msub>" };
+const MINUS_H: Formula = Formula { text: "-h", latex: "-h", mathml: "<mrow><mo>-</mo><mi>h</mi></mrow>" };
+const MINUS_S: Formula = Formula { text: "-s", latex: "-s", mathml: "<mrow><mo>-</mo><mi>s</mi></mrow>" };
+
+/// Every equation of a scene, from the coordinates to the equations of motion in matrix form; what a scene
+/// does not have (position rows, velocity rows) is left out.
+pub fn equations(info: &SceneInfo) -> Vec<Equation> {
+    let n_h = info.n_position_rows;
+    let (position_rows, velocity_rows) = info.rows.split_at(n_h);
+    let mut list = vec![
+        equation("coordinates", &[&Q, &column(info.coordinates.iter().map(|c| c.symbol))]),
+        equation("velocities", &[&V, &column(info.coordinates.iter().map(|c| c.velocity_symbol))]),
+    ];
+    if !position_rows.is_empty() {
+        let names = || position_rows.iter().map(|row| row.name);
+        list.push(equation(
+            "position constraint",
+            &[&C, &column(position_rows.iter().map(|r| r.constraint)).named(names()), &ZERO],
+        ));
+        list.push(equation("Jacobian of the position constraint", &[&C_Q, &jacobian(info, 0..n_h).named(names())]));
+        list.push(equation(
+            "convective term of the position constraint",
+            &[&H, &column(position_rows.iter().map(|r| r.convective_term)).named(names())],
+        ));
+    }
+    if !velocity_rows.is_empty() {
+        let names = || velocity_rows.iter().map(|row| row.name);
+        list.push(equation(
+            "velocity constraint",
+            &[&S_V, &column(velocity_rows.iter().map(|r| r.constraint)).named(names()), &ZERO],
+        ));
+        list.push(equation(
+            "Jacobian of the velocity constraint",
+            &[&S, &jacobian(info, n_h..info.n_rows()).named(names())],
+        ));
+        list.push(equation(
+            "convective term of the velocity constraint",
+            &[&S_TERM, &column(velocity_rows.iter().map(|r| r.convective_term)).named(names())],
+        ));
+    }
+    list.push(equation("mass matrix", &[&M, &diagonal(info.mass_entries)]));
+    list.push(equation("applied force", &[&F, &column(info.force_entries.iter().copied())]));
+    list.push(motion(!position_rows.is_empty(), !velocity_rows.is_empty()));
+    list
+}
+
+/// `[M C_qᵀ Sᵀ; C_q 0 0; S 0 0] [a; λ_C; λ_S] = [F; −h; −s]`, without the blocks of rows that the scene does not have.
+fn motion(position: bool, velocity: bool) -> Equation {
+    let kept = |block: [Formula; 3]| -> Vec<Formula> {
+        block.into_iter().zip([true, position, velocity]).filter_map(|(entry, kept)| kept.then_some(entry)).collect()
+    };
+    let rows = [[M, C_Q_T, S_T], [C_Q, ZERO, ZERO], [S, ZERO, ZERO]].map(kept);
+    let matrix =
+        Matrix::new(rows.into_iter().zip([true, position, velocity]).filter_map(|(row, kept)| kept.then_some(row)));
+    let product = matrix.times(column(kept([A, LAMBDA_C, LAMBDA_S])));
+    equation("equations of motion", &[&product, &column(kept([F, MINUS_H, MINUS_S]))])
+}
+
+fn equation(name: &'static str, sides: &[&dyn Cell]) -> Equation {
+    let text = super::matrix::beside(sides, " = ");
+    let latex = sides.iter().map(|side| side.latex()).collect::<Vec<_>>().join(" = ");
+    let mathml = sides.iter().map(|side| side.mathml()).collect::<Vec<_>>().join("<mo>=</mo>");
+    Equation { name, text, latex, mathml: format!("<math display=\"block\">{mathml}</math>") }
+}
+
+fn column(entries: impl IntoIterator<Item = Formula>) -> Matrix {
+    Matrix::new(entries.into_iter().map(|entry| vec![entry]))
+}
+
+fn diagonal(entries: &[Formula]) -> Matrix {
+    let row = |i: usize| (0..entries.len()).map(|j| if i == j { entries[i] } else { ZERO }).collect();
+    Matrix::new((0..entries.len()).map(row))
+}
+
+fn jacobian(info: &SceneInfo, rows: std::ops::Range<usize>) -> Matrix {
+    let mut dense = vec![vec![ZERO; info.n_coordinates()]; info.n_rows()];
+    for (k, i, j) in info.jacobian.entries() {
+        dense[i][j] = info.jacobian_entries[k];
+    }
+    Matrix::new(dense.drain(rows))
+}

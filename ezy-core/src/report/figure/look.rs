@@ -1,0 +1,61 @@
+//! Colours, dashes and markers: distinct in colour, in lightness and in pattern.
+
+/// A marker at each point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Marker {
+    None,
+    Circle,
+    Square,
+    Triangle,
+    Diamond,
+}
+
+/// How a curve is drawn.
+#[derive(Debug, Clone)]
+pub(super) struct Look {
+    /// Red, green, blue.
+    pub color: [u8; 3],
+    /// Lengths of strokes and gaps in points, empty for a solid line.
+    pub dash: &'static [f32],
+    /// Width in points; 0: markers only.
+    pub width_pt: f32,
+    pub marker: Marker,
+}
+
+/// Navy, vermilion, sky blue, green: lightness 20, 52, 70, 40 of 100.
+const LINE_COLORS: [[u8; 3]; 4] = [[0, 45, 98], [213, 84, 0], [86, 180, 233], [0, 110, 80]];
+const LINE_DASHES: [&[f32]; 4] = [&[], &[9.0, 4.0], &[9.0, 3.0, 2.0, 3.0], &[4.0, 2.5]];
+const LINE_MARKERS: [Marker; 4] = [Marker::Circle, Marker::Square, Marker::Triangle, Marker::Diamond];
+/// Grey of the lightest body, of 255.
+const LIGHTEST_BODY: f64 = 200.0;
+
+impl Look {
+    pub fn line(index: usize) -> Self {
+        let k = index % LINE_COLORS.len();
+        Self { color: LINE_COLORS[k], dash: LINE_DASHES[k], width_pt: 1.8, marker: Marker::None }
+    }
+
+    pub fn with_marker(self, index: usize) -> Self {
+        Self { marker: LINE_MARKERS[index % LINE_MARKERS.len()], ..self }
+    }
+
+    pub fn guide() -> Self {
+        Self { color: [110, 110, 110], dash: &[1.5, 3.0], width_pt: 1.4, marker: Marker::None }
+    }
+
+    pub fn body(shade: f64) -> Self {
+        Self { color: grey(shade), dash: &[], width_pt: 2.4, marker: Marker::None }
+    }
+
+    pub fn wheel(shade: f64) -> Self {
+        Self { color: grey(shade), dash: &[], width_pt: 5.0, marker: Marker::None }
+    }
+
+    pub fn hinge() -> Self {
+        Self { color: [255, 255, 255], dash: &[], width_pt: 0.0, marker: Marker::Circle }
+    }
+}
+
+fn grey(shade: f64) -> [u8; 3] {
+    [(LIGHTEST_BODY * (1.0 - shade.clamp(0.0, 1.0))) as u8; 3]
+}

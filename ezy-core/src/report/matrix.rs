@@ -1,0 +1,113 @@
+//! Matrices of printed expressions, in the three renderings.
+
+use crate::model::Formula;
+
+/// Something that can stand on a side of an equation.
+pub(super) trait Cell {
+    /// Lines of equal length.
+    fn lines(&self) -> Vec<String>;
+    fn latex(&self) -> String;
+    fn mathml(&self) -> String;
+}
+
+impl Cell for Formula {
+    fn lines(&self) -> Vec<String> {
+        vec![self.text.to_owned()]
+    }
+
+    fn latex(&self) -> String {
+        self.latex.to_owned()
+    }
+
+    fn mathml(&self) -> String {
+        self.mathml.to_owned()
+    }
+}
+
+/// A matrix, if wanted with a name behind each row and multiplied by another one.
+pub(super) struct Matrix {
+    rows: Vec<Vec<Formula>>,
+    names: Vec<&'static str>,
+    factor: Option<Box<Matrix>>,
+}
+
+impl Matrix {
+    pub fn new(rows: impl IntoIterator<Item = Vec<Formula>>) -> Self {
+        Self { rows: rows.into_iter().collect(), names: Vec::new(), factor: None }
+    }
+
+    /// Writes a name behind each row of the text; the other renderings go without.
+    pub fn named(self, names: impl Iterator<Item = &'static str>) -> Self {
+        Self { names: names.collect(), ..self }
+    }
+
+    pub fn times(self, factor: Matrix) -> Self {
+        Self { factor: Some(Box::new(factor)), ..self }
+    }
+
+    fn own_lines(&self) -> Vec<String> {
+        let n_columns = self.rows.first().map_or(0, Vec::len);
+        let width = |j: usize| self.rows.iter().map(|row| row[j].text.chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..n_columns).map(width).collect();
+        let line = |row: &Vec<Formula>| {
+            let cells = row.iter().zip(&widths).map(|(entry, &width)| format!("{:<width$}", entry.text));
+            format!("[ {} ]", cells.collect::<Vec<_>>().join("  "))
+        };
+        let mut lines: Vec<String> = self.rows.iter().map(line).collect();
+        let longest = self.names.iter().map(|name| name.len()).max().unwrap_or(0);
+        for (line, name) in lines.iter_mut().zip(&self.names) {
+            *line += &format!("  {name:<longest$}");
+        }
+        lines
+    }
+}
+
+impl Cell for Matrix {
+    fn lines(&self) -> Vec<String> {
+        match &self.factor {
+            None => self.own_lines(),
+            Some(factor) => side_by_side(&[self.own_lines(), factor.lines()], " "),
+        }
+    }
+
+    fn latex(&self) -> String {
+        let row = |row: &Vec<Formula>| row.iter().map(|entry| entry.latex).collect::<Vec<_>>().join(" & ");
+        let rows = self.rows.iter().map(row).collect::<Vec<_>>().join(" \\\\ ");
+        let factor = self.factor.as_ref().map(|factor| factor.latex()).unwrap_or_default();
+        format!("\\begin{{bmatrix}} {rows} \\end{{bmatrix}}{factor}")
+    }
+
+    fn mathml(&self) -> String {
+        let row = |row: &Vec<Formula>| {
+            row.iter().fold("<mtr>".to_owned(), |cells, entry| cells + "<mtd>" + entry.mathml + "</mtd>") + "</mtr>"
+        };
+        let rows: String = self.rows.iter().map(row).collect();
+        let factor = self.factor.as_ref().map(|factor| factor.mathml()).unwrap_or_default();
+        format!("<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>{factor}")
+    }
+}
+
+/// The sides of an equation on one height, each centred, joined by `sign` in the middle line.
+pub(super) fn beside(sides: &[&dyn Cell], sign: &str) -> String {
+    let blocks: Vec<Vec<String>> = sides.iter().map(|side| side.lines()).collect();
+    let lines = side_by_side(&blocks, sign);
+    lines.iter().map(|line| line.trim_end().to_owned() + "\n").collect()
+}
+
+fn side_by_side(blocks: &[Vec<String>], sign: &str) -> Vec<String> {
+    let height = blocks.iter().map(Vec::len).max().unwrap_or(0);
+    let middle = (height.max(1) - 1) / 2;
+    let mut lines = vec![String::new(); height];
+    for (i, block) in blocks.iter().enumerate() {
+        let width = block.iter().map(|line| line.chars().count()).max().unwrap_or(0);
+        let top = middle - (block.len().max(1) - 1) / 2;
+        for (k, line) in lines.iter_mut().enumerate() {
+            if i > 0 {
+                *line += &if k == middle { sign.to_owned() } else { " ".repeat(sign.len()) };
+            }
+            let cell = k.checked_sub(top).and_then(|at| block.get(at)).map_or("", String::as_str);
+            *line += &format!("{cell:<width$}");
+        }
+    }
+    lines
+}

@@ -1,0 +1,8 @@
+//! What a reader gets to see: equations, tables, figures and pages. Knows names and numbers, no solver.
+
+pub mod equations;
+#[cfg(feature = "figures")]
+pub mod figure;
+mod matrix;
+pub mod page;
+pub mod table;

@@ -1,0 +1,75 @@
+//! Tables as aligned text and as HTML.
+
+use std::fmt;
+
+use super::page::escape;
+
+/// A table with a head; the first column is text, the others are flushed right.
+///
+/// ```
+/// use ezy_core::report::table::Table;
+///
+/// let table = Table::new(["step [s]", "gap [J]"]).row(["0.01", "2.8e-1"]).row(["0.001", "2.7e-2"]);
+/// assert!(table.to_string().starts_with("step [s]  gap [J]\n--------  -------\n0.01       2.8e-1\n"));
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct Table {
+    head: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new<S: Into<String>>(head: impl IntoIterator<Item = S>) -> Self {
+        Self { head: head.into_iter().map(Into::into).collect(), rows: Vec::new() }
+    }
+
+    /// Adds a row.
+    #[must_use]
+    pub fn row<S: Into<String>>(mut self, cells: impl IntoIterator<Item = S>) -> Self {
+        self.push(cells);
+        self
+    }
+
+    /// Adds a row in place.
+    pub fn push<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
+        self.rows.push(cells.into_iter().map(Into::into).collect());
+    }
+
+    /// The table as one HTML element, with its head marked as such; `caption` says what it holds.
+    pub fn html(&self, caption: &str) -> String {
+        let row = |tag: &str, cells: &[String]| {
+            cells.iter().fold("<tr>".to_owned(), |row, cell| row + &format!("<{tag}>{}</{tag}>", escape(cell)))
+                + "</tr>\n"
+        };
+        let head = row("th scope=\"col\"", &self.head).replace("</th scope=\"col\">", "</th>");
+        let body: String = self.rows.iter().map(|cells| row("td", cells)).collect();
+        let caption = escape(caption);
+        format!("<table>\n<caption>{caption}</caption>\n<thead>{head}</thead>\n<tbody>\n{body}</tbody>\n</table>\n")
+    }
+
+    fn widths(&self) -> Vec<usize> {
+        let mut widths: Vec<usize> = self.head.iter().map(|cell| cell.chars().count()).collect();
+        for row in &self.rows {
+            for (width, cell) in widths.iter_mut().zip(row) {
+                *width = (*width).max(cell.chars().count());
+            }
+        }
+        widths
+    }
+}
+
+impl fmt::Display for Table {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let widths = self.widths();
+        let rule: Vec<String> = widths.iter().map(|w| "-".repeat(*w)).collect();
+        for cells in [&self.head, &rule].into_iter().chain(&self.rows) {
+            let mut line = String::new();
+            for (i, (cell, &width)) in cells.iter().zip(&widths).enumerate() {
+                line += &if i == 0 { format!("{cell:<width$}") } else { format!("  {cell:>width$}") };
+            }
+            writeln!(f, "{}", line.trim_end())?;
+        }
+        Ok(())
+    }
+}

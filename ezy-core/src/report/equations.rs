@@ -123,3 +123,77 @@ fn jacobian(info: &SceneInfo, rows: std::ops::Range<usize>) -> Matrix {
     }
     Matrix::new(dense.drain(rows))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{CoordinateInfo, Operations, RowInfo, SparsityPattern};
+
+    const fn formula(text: &'static str) -> Formula {
+        Formula { text, latex: text, mathml: text }
+    }
+
+    const fn coordinate(name: &'static str, velocity_name: &'static str) -> CoordinateInfo {
+        CoordinateInfo {
+            name,
+            velocity_name,
+            unit: "m",
+            symbol: formula(name),
+            velocity_symbol: formula(velocity_name),
+        }
+    }
+
+    /// A sledge that slides along x + 2 y = 0 and is pushed by p.
+    const SLEDGE: SceneInfo = SceneInfo {
+        model: "Sledge",
+        name: "pushed",
+        documentation: "",
+        bodies: &["sledge"],
+        coordinates: &[
+            coordinate("sledge.x", "sledge.vx"),
+            coordinate("sledge.y", "sledge.vy"),
+            coordinate("sledge.phi", "sledge.omega"),
+        ],
+        points: &[],
+        rows: &[RowInfo {
+            name: "rail",
+            kind: "slot",
+            multiplier_unit: "N",
+            constraint: formula("sledge.x + 2*sledge.y"),
+            convective_term: formula("0"),
+        }],
+        n_position_rows: 1,
+        parameters: &[],
+        effects: &[],
+        until_s: 1.0,
+        n_constants: 0,
+        jacobian: SparsityPattern { starts: &[0, 2], columns: &[0, 1] },
+        jacobian_entries: &[formula("1"), formula("2")],
+        mass_entries: &[formula("m"), formula("m"), formula("i")],
+        force_entries: &[formula("p"), formula("0"), formula("0")],
+        elimination: &[],
+        acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+        correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+    };
+
+    fn named(name: &str) -> Equation {
+        equations(&SLEDGE).into_iter().find(|e| e.name == name).unwrap()
+    }
+
+    #[test]
+    fn analytic_jacobian_sledge_fills_zeros() {
+        assert_eq!(named("Jacobian of the position constraint").text, "C_q = [ 1  2  0 ]  rail\n");
+    }
+
+    #[test]
+    fn analytic_motion_sledge_without_velocity_rows_has_two_blocks() {
+        let motion = named("equations of motion");
+        assert_eq!(motion.text, "[ M    C_q^T ] [ a        ] = [ F  ]\n[ C_q  0     ] [ lambda_C ]   [ -h ]\n");
+        assert_eq!(
+            motion.latex,
+            "\\begin{bmatrix} M & C_q^T \\\\ C_q & 0 \\end{bmatrix}\\begin{bmatrix} a \\\\ \\lambda_C \\end{bmatrix} \
+             = \\begin{bmatrix} F \\\\ -h \\end{bmatrix}"
+        );
+        assert!(motion.mathml.starts_with("<math display=\"block\">") && motion.mathml.ends_with("</math>"));
+    }
+}

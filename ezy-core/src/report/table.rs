@@ -73,3 +73,14 @@ impl fmt::Display for Table {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn invariant_html_table_escapes_cells_and_marks_its_head() {
+        let html = Table::new(["a < b", "c"]).row(["1 & 2", "3"]).html("numbers");
+        assert!(html.contains("<th scope=\"col\">a &lt; b</th>") && html.contains("<td>1 &amp; 2</td>"), "{html}");
+    }
+}

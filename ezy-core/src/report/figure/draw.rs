@@ -133,3 +133,28 @@ fn shaped(x: [f64; 2], y: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     let (width, height) = (x[1] - x[0], y[1] - y[0]);
     (about(x, width.max(height / EQUAL_SHAPE[1])), about(y, height.max(width * EQUAL_SHAPE[0])))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn invariant_limits_of_equal_axes_keep_a_shape_of_one_quarter_at_least() {
+        let flat = Figure::track("flat").line("path", vec![0.0, 10.0], vec![0.0, 0.1]);
+        let ([x0, x1], [y0, y1]) = limits(&flat).unwrap();
+        assert!((y1 - y0) >= 0.25 * (x1 - x0) * (1.0 - 1e-12), "{x0} {x1} {y0} {y1}");
+    }
+
+    #[test]
+    fn invariant_limits_of_logarithmic_axes_skip_values_that_have_no_logarithm() {
+        let figure = Figure::log_log("gap", "h", "gap").points("gap", vec![0.1, 1.0, 10.0], vec![0.0, 1e-3, f64::NAN]);
+        let (_, [y0, y1]) = limits(&figure).unwrap();
+        assert!(y0 > 1e-4 && y0 < 1e-3 && y1 > 1e-3 && y1 < 1e-2, "{y0} {y1}");
+    }
+
+    #[test]
+    fn invariant_figure_without_finite_points_is_an_error() {
+        let empty = Figure::time_series("empty", "t", "v").line("v", vec![0.0], vec![f64::NAN]);
+        assert!(matches!(svg(&empty), Err(FigureError::Empty { .. })));
+    }
+}

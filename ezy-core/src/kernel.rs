@@ -1,0 +1,38 @@
+//! What generated kernels call.
+
+/// A slice as an array of `N` numbers, so that a kernel checks the length once.
+///
+/// # Panics
+/// When the slice has another length.
+#[inline(always)]
+pub fn array<const N: usize>(x: &[f64]) -> &[f64; N] {
+    match x.try_into() {
+        Ok(array) => array,
+        Err(_) => wrong_length(N, x.len()),
+    }
+}
+
+/// A mutable slice as an array of `N` numbers.
+///
+/// # Panics
+/// When the slice has another length.
+#[inline(always)]
+pub fn array_mut<const N: usize>(x: &mut [f64]) -> &mut [f64; N] {
+    let length = x.len();
+    match x.try_into() {
+        Ok(array) => array,
+        Err(_) => wrong_length(N, length),
+    }
+}
+
+/// Sign of a number: −1, 0 or 1; not a number stays so.
+#[inline]
+pub fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x.signum() }
+}
+
+#[cold]
+#[inline(never)]
+fn wrong_length(expected: usize, found: usize) -> ! {
+    panic!("a kernel was given {found} numbers where the scene has {expected}; see ezy_core::model for the shapes")
+}

@@ -1,0 +1,180 @@
+//! The description of a scene: names, units, equations, sparsity, counts.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::mechanics::Equations;
+use crate::mechanics::solve::Solver;
+use crate::model::{EffectId, Model, Scene};
+use crate::symbolic::SumId;
+use crate::symbolic::print::{Names, Printed, print};
+use crate::symbolic::program::Count;
+
+/// What the emitted kernels turned out to be.
+pub struct Emitted<'a> {
+    pub accelerations: &'a Solver,
+    pub correction: &'a Solver,
+    pub n_constants: usize,
+}
+
+/// The value of `SceneInfo` for a scene.
+pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emitted<'_>) -> TokenStream {
+    let model_name = model.name.to_string();
+    let name = scene.name.to_string();
+    let documentation = &scene.documentation;
+    let bodies = model.bodies.iter().map(|body| body.name.to_string());
+    let coordinates = coordinates(equations);
+    let points = equations.points.iter().map(|point| {
+        let (name, body) = (&point.name, option(point.body.map(|body| body.0)));
+        quote!(::ezy_core::model::PointInfo { name: #name, body: #body })
+    });
+    let rows = rows(equations);
+    let n_position_rows = equations.constraints.n_position_rows;
+    let parameters = parameters(model, equations);
+    let effects = effects(model, &equations.power.iter().map(|(effect, _)| *effect).collect::<Vec<_>>());
+    let until = scene.until_s;
+    let n_constants = emitted.n_constants;
+    let (starts, columns) = pattern(equations);
+    let entries = equations.constraints.jacobian.iter().flatten();
+    let jacobian_entries = entries.map(|&(_, entry)| formula_of(equations, entry));
+    let mass_entries = equations.mass_entries.iter().map(|&mass| formula_of(equations, mass));
+    let force_entries = equations.force.iter().map(|&force| formula_of(equations, force));
+    let elimination = emitted.accelerations.order.iter().map(|(rows, constant_pivot)| {
+        quote!(::ezy_core::model::EliminationStep { rows: &[#(#rows),*], constant_pivot: #constant_pivot })
+    });
+    let acceleration_operations = operations(emitted.accelerations.program.count());
+    let correction_operations = operations(emitted.correction.program.count());
+    quote! {
+        ::ezy_core::model::SceneInfo {
+            model: #model_name,
+            name: #name,
+            documentation: #documentation,
+            bodies: &[#(#bodies),*],
+            coordinates: &[#(#coordinates),*],
+            points: &[#(#points),*],
+            rows: &[#(#rows),*],
+            n_position_rows: #n_position_rows,
+            parameters: &[#(#parameters),*],
+            effects: &[#(#effects),*],
+            until_s: #until,
+            n_constants: #n_constants,
+            jacobian: ::ezy_core::model::SparsityPattern { starts: &[#(#starts),*], columns: &[#(#columns),*] },
+            jacobian_entries: &[#(#jacobian_entries),*],
+            mass_entries: &[#(#mass_entries),*],
+            force_entries: &[#(#force_entries),*],
+            elimination: &[#(#elimination),*],
+            acceleration_operations: #acceleration_operations,
+            correction_operations: #correction_operations,
+        }
+    }
+}
+
+/// Descriptions of effects; `None` stands for forces outside any effect.
+pub fn effects(model: &Model, effects: &[Option<EffectId>]) -> Vec<TokenStream> {
+    effects
+        .iter()
+        .map(|effect| {
+            let (name, documentation) = match effect {
+                Some(id) => (model.effects[id.0].name.to_string(), model.effects[id.0].documentation.clone()),
+                None => ("model".to_owned(), "Forces that every scene has.".to_owned()),
+            };
+            quote!(::ezy_core::model::EffectInfo { name: #name, documentation: #documentation })
+        })
+        .collect()
+}
+
+fn coordinates(equations: &Equations) -> Vec<TokenStream> {
+    let positions = equations.symbols.coordinate_names();
+    let velocities = equations.symbols.velocity_names();
+    (positions.iter().zip(velocities).enumerate())
+        .map(|(i, (position, velocity))| {
+            let (name, velocity_name) = (&position.text, &velocity.text);
+            let unit = if i % 3 == 2 { "rad" } else { "m" };
+            let (symbol, velocity_symbol) = (formula(position), formula(velocity));
+            quote! {
+                ::ezy_core::model::CoordinateInfo {
+                    name: #name,
+                    velocity_name: #velocity_name,
+                    unit: #unit,
+                    symbol: #symbol,
+                    velocity_symbol: #velocity_symbol,
+                }
+            }
+        })
+        .collect()
+}
+
+fn rows(equations: &Equations) -> Vec<TokenStream> {
+    let constraints = &equations.constraints;
+    (constraints.rows.iter().enumerate())
+        .map(|(i, row)| {
+            let (name, kind, unit) = (&row.name, row.kind, row.unit);
+            let constraint = constraints.position.get(i).copied().unwrap_or(constraints.velocity[i]);
+            let constraint = formula_of(equations, constraint);
+            let convective = formula_of(equations, constraints.convective[i]);
+            quote! {
+                ::ezy_core::model::RowInfo {
+                    name: #name,
+                    kind: #kind,
+                    multiplier_unit: #unit,
+                    constraint: #constraint,
+                    convective_term: #convective,
+                }
+            }
+        })
+        .collect()
+}
+
+fn parameters(model: &Model, equations: &Equations) -> Vec<TokenStream> {
+    (equations.parameters.iter())
+        .map(|id| {
+            let parameter = &model.parameters[id.0];
+            let (name, unit, default) = (parameter.name.to_string(), &parameter.unit, parameter.default);
+            let (default_text, documentation) = (&parameter.default_text, &parameter.documentation);
+            let effect = option(parameter.effect.map(|effect| model.effects[effect.0].name.to_string()));
+            let symbol = formula(&equations.symbols.parameter(id.0));
+            quote! {
+                ::ezy_core::model::ParameterInfo {
+                    name: #name,
+                    unit: #unit,
+                    default: #default,
+                    default_text: #default_text,
+                    documentation: #documentation,
+                    effect: #effect,
+                    symbol: #symbol,
+                }
+            }
+        })
+        .collect()
+}
+
+/// Row starts and columns of G.
+fn pattern(equations: &Equations) -> (Vec<usize>, Vec<usize>) {
+    let (mut starts, mut columns) = (vec![0], Vec::new());
+    for row in &equations.constraints.jacobian {
+        columns.extend(row.iter().map(|(column, _)| *column));
+        starts.push(columns.len());
+    }
+    (starts, columns)
+}
+
+fn operations(count: Count) -> TokenStream {
+    let Count { add, mul, div, trig, calls } = count;
+    quote!(::ezy_core::model::Operations { add: #add, mul: #mul, div: #div, trig: #trig, calls: #calls })
+}
+
+fn formula_of(equations: &Equations, sum: SumId) -> TokenStream {
+    formula(&print(&equations.algebra, &equations.symbols, sum))
+}
+
+fn formula(printed: &Printed) -> TokenStream {
+    let Printed { text, latex, mathml, .. } = printed;
+    quote!(::ezy_core::model::Formula { text: #text, latex: #latex, mathml: #mathml })
+}
+
+fn option<T: quote::ToTokens>(value: Option<T>) -> TokenStream {
+    match value {
+        Some(value) => quote!(::core::option::Option::Some(#value)),
+        None => quote!(::core::option::Option::None),
+    }
+}

@@ -1,0 +1,162 @@
+//! Programs as Rust statements.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use crate::mechanics::symbols::{Meaning, Symbols};
+use crate::symbolic::program::{Node, NodeId, Program};
+use crate::symbolic::{Function, Symbol};
+
+/// Statements of a kernel and the expression of each output.
+pub struct Body {
+    pub statements: TokenStream,
+    pub outputs: Vec<TokenStream>,
+}
+
+/// Writes a program; `other` says where inputs besides time, coordinates and velocities are found.
+pub fn body(program: &Program, symbols: &Symbols, other: &dyn Fn(Symbol) -> TokenStream) -> Body {
+    let mut writer = Writer { program, symbols, live: program.live(), names: BTreeMap::new(), taken: BTreeSet::new() };
+    let mut statements = TokenStream::new();
+    for id in writer.live.clone() {
+        statements.extend(writer.statement(id, other));
+    }
+    let outputs = program.outputs().iter().map(|output| writer.operand(output.node)).collect();
+    Body { statements, outputs }
+}
+
+struct Writer<'a> {
+    program: &'a Program,
+    symbols: &'a Symbols,
+    live: Vec<NodeId>,
+    names: BTreeMap<NodeId, Ident>,
+    taken: BTreeSet<String>,
+}
+
+impl Writer<'_> {
+    fn statement(&mut self, id: NodeId, other: &dyn Fn(Symbol) -> TokenStream) -> TokenStream {
+        let value = match self.program.node(id) {
+            Node::Constant(_) | Node::Literal(_) => return TokenStream::new(),
+            Node::Input(symbol) => match self.symbols.meaning(*symbol) {
+                Meaning::Time => quote!(t),
+                Meaning::Coordinate(i) => quote!(q[#i]),
+                Meaning::Velocity(i) => quote!(v[#i]),
+                Meaning::Named(_) => other(*symbol),
+            },
+            Node::Sin(angle) | Node::Cos(angle) => return self.trigonometry(id, *angle),
+            Node::Add(a, b) => self.infix(*a, &quote!(+), *b),
+            Node::Sub(a, b) => self.infix(*a, &quote!(-), *b),
+            Node::Mul(a, b) => self.infix(*a, &quote!(*), *b),
+            Node::Div(a, b) => self.infix(*a, &quote!(/), *b),
+            Node::Neg(a) => {
+                let a = self.operand(*a);
+                quote!(-#a)
+            }
+            Node::Call(function, arguments) => {
+                let arguments: Vec<TokenStream> = arguments.iter().map(|&a| self.operand(a)).collect();
+                call(*function, &arguments)
+            }
+        };
+        let name = self.declare(id, self.suggestion(id));
+        quote!(let #name = #value;)
+    }
+
+    /// One call for a sine and cosine of the same angle.
+    fn trigonometry(&mut self, id: NodeId, angle: NodeId) -> TokenStream {
+        if self.names.contains_key(&id) {
+            return TokenStream::new();
+        }
+        let find = |wanted: &Node| self.live.iter().copied().find(|&other| self.program.node(other) == wanted);
+        let (sin, cos) = (find(&Node::Sin(angle)), find(&Node::Cos(angle)));
+        let argument = self.operand(angle);
+        let label = match self.program.node(angle) {
+            Node::Input(symbol) => self.symbols.code_name(*symbol),
+            _ => angle.0.to_string(),
+        };
+        match (sin, cos) {
+            (Some(sin), Some(cos)) => {
+                let sin = self.declare(sin, format!("sin_{label}"));
+                let cos = self.declare(cos, format!("cos_{label}"));
+                quote!(let (#sin, #cos) = f64::sin_cos(#argument);)
+            }
+            (Some(sin), None) => {
+                let sin = self.declare(sin, format!("sin_{label}"));
+                quote!(let #sin = f64::sin(#argument);)
+            }
+            (None, _) => {
+                let cos = self.declare(id, format!("cos_{label}"));
+                quote!(let #cos = f64::cos(#argument);)
+            }
+        }
+    }
+
+    fn suggestion(&self, id: NodeId) -> String {
+        if let Some(name) = self.program.name(id).filter(|name| !name.is_empty()) {
+            return name.to_owned();
+        }
+        let kind = match self.program.node(id) {
+            Node::Input(symbol) => return self.symbols.code_name(*symbol),
+            Node::Add(..) => "sum",
+            Node::Sub(..) => "difference",
+            Node::Mul(..) => "product",
+            Node::Div(..) => "quotient",
+            _ => "value",
+        };
+        format!("{kind}_{}", id.0)
+    }
+
+    fn declare(&mut self, id: NodeId, suggestion: String) -> Ident {
+        let mut name = suggestion;
+        while RESERVED.contains(&name.as_str()) || !self.taken.insert(name.clone()) {
+            name.push('_');
+        }
+        let ident = Ident::new(&name, Span::mixed_site());
+        self.names.insert(id, ident.clone());
+        ident
+    }
+
+    fn operand(&self, id: NodeId) -> TokenStream {
+        match self.program.node(id) {
+            Node::Constant(i) => quote!(c[#i]),
+            Node::Literal(bits) => {
+                let x = f64::from_bits(*bits);
+                quote!(#x)
+            }
+            _ => {
+                let name = self.names.get(&id);
+                quote!(#name)
+            }
+        }
+    }
+
+    fn infix(&self, a: NodeId, operator: &TokenStream, b: NodeId) -> TokenStream {
+        let (a, b) = (self.operand(a), self.operand(b));
+        quote!(#a #operator #b)
+    }
+}
+
+/// Arguments of kernels, which temporaries must not shadow.
+const RESERVED: [&str; 9] = ["c", "q", "v", "a", "m", "lambda", "residual", "delta", "out"];
+
+/// A call of a function of the model language.
+pub fn call(function: Function, arguments: &[TokenStream]) -> TokenStream {
+    let path = match function {
+        Function::Sin => quote!(f64::sin),
+        Function::Cos => quote!(f64::cos),
+        Function::Tan => quote!(f64::tan),
+        Function::Asin => quote!(f64::asin),
+        Function::Acos => quote!(f64::acos),
+        Function::Atan2 => quote!(f64::atan2),
+        Function::Sqrt => quote!(f64::sqrt),
+        Function::Exp => quote!(f64::exp),
+        Function::Ln => quote!(f64::ln),
+        Function::Tanh => quote!(f64::tanh),
+        Function::Abs => quote!(f64::abs),
+        Function::Min => quote!(f64::min),
+        Function::Max => quote!(f64::max),
+        Function::Sign => quote!(::ezy_core::kernel::sign),
+        Function::Pow => quote!(f64::powf),
+    };
+    quote!(#path(#(#arguments),*))
+}

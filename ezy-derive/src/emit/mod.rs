@@ -1,0 +1,47 @@
+//! From equations to Rust items. Nothing here can fail, and nothing here does algebra.
+
+mod case;
+mod constants;
+mod info;
+mod kernel;
+mod scene;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::mechanics::Equations;
+use crate::model::{EffectId, Model};
+
+/// The module of a model: one type for each scene, and the description of all of them.
+pub fn model(model: &Model) -> TokenStream {
+    let visibility = &model.visibility;
+    let module = Ident::new(&case::snake(&model.name.to_string()), model.name.span());
+    let name = model.name.to_string();
+    let documentation = &model.documentation;
+    let all: Vec<_> = (0..model.effects.len()).map(|i| Some(EffectId(i))).collect();
+    let effects = info::effects(model, &all);
+    let scenes = model.scenes.iter().map(|scene| scene::items(model, scene, Equations::derive(model, scene)));
+    let entries = model.scenes.iter().map(|scene| {
+        let type_name = case::scene_type(scene);
+        quote! {
+            ::ezy_core::model::SceneEntry {
+                info: &#type_name::INFO,
+                new: || ::std::boxed::Box::new(<#type_name as ::core::default::Default>::default()),
+            }
+        }
+    });
+    quote! {
+        #[doc = #documentation]
+        #[allow(unused_variables, clippy::all, clippy::pedantic)]
+        #visibility mod #module {
+            /// The model and its scenes.
+            pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {
+                name: #name,
+                documentation: #documentation,
+                effects: &[#(#effects),*],
+                scenes: &[#(#entries),*],
+            };
+            #(#scenes)*
+        }
+    }
+}

@@ -1,0 +1,300 @@
+//! The type of a scene: its parameters as fields, its equations as methods.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::kernel::{self, Body};
+use super::{case, constants, info};
+use crate::mechanics::Equations;
+use crate::mechanics::solve::{self, Correction, Solver};
+use crate::model::{Model, Scene};
+use crate::symbolic::lower::{ConstantPool, Lowering};
+use crate::symbolic::{SumId, Symbol};
+
+/// The struct, its defaults and its equations.
+pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> TokenStream {
+    let mut pool = ConstantPool::default();
+    let accelerations = solve::accelerations(&mut equations, &mut pool);
+    let Correction { solver: correction, residuals } = solve::correction(&mut equations, &mut pool);
+    let methods = methods(&equations, &mut pool, &accelerations, &correction, &residuals);
+
+    let n_constants = pool.coefficients().len();
+    let constants = constants::statements(model, &equations.algebra.coefficients, &pool);
+    let emitted = info::Emitted { accelerations: &accelerations, correction: &correction, n_constants };
+    let info = info::scene(model, scene, &equations, &emitted);
+    let type_name = case::scene_type(scene);
+    let structure = structure(model, scene, &equations, &type_name, &accelerations);
+    let (parameter, set_parameter) = parameter_access(model, &equations);
+    quote! {
+        #structure
+
+        impl #type_name {
+            /// What is known of the scene when it is compiled.
+            pub const INFO: ::ezy_core::model::SceneInfo = #info;
+        }
+
+        #[automatically_derived]
+        impl ::ezy_core::model::Scene for #type_name {
+            fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+                static INFO: ::ezy_core::model::SceneInfo = #type_name::INFO;
+                &INFO
+            }
+            fn parameter(&self, index: usize) -> f64 {
+                #parameter
+            }
+            fn set_parameter(&mut self, index: usize, value: f64) {
+                #set_parameter
+            }
+            fn constants(&self, c: &mut [f64]) {
+                let c = ::ezy_core::kernel::array_mut::<#n_constants>(c);
+                #constants
+            }
+            fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+                0.0
+            }
+            #methods
+        }
+    }
+}
+
+/// The methods that read the vector of constants.
+fn methods(
+    equations: &Equations,
+    pool: &mut ConstantPool,
+    accelerations: &Solver,
+    correction: &Solver,
+    residuals: &[Symbol],
+) -> TokenStream {
+    let constraints = &equations.constraints;
+    let (n_q, n_c) = (equations.mass.len(), constraints.rows.len());
+    let jacobian: Vec<SumId> = constraints.jacobian.iter().flatten().map(|&(_, entry)| entry).collect();
+    let points: Vec<SumId> = equations.points.iter().flat_map(|point| point.position).collect();
+    let power: Vec<SumId> = equations.power.iter().map(|&(_, power)| power).collect();
+    let other = |symbol: Symbol| {
+        let i = residuals.iter().position(|&residual| residual == symbol).unwrap_or_default();
+        quote!(residual[#i])
+    };
+    let mut emitter = Emitter { equations, pool };
+    let bodies = [
+        emitter.method("mass_matrix", &[], "m", &equations.mass_entries),
+        emitter.method("position_constraint", &["q"], "out", &constraints.position),
+        emitter.method("velocity_constraint", &["q", "v"], "out", &constraints.velocity),
+        emitter.method("velocity_jacobian", &["q"], "out", &jacobian),
+        emitter.method("convective_term", &["q", "v"], "out", &constraints.convective),
+        emitter.method("applied_force", &["q", "v"], "out", &equations.force),
+        emitter.method("power", &["q", "v"], "out", &power),
+        emitter.method("points", &["q"], "out", &points),
+    ];
+    let start = emitter.start();
+    let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
+    let correction = emitter.solver(correction, &[("delta", n_q)], &other);
+    let n_constants = emitter.pool.coefficients().len();
+    let opening = |reads: &[(&str, usize)], writes: &[(&str, usize)]| {
+        let reads = reads.iter().map(|&(name, n)| open(name, name, n, false));
+        let writes = writes.iter().map(|&(name, n)| open(name, name, n, true));
+        quote!(#(#reads)* #(#writes)*)
+    };
+    let bodies = bodies.map(|method| method.finish(n_constants, n_q));
+    let start_opening = opening(&[("c", n_constants)], &[]);
+    let accelerations_opening = opening(&[("c", n_constants), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
+    let correction_opening = opening(&[("c", n_constants), ("q", n_q), ("residual", n_c)], &[("delta", n_q)]);
+    quote! {
+        #(#bodies)*
+        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+            #start_opening
+            #start
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            a: &mut [f64],
+            lambda: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            #accelerations_opening
+            #accelerations
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            residual: &[f64],
+            delta: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            #correction_opening
+            #correction
+        }
+    }
+}
+
+/// Turns a slice into an array, so that its length is checked once.
+fn open(name: &str, slice: &str, n: usize, written: bool) -> TokenStream {
+    let (name, slice) = (argument(name), argument(slice));
+    if written {
+        quote!(let #name = ::ezy_core::kernel::array_mut::<#n>(#slice);)
+    } else {
+        quote!(let #name = ::ezy_core::kernel::array::<#n>(#slice);)
+    }
+}
+
+fn argument(name: &str) -> Ident {
+    Ident::new(name, Span::call_site())
+}
+
+/// A method that writes one vector; the number of constants is known only when all methods are lowered.
+struct Method {
+    name: &'static str,
+    reads: &'static [&'static str],
+    target: &'static str,
+    n_outputs: usize,
+    body: TokenStream,
+}
+
+impl Method {
+    fn finish(self, n_constants: usize, n_q: usize) -> TokenStream {
+        let Self { name, reads, target, n_outputs, body } = self;
+        let (name, output) = (argument(name), argument(target));
+        let arguments = reads.iter().map(|read| {
+            let read = argument(read);
+            quote!(#read: &[f64])
+        });
+        let time = if reads.is_empty() { quote!() } else { quote!(t: f64,) };
+        let opening = std::iter::once(open("c", "c", n_constants, false))
+            .chain(reads.iter().map(|read| open(read, read, n_q, false)))
+            .chain(std::iter::once(open("out", target, n_outputs, true)));
+        quote! {
+            fn #name(&self, c: &[f64], #time #(#arguments,)* #output: &mut [f64]) {
+                #(#opening)*
+                #body
+            }
+        }
+    }
+}
+
+struct Emitter<'a> {
+    equations: &'a Equations,
+    pool: &'a mut ConstantPool,
+}
+
+impl Emitter<'_> {
+    fn method(
+        &mut self,
+        name: &'static str,
+        reads: &'static [&'static str],
+        target: &'static str,
+        sums: &[SumId],
+    ) -> Method {
+        let Body { statements, outputs } = self.lowered(sums);
+        let indices = 0..outputs.len();
+        let body = quote!(#statements #(out[#indices] = #outputs;)*);
+        Method { name, reads, target, n_outputs: sums.len(), body }
+    }
+
+    fn lowered(&mut self, sums: &[SumId]) -> Body {
+        let mut lowering = Lowering::new(&self.equations.algebra, self.pool);
+        for &sum in sums {
+            let value = lowering.lower(sum);
+            lowering.program.push_output(value);
+        }
+        let mut program = lowering.program;
+        program.settle_signs();
+        kernel::body(&program, &self.equations.symbols, &|_| quote!(f64::NAN))
+    }
+
+    fn start(&mut self) -> TokenStream {
+        let sums: Vec<SumId> = self.equations.start.iter().map(|given| given.value).collect();
+        let Body { statements, outputs } = self.lowered(&sums);
+        let gives = self.equations.start.iter().zip(outputs).map(|(given, value)| {
+            let i = given.index;
+            if given.rate {
+                quote!(start.give_velocity(#i, #value);)
+            } else {
+                quote!(start.give_position(#i, #value);)
+            }
+        });
+        quote!(#statements #(#gives)*)
+    }
+
+    /// Writes a solution into the named slices and returns the rows whose pivot vanished.
+    fn solver(
+        &mut self,
+        solver: &Solver,
+        slices: &[(&str, usize)],
+        other: &dyn Fn(Symbol) -> TokenStream,
+    ) -> TokenStream {
+        let Body { statements, outputs } = kernel::body(&solver.program, &self.equations.symbols, other);
+        let (solution, pivots) = outputs.split_at(solver.n_outputs);
+        let targets = slices.iter().flat_map(|&(name, length)| {
+            let name = argument(name);
+            (0..length).map(move |i| quote!(#name[#i]))
+        });
+        let marks = solver.pivots.iter().zip(pivots.chunks(2)).flat_map(|(rows, pair)| {
+            let (pivot, threshold) = (&pair[0], &pair[1]);
+            // written so that a pivot that is not a number counts as vanished
+            rows.iter().map(move |row| quote!(.mark(#row, !(#pivot > #threshold))))
+        });
+        quote! {
+            #statements
+            #(#targets = #solution;)*
+            ::ezy_core::model::DeficientRows(0)#(#marks)*
+        }
+    }
+}
+
+fn structure(model: &Model, scene: &Scene, equations: &Equations, type_name: &Ident, solver: &Solver) -> TokenStream {
+    let count = solver.program.count();
+    let title = if scene.documentation.trim().is_empty() {
+        format!("Scene `{}` of `{}`.", scene.name, model.name)
+    } else {
+        scene.documentation.clone()
+    };
+    let cost = format!(
+        "Accelerations and multipliers cost {} additions, {} multiplications, {} divisions and {} sine–cosine pairs.",
+        count.add, count.mul, count.div, count.trig
+    );
+    let parameters: Vec<_> = equations.parameters.iter().map(|id| &model.parameters[id.0]).collect();
+    let fields = parameters.iter().map(|parameter| {
+        let name = &parameter.name;
+        let unit = if parameter.unit.is_empty() { "1" } else { &parameter.unit };
+        let title = match parameter.documentation.trim() {
+            "" => format!("Parameter `{name}`"),
+            text => text.to_owned(),
+        };
+        let documentation = format!("{title} ({unit}); default `{}`.", parameter.default_text);
+        quote!(#[doc = #documentation] pub #name: f64)
+    });
+    let defaults = parameters.iter().map(|parameter| {
+        let (name, value) = (&parameter.name, parameter.default);
+        quote!(#name: #value)
+    });
+    quote! {
+        #[doc = #title]
+        #[doc = ""]
+        #[doc = #cost]
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct #type_name {
+            #(#fields),*
+        }
+
+        impl ::core::default::Default for #type_name {
+            fn default() -> Self {
+                Self { #(#defaults),* }
+            }
+        }
+    }
+}
+
+/// Bodies of `parameter` and `set_parameter`.
+fn parameter_access(model: &Model, equations: &Equations) -> (TokenStream, TokenStream) {
+    let names: Vec<&Ident> = equations.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
+    let indices: Vec<usize> = (0..names.len()).collect();
+    (
+        quote!(match index { #(#indices => self.#names,)* _ => f64::NAN }),
+        quote!(match index { #(#indices => self.#names = value,)* _ => {} }),
+    )
+}

@@ -1,0 +1,51 @@
+//! Rows stacked: C, G, the velocity rows and the convective terms, all derived from C and S v.
+
+use super::expression::Writer;
+use super::rows::{Demand, ScalarRow};
+use crate::symbolic::SumId;
+
+/// The constraint equations of a scene, position rows first.
+#[derive(Debug)]
+pub struct Constraints {
+    pub rows: Vec<ScalarRow>,
+    pub n_position_rows: usize,
+    /// C, one for each position row.
+    pub position: Vec<SumId>,
+    /// C_q v + C_t, then S v + s_t.
+    pub velocity: Vec<SumId>,
+    /// Rows of G as (column, entry), ascending, zeros left out.
+    pub jacobian: Vec<Vec<(usize, SumId)>>,
+    /// h, then s.
+    pub convective: Vec<SumId>,
+}
+
+impl Constraints {
+    pub fn derive(writer: &mut Writer<'_>, rows: Vec<ScalarRow>) -> Self {
+        let (position_rows, velocity_rows): (Vec<_>, Vec<_>) =
+            rows.into_iter().partition(|row| matches!(row.demand, Demand::Position(_)));
+        let n_position_rows = position_rows.len();
+        let rows: Vec<ScalarRow> = position_rows.into_iter().chain(velocity_rows).collect();
+
+        let n_q = writer.symbols.n_coordinates();
+        let (mut position, mut velocity, mut jacobian, mut convective) = (vec![], vec![], vec![], vec![]);
+        for row in &rows {
+            let rate = match row.demand {
+                Demand::Position(c) => {
+                    position.push(c);
+                    writer.time_derivative(c)
+                }
+                Demand::Velocity(rate) => rate,
+            };
+            velocity.push(rate);
+            jacobian.push(
+                (0..n_q)
+                    .map(|i| (i, writer.algebra.diff(rate, writer.symbols.velocity_at(i))))
+                    .filter(|(_, entry)| !entry.is_zero())
+                    .collect(),
+            );
+            // d/dt (G v + g_t) = G a + [h; s], so the convective term is what velocities held leave
+            convective.push(writer.time_derivative(rate));
+        }
+        Self { rows, n_position_rows, position, velocity, jacobian, convective }
+    }
+}

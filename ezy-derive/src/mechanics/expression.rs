@@ -1,0 +1,107 @@
+//! Expressions of the model file as sums.
+
+use super::symbols::Symbols;
+use crate::model::{self, Component, Expr, Model, RowKind};
+use crate::symbolic::coefficient::Coefficient;
+use crate::symbolic::{Algebra, Function, SumId, Symbol};
+
+/// Writes expressions of one model.
+pub struct Writer<'a> {
+    pub model: &'a Model,
+    pub algebra: &'a mut Algebra,
+    pub symbols: &'a Symbols,
+}
+
+impl Writer<'_> {
+    pub fn write(&mut self, expression: &Expr) -> SumId {
+        match expression {
+            Expr::Number(x) => self.algebra.number(*x),
+            Expr::Pi => {
+                let pi = self.algebra.coefficients.pi();
+                self.algebra.constant(pi)
+            }
+            Expr::Time => self.algebra.symbol(Symbol::TIME),
+            Expr::Parameter(id) => {
+                let parameter = self.algebra.coefficients.parameter(id.0);
+                self.algebra.constant(parameter)
+            }
+            Expr::Coordinate(body, component) => {
+                let symbol = self.symbols.coordinate(*body, *component);
+                self.algebra.symbol(symbol)
+            }
+            Expr::Velocity(body, component) => {
+                let symbol = self.symbols.velocity(*body, *component);
+                self.algebra.symbol(symbol)
+            }
+            Expr::PointPosition(point, component) => {
+                let place = self.model.points[point.0].place.clone();
+                self.position(&place)[*component as usize]
+            }
+            Expr::PointVelocity(point, component) => {
+                let place = self.model.points[point.0].place.clone();
+                self.velocity(&place)[*component as usize]
+            }
+            Expr::HingeAngle(row) => self.hinge_difference(*row, false),
+            Expr::HingeRate(row) => self.hinge_difference(*row, true),
+            Expr::Neg(a) => {
+                let a = self.write(a);
+                self.algebra.neg(a)
+            }
+            Expr::Add(a, b) => self.binary(a, b, Algebra::add),
+            Expr::Sub(a, b) => self.binary(a, b, Algebra::sub),
+            Expr::Mul(a, b) => self.binary(a, b, Algebra::mul),
+            Expr::Div(a, b) => self.binary(a, b, Algebra::div),
+            Expr::Pow(a, b) => self.binary(a, b, Algebra::pow),
+            Expr::Call(called, arguments) => {
+                let arguments = arguments.iter().map(|x| self.write(x)).collect();
+                self.algebra.call(function(*called), arguments)
+            }
+        }
+    }
+
+    /// A value that `model` has checked to depend on parameters alone.
+    pub fn coefficient(&mut self, expression: &Expr) -> Coefficient {
+        let sum = self.write(expression);
+        self.algebra.as_coefficient(sum).unwrap_or(Coefficient::ZERO)
+    }
+
+    fn binary(&mut self, a: &Expr, b: &Expr, operation: fn(&mut Algebra, SumId, SumId) -> SumId) -> SumId {
+        let (a, b) = (self.write(a), self.write(b));
+        operation(self.algebra, a, b)
+    }
+
+    /// φ_b − φ_a of a hinge, or its rate; the ground does not turn.
+    fn hinge_difference(&mut self, row: model::RowId, rate: bool) -> SumId {
+        let RowKind::Hinge { a, b } = &self.model.rows[row.0].kind else { return SumId::ZERO };
+        let [a, b] = [a.body, b.body].map(|body| {
+            body.map_or(SumId::ZERO, |body| {
+                let symbol = if rate {
+                    self.symbols.velocity(body, Component::Phi)
+                } else {
+                    self.symbols.coordinate(body, Component::Phi)
+                };
+                self.algebra.symbol(symbol)
+            })
+        });
+        self.algebra.sub(b, a)
+    }
+}
+
+fn function(called: model::Function) -> Function {
+    match called {
+        model::Function::Sin => Function::Sin,
+        model::Function::Cos => Function::Cos,
+        model::Function::Tan => Function::Tan,
+        model::Function::Asin => Function::Asin,
+        model::Function::Acos => Function::Acos,
+        model::Function::Atan2 => Function::Atan2,
+        model::Function::Sqrt => Function::Sqrt,
+        model::Function::Exp => Function::Exp,
+        model::Function::Ln => Function::Ln,
+        model::Function::Tanh => Function::Tanh,
+        model::Function::Abs => Function::Abs,
+        model::Function::Min => Function::Min,
+        model::Function::Max => Function::Max,
+        model::Function::Sign => Function::Sign,
+    }
+}

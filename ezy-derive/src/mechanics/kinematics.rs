@@ -1,0 +1,75 @@
+//! Positions, directions and velocities of points fixed to bodies.
+
+use super::expression::Writer;
+use crate::model::{Component, Direction, Place};
+use crate::symbolic::{SumId, Symbol};
+
+/// Components along the ground's axes.
+pub type Vector = [SumId; 2];
+
+impl Writer<'_> {
+    /// Position of a place, m.
+    pub fn position(&mut self, place: &Place) -> Vector {
+        let local = [self.write(&place.x), self.write(&place.y)];
+        let Some(body) = place.body else { return local };
+        let arm = self.turned(local, Some(body));
+        [Component::X, Component::Y].map(|component| {
+            let centre = self.symbols.coordinate(body, component);
+            let centre = self.algebra.symbol(centre);
+            self.algebra.add(centre, arm[component as usize])
+        })
+    }
+
+    /// Velocity of a place, m/s.
+    pub fn velocity(&mut self, place: &Place) -> Vector {
+        self.position(place).map(|x| self.time_derivative(x))
+    }
+
+    /// A direction along the ground's axes; its length is that of the declared components.
+    pub fn direction(&mut self, direction: &Direction) -> Vector {
+        let local = [self.write(&direction.x), self.write(&direction.y)];
+        self.turned(local, direction.body)
+    }
+
+    /// A direction scaled to length one.
+    pub fn unit_direction(&mut self, direction: &Direction) -> Vector {
+        let local = [self.write(&direction.x), self.write(&direction.y)];
+        let square = self.dot(local, local);
+        let half = self.algebra.number(0.5);
+        let length = self.algebra.pow(square, half);
+        let local = local.map(|x| self.algebra.div(x, length));
+        self.turned(local, direction.body)
+    }
+
+    pub fn dot(&mut self, a: Vector, b: Vector) -> SumId {
+        let products = [self.algebra.mul(a[0], b[0]), self.algebra.mul(a[1], b[1])];
+        self.algebra.add(products[0], products[1])
+    }
+
+    /// A vector turned by +90°.
+    pub fn across(&mut self, a: Vector) -> Vector {
+        [self.algebra.neg(a[1]), a[0]]
+    }
+
+    /// d/dt along the motion: ∂/∂t + Σ q̇ᵢ ∂/∂qᵢ. Velocities are held.
+    pub fn time_derivative(&mut self, a: SumId) -> SumId {
+        let mut parts = vec![self.algebra.diff(a, Symbol::TIME)];
+        for i in 0..self.symbols.n_coordinates() {
+            let slope = self.algebra.diff(a, self.symbols.coordinate_at(i));
+            let rate = self.algebra.symbol(self.symbols.velocity_at(i));
+            parts.push(self.algebra.mul(slope, rate));
+        }
+        self.algebra.total(&parts)
+    }
+
+    fn turned(&mut self, local: Vector, body: Option<crate::model::BodyId>) -> Vector {
+        let Some(body) = body else { return local };
+        let angle = self.symbols.coordinate(body, Component::Phi);
+        let angle = self.algebra.symbol(angle);
+        let (sin, cos) = self.algebra.sin_cos(angle);
+        let [x, y] = local;
+        let (xc, ys) = (self.algebra.mul(x, cos), self.algebra.mul(y, sin));
+        let (xs, yc) = (self.algebra.mul(x, sin), self.algebra.mul(y, cos));
+        [self.algebra.sub(xc, ys), self.algebra.add(xs, yc)]
+    }
+}

@@ -1,0 +1,18 @@
+//! From the resolved model to the equations of one scene.
+//!
+//! Each kind of row and each kind of force states its expression once (`rows/`, `forces/`). Everything else is
+//! derived from those by the symbolic engine: Jacobians, convective terms, generalised forces, power, and the
+//! elimination. Only what the scene calls for is ever written down.
+
+pub mod block;
+pub mod constraints;
+pub mod elimination;
+mod expression;
+mod forces;
+mod kinematics;
+mod rows;
+pub mod scene;
+pub mod solve;
+pub mod symbols;
+
+pub use scene::Equations;

@@ -1,0 +1,133 @@
+//! The equations of one scene: its own selection of rows and effects, derived from scratch.
+
+use super::constraints::Constraints;
+use super::expression::Writer;
+use super::kinematics::Vector;
+use super::symbols::{Symbols, index};
+use super::{forces, rows};
+use crate::model::{BodyId, EffectId, Model, ParameterId, Scene};
+use crate::symbolic::coefficient::Coefficient;
+use crate::symbolic::{Algebra, SumId};
+
+/// Everything that is emitted for a scene, as expressions.
+#[derive(Debug)]
+pub struct Equations {
+    pub algebra: Algebra,
+    pub symbols: Symbols,
+    /// Parameters of the model and of the scene's effects.
+    pub parameters: Vec<ParameterId>,
+    /// Diagonal of M.
+    pub mass: Vec<Coefficient>,
+    /// The same as expressions.
+    pub mass_entries: Vec<SumId>,
+    pub constraints: Constraints,
+    /// F, `n_q` long.
+    pub force: Vec<SumId>,
+    /// Power of each group of forces; `None` names the forces outside any effect.
+    pub power: Vec<(Option<EffectId>, SumId)>,
+    pub points: Vec<PointPosition>,
+    pub start: Vec<GivenValue>,
+}
+
+/// Where a named point is.
+#[derive(Debug)]
+pub struct PointPosition {
+    pub name: String,
+    pub body: Option<BodyId>,
+    pub position: Vector,
+}
+
+/// A start value: place in q or v, and what it is.
+#[derive(Debug)]
+pub struct GivenValue {
+    pub index: usize,
+    pub rate: bool,
+    pub value: SumId,
+}
+
+impl Equations {
+    pub fn derive(model: &Model, scene: &Scene) -> Self {
+        let mut algebra = Algebra::new();
+        let symbols = Symbols::new(model);
+        let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
+
+        let mass = mass_matrix(&mut writer);
+        let scalar_rows =
+            model.rows.iter().enumerate().flat_map(|(i, row)| rows::scalar_rows(&mut writer, row, i)).collect();
+        let constraints = Constraints::derive(&mut writer, scalar_rows);
+        let (force, power) = applied_forces(&mut writer, scene);
+        let points = points(&mut writer);
+        let start = start(&mut writer, scene);
+        let parameters = (0..model.parameters.len())
+            .map(ParameterId)
+            .filter(|id| model.parameters[id.0].effect.is_none_or(|effect| scene.effects.contains(&effect)))
+            .collect();
+        let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
+        Self { algebra, symbols, parameters, mass, mass_entries, constraints, force, power, points, start }
+    }
+}
+
+fn mass_matrix(writer: &mut Writer<'_>) -> Vec<Coefficient> {
+    let model = writer.model;
+    let mut diagonal = Vec::new();
+    for body in &model.bodies {
+        let (mass, inertia) = (writer.coefficient(&body.mass), writer.coefficient(&body.inertia));
+        diagonal.extend([mass, mass, inertia]);
+    }
+    diagonal
+}
+
+type Power = Vec<(Option<EffectId>, SumId)>;
+
+/// F and the power of each group of forces that the scene calls for.
+fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> (Vec<SumId>, Power) {
+    let model = writer.model;
+    let n_q = writer.symbols.n_coordinates();
+    let mut total = vec![SumId::ZERO; n_q];
+    let mut power = Vec::new();
+    let groups = std::iter::once(None).chain(scene.effects.iter().copied().map(Some));
+    for group in groups {
+        let forces: Vec<_> = model.forces.iter().filter(|force| force.effect == group).collect();
+        if forces.is_empty() && group.is_none() {
+            continue;
+        }
+        let mut generalised = vec![SumId::ZERO; n_q];
+        for force in forces {
+            forces::add(writer, force, &mut generalised);
+        }
+        let mut parts = Vec::new();
+        for (i, &q) in generalised.iter().enumerate() {
+            total[i] = writer.algebra.add(total[i], q);
+            let rate = writer.algebra.symbol(writer.symbols.velocity_at(i));
+            parts.push(writer.algebra.mul(q, rate));
+        }
+        power.push((group, writer.algebra.total(&parts)));
+    }
+    (total, power)
+}
+
+fn points(writer: &mut Writer<'_>) -> Vec<PointPosition> {
+    let model = writer.model;
+    model
+        .points
+        .iter()
+        .map(|point| PointPosition {
+            name: point.name.to_string(),
+            body: point.place.body,
+            position: writer.position(&point.place),
+        })
+        .collect()
+}
+
+fn start(writer: &mut Writer<'_>, scene: &Scene) -> Vec<GivenValue> {
+    let model = writer.model;
+    model.starts[scene.start.0]
+        .values
+        .iter()
+        .map(|given| GivenValue {
+            index: index(given.body, given.component),
+            rate: given.rate,
+            value: writer.write(&given.value),
+        })
+        .collect()
+}

@@ -1,0 +1,217 @@
+//! The two kernels that solve: accelerations with multipliers, and the mass-weighted correction.
+
+use super::block::{Solved, System};
+use super::elimination::Reduced;
+use super::scene::Equations;
+use super::symbols::Meaning;
+use crate::symbolic::coefficient::Coefficient;
+use crate::symbolic::lower::{ConstantPool, Lowering};
+use crate::symbolic::program::{Program, Value};
+use crate::symbolic::{SumId, Symbol};
+
+/// A pivot vanishes below this fraction of the diagonal that it started from; `ezy_core::model::PIVOT_TOLERANCE`.
+const PIVOT_TOLERANCE: f64 = 1e-10;
+
+/// A program that ends in a solution.
+#[derive(Debug)]
+pub struct Solver {
+    /// Outputs: the solution, then value and threshold of each pivot in the order of `pivots`.
+    pub program: Program,
+    pub n_outputs: usize,
+    /// Rows of each watched pivot.
+    pub pivots: Vec<Vec<usize>>,
+    /// Blocks in the order of elimination, with whether the pivot is constant.
+    pub order: Vec<(Vec<usize>, bool)>,
+}
+
+/// Symbols of the residuals that the correction reads.
+pub struct Correction {
+    pub solver: Solver,
+    pub residuals: Vec<Symbol>,
+}
+
+/// `M a + Gᵀ λ = F`, `G a = −[h; s]`: outputs a, then λ.
+pub fn accelerations(equations: &mut Equations, constants: &mut ConstantPool) -> Solver {
+    let mut forces = Vec::new();
+    for i in 0..equations.force.len() {
+        forces.push(named_force(equations, i));
+    }
+    let mut right_side = equations.constraints.convective.clone();
+    for (row, entry) in right_side.iter_mut().enumerate() {
+        for &(k, g) in &equations.constraints.jacobian[row] {
+            let algebra = &mut equations.algebra;
+            let inverse = algebra.coefficients.div(Coefficient::ONE, equations.mass[k]);
+            let product = algebra.mul(g, forces[k].value);
+            let product = algebra.scale(product, inverse);
+            *entry = algebra.add(*entry, product);
+        }
+    }
+    let reduced = Reduced::new(equations, right_side);
+    let solution = reactions(equations, &reduced.multipliers)
+        .into_iter()
+        .enumerate()
+        .map(|(i, reaction)| {
+            let total = equations.algebra.add(forces[i].value, reaction);
+            divide_by_mass(equations, total, i)
+        })
+        .collect::<Vec<_>>();
+    let named = forces.iter().filter_map(|force| force.named).collect::<Vec<_>>();
+    lower(equations, constants, &named, &reduced, &solution, true)
+}
+
+/// `delta = −M⁻¹ Gᵀ ν` with `A ν = residual`: outputs delta.
+pub fn correction(equations: &mut Equations, constants: &mut ConstantPool) -> Correction {
+    let n_rows = equations.constraints.rows.len();
+    let residuals: Vec<Symbol> = (0..n_rows).map(|i| equations.symbols.new_named(format!("residual_{i}"))).collect();
+    let right_side = residuals.iter().map(|&symbol| equations.algebra.symbol(symbol)).collect();
+    let reduced = Reduced::new(equations, right_side);
+    let solution = reactions(equations, &reduced.multipliers)
+        .into_iter()
+        .enumerate()
+        .map(|(i, reaction)| divide_by_mass(equations, reaction, i))
+        .collect::<Vec<_>>();
+    Correction { solver: lower(equations, constants, &[], &reduced, &solution, false), residuals }
+}
+
+/// An applied force as it enters the equations: itself, or a symbol when it has several terms.
+struct NamedForce {
+    value: SumId,
+    named: Option<(Symbol, SumId)>,
+}
+
+fn named_force(equations: &mut Equations, i: usize) -> NamedForce {
+    let force = equations.force[i];
+    if equations.algebra.terms(force).len() <= 1 {
+        return NamedForce { value: force, named: None };
+    }
+    let name = equations.symbols.code_name(equations.symbols.coordinate_at(i));
+    let symbol = equations.symbols.new_named(format!("force_{name}"));
+    NamedForce { value: equations.algebra.symbol(symbol), named: Some((symbol, force)) }
+}
+
+/// −Gᵀ λ
+fn reactions(equations: &mut Equations, multipliers: &[Symbol]) -> Vec<SumId> {
+    let (algebra, constraints) = (&mut equations.algebra, &equations.constraints);
+    (0..equations.mass.len())
+        .map(|i| {
+            let mut parts = Vec::new();
+            for (row, entries) in constraints.jacobian.iter().enumerate() {
+                for &(_, g) in entries.iter().filter(|(column, _)| *column == i) {
+                    let lambda = algebra.symbol(multipliers[row]);
+                    let product = algebra.mul(g, lambda);
+                    parts.push(algebra.neg(product));
+                }
+            }
+            algebra.total(&parts)
+        })
+        .collect()
+}
+
+fn divide_by_mass(equations: &mut Equations, force: SumId, i: usize) -> SumId {
+    let algebra = &mut equations.algebra;
+    let inverse = algebra.coefficients.div(Coefficient::ONE, equations.mass[i]);
+    algebra.scale(force, inverse)
+}
+
+fn lower(
+    equations: &mut Equations,
+    constants: &mut ConstantPool,
+    named: &[(Symbol, SumId)],
+    reduced: &Reduced,
+    solution: &[SumId],
+    with_multipliers: bool,
+) -> Solver {
+    let blocks = blocks(equations, reduced);
+    let thresholds = thresholds(equations, reduced, &blocks);
+    let symbols = &equations.symbols;
+    let name_of = |symbol: Symbol| match symbols.meaning(symbol) {
+        Meaning::Named(_) => symbols.code_name(symbol),
+        _ => String::new(),
+    };
+    let mut lowering = Lowering::new(&equations.algebra, constants);
+    for &(symbol, force) in named {
+        let value = lowering.lower(force);
+        lowering.program.set_name(value, &name_of(symbol));
+        lowering.bind(symbol, value);
+    }
+    for step in &reduced.steps {
+        let value = lowering.lower(step.right_side);
+        lowering.program.set_name(value, &name_of(step.symbol));
+        lowering.bind(step.symbol, value);
+    }
+    let matrix = reduced.matrix.iter().map(|row| row.iter().map(|&a| lowering.lower(a)).collect()).collect();
+    let right_side = reduced.right_side.iter().map(|&r| lowering.lower(r)).collect();
+    let system = System { program: &mut lowering.program, matrix, right_side };
+    let Solved { solution: found, pivots } = system.solve(blocks.clone());
+
+    let zero = lowering.program.literal(0.0);
+    let mut lambda = vec![zero; reduced.multipliers.len()];
+    for (&row, &value) in reduced.rest.iter().zip(&found) {
+        lambda[row] = value;
+        lowering.program.set_name(value, &name_of(reduced.multipliers[row]));
+        lowering.bind(reduced.multipliers[row], value);
+    }
+    for &(row, sum) in &reduced.back_substitution {
+        let value = lowering.lower(sum);
+        lambda[row] = value;
+        lowering.program.set_name(value, &name_of(reduced.multipliers[row]));
+        lowering.bind(reduced.multipliers[row], value);
+    }
+    let mut outputs: Vec<Value> = solution.iter().map(|&sum| lowering.lower(sum)).collect();
+    if with_multipliers {
+        outputs.extend(lambda);
+    }
+    let n_outputs = outputs.len();
+    let (mut watched, mut order) = (Vec::new(), Vec::new());
+    for (step, threshold) in reduced.steps.iter().zip(&thresholds.constant) {
+        outputs.push(lowering.coefficient(step.pivot));
+        outputs.push(lowering.lower(*threshold));
+        watched.push(vec![step.row]);
+        order.push((vec![step.row], true));
+    }
+    for (block, pivot) in &pivots {
+        let i = blocks.iter().position(|other| other == block).unwrap_or(0);
+        outputs.push(*pivot);
+        outputs.push(lowering.lower(thresholds.moving[i]));
+        let rows: Vec<usize> = block.iter().map(|&i| reduced.rest[i]).collect();
+        watched.push(rows.clone());
+        order.push((rows, false));
+    }
+    let mut program = lowering.program;
+    for output in outputs {
+        program.push_output(output);
+    }
+    program.settle_signs();
+    Solver { program, n_outputs, pivots: watched, order }
+}
+
+/// Rows of one declaration in pairs; indices into `reduced.rest`.
+fn blocks(equations: &Equations, reduced: &Reduced) -> Vec<Vec<usize>> {
+    let family = |i: &usize| equations.constraints.rows[reduced.rest[*i]].family;
+    let rest: Vec<usize> = (0..reduced.rest.len()).collect();
+    rest.chunk_by(|a, b| family(a) == family(b)).flat_map(|rows| rows.chunks(2)).map(<[usize]>::to_vec).collect()
+}
+
+/// Below these values a pivot counts as vanished.
+struct Thresholds {
+    constant: Vec<SumId>,
+    moving: Vec<SumId>,
+}
+
+/// A single pivot is compared with its own diagonal, the determinant of a pair with the square of its trace:
+/// the trace of a hinge between bodies does not vary, so the comparison costs nothing.
+fn thresholds(equations: &mut Equations, reduced: &Reduced, blocks: &[Vec<usize>]) -> Thresholds {
+    let algebra = &mut equations.algebra;
+    let tolerance = algebra.number(PIVOT_TOLERANCE);
+    let constant = reduced.steps.iter().map(|step| algebra.mul(tolerance, step.diagonal)).collect();
+    let moving = blocks
+        .iter()
+        .map(|block| {
+            let diagonals: Vec<SumId> = block.iter().map(|&i| reduced.diagonal[i]).collect();
+            let trace = algebra.total(&diagonals);
+            let scale = if block.len() == 2 { algebra.mul(trace, trace) } else { trace };
+            algebra.mul(tolerance, scale)
+        })
+        .collect();
+    Thresholds { constant, moving }
+}

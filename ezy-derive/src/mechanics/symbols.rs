@@ -1,0 +1,118 @@
+//! The symbols of a scene: time, coordinates, velocities, and values named on the way.
+
+use crate::model::{BodyId, Component, Model};
+use crate::symbolic::Symbol;
+use crate::symbolic::print::{Names, Printed};
+use crate::symbolic::spelling;
+
+/// Symbols in fixed places: time, then `n_q` coordinates, then `n_q` velocities, then what a kernel names.
+#[derive(Debug)]
+pub struct Symbols {
+    coordinates: Vec<Printed>,
+    velocities: Vec<Printed>,
+    parameters: Vec<Printed>,
+    named: Vec<String>,
+}
+
+/// What a symbol stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Meaning {
+    Time,
+    Coordinate(usize),
+    Velocity(usize),
+    /// Index into the values that a kernel names or reads besides.
+    Named(usize),
+}
+
+impl Symbols {
+    pub fn new(model: &Model) -> Self {
+        let (mut coordinates, mut velocities) = (Vec::new(), Vec::new());
+        for body in &model.bodies {
+            let body = body.name.to_string();
+            for (letter, position, velocity) in [("x", "x", "vx"), ("y", "y", "vy"), ("phi", "phi", "omega")] {
+                coordinates.push(spelling::of_body(&format!("{body}.{position}"), letter, &body, false));
+                velocities.push(spelling::of_body(&format!("{body}.{velocity}"), letter, &body, true));
+            }
+        }
+        let parameters = model.parameters.iter().map(|p| spelling::name(&p.name.to_string())).collect();
+        Self { coordinates, velocities, parameters, named: Vec::new() }
+    }
+
+    pub fn n_coordinates(&self) -> usize {
+        self.coordinates.len()
+    }
+
+    pub fn coordinate(&self, body: BodyId, component: Component) -> Symbol {
+        self.coordinate_at(index(body, component))
+    }
+
+    pub fn velocity(&self, body: BodyId, component: Component) -> Symbol {
+        self.velocity_at(index(body, component))
+    }
+
+    pub fn coordinate_at(&self, i: usize) -> Symbol {
+        symbol(1 + i)
+    }
+
+    pub fn velocity_at(&self, i: usize) -> Symbol {
+        symbol(1 + self.n_coordinates() + i)
+    }
+
+    /// A new symbol for a value that a kernel computes or reads.
+    pub fn new_named(&mut self, name: String) -> Symbol {
+        self.named.push(name);
+        symbol(self.named.len() + 2 * self.n_coordinates())
+    }
+
+    pub fn meaning(&self, symbol: Symbol) -> Meaning {
+        let (i, n) = (symbol.0 as usize, self.n_coordinates());
+        match i {
+            0 => Meaning::Time,
+            _ if i <= n => Meaning::Coordinate(i - 1),
+            _ if i <= 2 * n => Meaning::Velocity(i - 1 - n),
+            _ => Meaning::Named(i - 1 - 2 * n),
+        }
+    }
+
+    /// Name of a symbol in the emitted code.
+    pub fn code_name(&self, symbol: Symbol) -> String {
+        match self.meaning(symbol) {
+            Meaning::Time => "t".to_owned(),
+            Meaning::Coordinate(i) => self.coordinates[i].text.replace('.', "_"),
+            Meaning::Velocity(i) => self.velocities[i].text.replace('.', "_"),
+            Meaning::Named(i) => self.named[i].clone(),
+        }
+    }
+
+    pub fn coordinate_names(&self) -> &[Printed] {
+        &self.coordinates
+    }
+
+    pub fn velocity_names(&self) -> &[Printed] {
+        &self.velocities
+    }
+}
+
+impl Names for Symbols {
+    fn symbol(&self, symbol: Symbol) -> Printed {
+        match self.meaning(symbol) {
+            Meaning::Time => Printed::atom("t", "t", "<mi>t</mi>"),
+            Meaning::Coordinate(i) => self.coordinates[i].clone(),
+            Meaning::Velocity(i) => self.velocities[i].clone(),
+            Meaning::Named(i) => spelling::name(&self.named[i]),
+        }
+    }
+
+    fn parameter(&self, index: usize) -> Printed {
+        self.parameters[index].clone()
+    }
+}
+
+/// Place of a coordinate in q.
+pub fn index(body: BodyId, component: Component) -> usize {
+    3 * body.0 + component as usize
+}
+
+fn symbol(i: usize) -> Symbol {
+    Symbol(u32::try_from(i).unwrap_or(u32::MAX))
+}

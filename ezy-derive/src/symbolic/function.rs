@@ -1,0 +1,72 @@
+//! Functions that an expression can call.
+
+/// A function of one or two arguments. Sine and cosine are atoms of their own: see [`super::sum::Atom`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan2,
+    Sqrt,
+    Exp,
+    Ln,
+    Tanh,
+    Abs,
+    Min,
+    Max,
+    Sign,
+    Pow,
+}
+
+impl Function {
+    /// Name in the model language.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Tan => "tan",
+            Self::Asin => "asin",
+            Self::Acos => "acos",
+            Self::Atan2 => "atan2",
+            Self::Sqrt => "sqrt",
+            Self::Exp => "exp",
+            Self::Ln => "ln",
+            Self::Tanh => "tanh",
+            Self::Abs => "abs",
+            Self::Min => "min",
+            Self::Max => "max",
+            Self::Sign => "sign",
+            Self::Pow => "pow",
+        }
+    }
+
+    /// Value for numbers, used to fold literals: the same functions as the emitted code calls.
+    pub fn evaluate(self, x: &[f64]) -> f64 {
+        match (self, x) {
+            (Self::Sin, [x]) => x.sin(),
+            (Self::Cos, [x]) => x.cos(),
+            (Self::Tan, [x]) => x.tan(),
+            (Self::Asin, [x]) => x.asin(),
+            (Self::Acos, [x]) => x.acos(),
+            (Self::Atan2, [y, x]) => y.atan2(*x),
+            (Self::Sqrt, [x]) => x.sqrt(),
+            (Self::Exp, [x]) => x.exp(),
+            (Self::Ln, [x]) => x.ln(),
+            (Self::Tanh, [x]) => x.tanh(),
+            (Self::Abs, [x]) => x.abs(),
+            (Self::Min, [x, y]) => x.min(*y),
+            (Self::Max, [x, y]) => x.max(*y),
+            (Self::Sign, [x]) => {
+                if *x == 0.0 {
+                    0.0
+                } else {
+                    x.signum()
+                }
+            }
+            (Self::Pow, [x, y]) => x.powf(*y),
+            _ => f64::NAN,
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! From sums to a straight-line program.
+
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use super::coefficient::{Coefficient, CoefficientId};
+use super::function::Function;
+use super::plan::{Plan, Planner};
+use super::program::{Node, Program, Value};
+use super::sum::{Algebra, Atom, AtomId, Monomial, SumId, Symbol};
+
+/// The coefficients that kernels read, in order of first use: the vector of constants of a scene.
+#[derive(Debug, Default)]
+pub struct ConstantPool {
+    order: Vec<CoefficientId>,
+    ids: HashMap<CoefficientId, usize>,
+}
+
+impl ConstantPool {
+    /// Place of a coefficient in the vector.
+    pub fn index(&mut self, id: CoefficientId) -> usize {
+        *self.ids.entry(id).or_insert_with(|| {
+            self.order.push(id);
+            self.order.len() - 1
+        })
+    }
+
+    pub fn coefficients(&self) -> &[CoefficientId] {
+        &self.order
+    }
+}
+
+/// Builds the program of one kernel.
+#[derive(Debug)]
+pub struct Lowering<'a> {
+    pub algebra: &'a Algebra,
+    pub program: Program,
+    constants: &'a mut ConstantPool,
+    planner: Planner,
+    bindings: HashMap<Symbol, Value>,
+    done: HashMap<SumId, Value>,
+}
+
+impl<'a> Lowering<'a> {
+    pub fn new(algebra: &'a Algebra, constants: &'a mut ConstantPool) -> Self {
+        Self {
+            algebra,
+            program: Program::default(),
+            constants,
+            planner: Planner::default(),
+            bindings: HashMap::new(),
+            done: HashMap::new(),
+        }
+    }
+
+    /// From here on `symbol` stands for a value already computed.
+    pub fn bind(&mut self, symbol: Symbol, value: Value) {
+        self.bindings.insert(symbol, value);
+    }
+
+    pub fn lower(&mut self, sum: SumId) -> Value {
+        if let Some(&value) = self.done.get(&sum) {
+            return value;
+        }
+        let value = if sum.is_zero() {
+            self.program.literal(0.0)
+        } else {
+            let plan = self.planner.plan(self.algebra, sum);
+            self.write(&plan)
+        };
+        self.done.insert(sum, value);
+        value
+    }
+
+    pub fn coefficient(&mut self, k: Coefficient) -> Value {
+        if let Some(number) = self.algebra.coefficients.as_number(k) {
+            return self.program.literal(number);
+        }
+        let index = self.constants.index(k.id);
+        let value = self.program.leaf(Node::Constant(index));
+        if k.negative { value.neg() } else { value }
+    }
+
+    fn write(&mut self, plan: &Rc<Plan>) -> Value {
+        match &**plan {
+            Plan::Term(k, monomial) => self.term(*k, monomial),
+            Plan::Scale(k, inner) => {
+                let inner = self.write(inner);
+                let k = self.coefficient(*k);
+                self.program.mul(k, inner)
+            }
+            Plan::Factor(atom, n, inner) => {
+                let inner = self.write(inner);
+                let atom = self.atom(*atom);
+                if *n > 0 { self.program.mul(atom, inner) } else { self.program.div(inner, atom) }
+            }
+            Plan::Sum(parts) => {
+                let mut total = self.program.literal(0.0);
+                for part in parts {
+                    let part = self.write(part);
+                    total = self.program.add(total, part);
+                }
+                total
+            }
+        }
+    }
+
+    /// Coefficient, then everything but sines and cosines, then those: the prefix is what other rows share.
+    fn term(&mut self, k: Coefficient, monomial: &Monomial) -> Value {
+        let (trigonometric, other): (Vec<_>, Vec<_>) =
+            monomial.iter().partition(|(atom, _)| self.algebra.is_trigonometric_atom(*atom));
+        let mut product = self.coefficient(k);
+        for &(atom, n) in other.iter().chain(&trigonometric) {
+            let factor = self.atom(atom);
+            for _ in 0..n.max(0) {
+                product = self.program.mul(product, factor);
+            }
+        }
+        for &(atom, n) in monomial {
+            let factor = self.atom(atom);
+            for _ in n..0 {
+                product = self.program.div(product, factor);
+            }
+        }
+        product
+    }
+
+    fn atom(&mut self, atom: AtomId) -> Value {
+        match self.algebra.atom(atom).clone() {
+            Atom::Symbol(symbol) => match self.bindings.get(&symbol) {
+                Some(&value) => value,
+                None => self.program.leaf(Node::Input(symbol)),
+            },
+            Atom::Group(sum) => self.lower(sum),
+            Atom::Sin(angle) => {
+                let angle = self.lower(angle);
+                let sin = self.program.leaf(Node::Sin(angle.node));
+                if angle.negative { sin.neg() } else { sin }
+            }
+            Atom::Cos(angle) => {
+                let angle = self.lower(angle);
+                self.program.leaf(Node::Cos(angle.node))
+            }
+            Atom::Call(function, arguments) => self.call(function, &arguments),
+        }
+    }
+
+    fn call(&mut self, function: Function, arguments: &[SumId]) -> Value {
+        let arguments: Vec<Value> = arguments.iter().map(|&x| self.lower(x)).collect();
+        self.program.call(function, &arguments)
+    }
+}

@@ -1,0 +1,245 @@
+//! Expressions as text, LaTeX and MathML, built together from one expression.
+
+use super::coefficient::{Coefficient, CoefficientNode, unsigned};
+use super::function::Function;
+use super::sum::{Algebra, Atom, AtomId, MonomialId, SumId, Symbol};
+
+/// One expression in three notations.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Printed {
+    pub text: String,
+    pub latex: String,
+    pub mathml: String,
+    level: Level,
+}
+
+/// How tightly the outermost operation binds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Level {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+/// Names of symbols and parameters.
+pub trait Names {
+    fn symbol(&self, symbol: Symbol) -> Printed;
+    fn parameter(&self, index: usize) -> Printed;
+}
+
+impl Printed {
+    pub fn atom(text: impl Into<String>, latex: impl Into<String>, mathml: impl Into<String>) -> Self {
+        Self { text: text.into(), latex: latex.into(), mathml: mathml.into(), level: Level::Atom }
+    }
+
+    fn number(x: f64) -> Self {
+        let text = format!("{x}");
+        Self::atom(text.clone(), text.clone(), format!("<mn>{text}</mn>"))
+    }
+
+    fn in_parentheses(self) -> Self {
+        Self::atom(
+            format!("({})", self.text),
+            format!("\\left({}\\right)", self.latex),
+            format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", self.mathml),
+        )
+    }
+
+    fn at_least(self, level: Level) -> Self {
+        if self.level < level { self.in_parentheses() } else { self }
+    }
+}
+
+/// A sum as an expression; zero prints as 0.
+pub fn print(algebra: &Algebra, names: &impl Names, sum: SumId) -> Printed {
+    let printer = Printer { algebra, names };
+    let mut printed = printer.sum(sum);
+    printed.mathml = format!("<mrow>{}</mrow>", printed.mathml);
+    printed
+}
+
+struct Printer<'a, N> {
+    algebra: &'a Algebra,
+    names: &'a N,
+}
+
+impl<N: Names> Printer<'_, N> {
+    fn sum(&self, sum: SumId) -> Printed {
+        let terms = self.algebra.terms(sum);
+        if terms.is_empty() {
+            return Printed::number(0.0);
+        }
+        let parts = terms.iter().map(|&(monomial, k)| (k.negative, self.term(k, monomial))).collect();
+        add(parts)
+    }
+
+    /// Coefficient, plain symbols, then functions: the order in which such terms are written by hand.
+    fn term(&self, k: Coefficient, monomial: MonomialId) -> Printed {
+        let mut factors = self.algebra.monomial(monomial).clone();
+        factors.sort_by_key(|&(atom, _)| (!matches!(self.algebra.atom(atom), Atom::Symbol(_)), atom));
+        let (mut top, mut bottom) = (Vec::new(), Vec::new());
+        if !k.is_unit() {
+            self.coefficient_factors(k, &mut top, &mut bottom);
+        }
+        for (atom, n) in factors {
+            let factor = self.power(atom, n.abs());
+            if n > 0 { top.push(factor) } else { bottom.push(factor) }
+        }
+        quotient(product(top), bottom)
+    }
+
+    fn power(&self, atom: AtomId, n: i32) -> Printed {
+        let squared_function = match self.algebra.atom(atom) {
+            Atom::Sin(angle) if n > 1 => Some((Function::Sin, angle)),
+            Atom::Cos(angle) if n > 1 => Some((Function::Cos, angle)),
+            _ => None,
+        };
+        if let Some((function, angle)) = squared_function {
+            return call(function, Some(n), vec![self.sum(*angle)]);
+        }
+        let base = match self.algebra.atom(atom) {
+            Atom::Symbol(symbol) => self.names.symbol(*symbol),
+            Atom::Sin(angle) => call(Function::Sin, None, vec![self.sum(*angle)]),
+            Atom::Cos(angle) => call(Function::Cos, None, vec![self.sum(*angle)]),
+            Atom::Call(function, arguments) => {
+                call(*function, None, arguments.iter().map(|&x| self.sum(x)).collect())
+            }
+            Atom::Group(sum) => self.sum(*sum).in_parentheses(),
+        };
+        if n == 1 { base } else { raise(base, n) }
+    }
+
+    fn coefficient(&self, k: Coefficient) -> Printed {
+        let node = self.algebra.coefficients.node(k.id);
+        let magnitude = match node {
+            CoefficientNode::Number(x) => Printed::number(*x),
+            CoefficientNode::Pi => Printed::atom("pi", "\\pi", "<mi>π</mi>"),
+            CoefficientNode::Parameter(index) => self.names.parameter(*index),
+            CoefficientNode::Add(a, b) => add(vec![
+                (a.negative, self.coefficient(unsigned(a.id))),
+                (b.negative, self.coefficient(unsigned(b.id))),
+            ]),
+            CoefficientNode::Mul(..) | CoefficientNode::Div(..) => {
+                let (mut top, mut bottom) = (Vec::new(), Vec::new());
+                self.coefficient_factors(unsigned(k.id), &mut top, &mut bottom);
+                quotient(product(top), bottom)
+            }
+            CoefficientNode::Call(function, arguments) => {
+                call(*function, None, arguments.iter().map(|&x| self.coefficient(x)).collect())
+            }
+        };
+        if k.negative { add(vec![(true, magnitude)]) } else { magnitude }
+    }
+
+    /// Splits a coefficient's magnitude into factors above and below the line.
+    fn coefficient_factors(&self, k: Coefficient, top: &mut Vec<Printed>, bottom: &mut Vec<Printed>) {
+        match self.algebra.coefficients.node(k.id) {
+            CoefficientNode::Mul(a, b) => {
+                self.coefficient_factors(unsigned(*a), top, bottom);
+                self.coefficient_factors(unsigned(*b), top, bottom);
+            }
+            CoefficientNode::Div(a, b) => {
+                if !unsigned(*a).is_unit() {
+                    self.coefficient_factors(unsigned(*a), top, bottom);
+                }
+                self.coefficient_factors(unsigned(*b), bottom, top);
+            }
+            _ => top.push(self.coefficient(unsigned(k.id))),
+        }
+    }
+}
+
+fn add(parts: Vec<(bool, Printed)>) -> Printed {
+    let single = parts.len() == 1;
+    let mut out = Printed { text: String::new(), latex: String::new(), mathml: String::new(), level: Level::Sum };
+    for (i, (negative, part)) in parts.into_iter().enumerate() {
+        if single && !negative {
+            return part;
+        }
+        let part = if negative { part.at_least(Level::Product) } else { part };
+        let (sign, mark) = match (i, negative) {
+            (0, false) => ("", ""),
+            (0, true) => ("-", "<mo>−</mo>"),
+            (_, false) => (" + ", "<mo>+</mo>"),
+            (_, true) => (" - ", "<mo>−</mo>"),
+        };
+        out.text += &format!("{sign}{}", part.text);
+        out.latex += &format!("{sign}{}", part.latex);
+        out.mathml += &format!("{mark}{}", part.mathml);
+    }
+    out
+}
+
+fn product(factors: Vec<Printed>) -> Printed {
+    let mut factors = factors.into_iter();
+    let Some(first) = factors.next() else { return Printed::number(1.0) };
+    let Some(second) = factors.next() else { return first };
+    let mut out = first.at_least(Level::Product);
+    for factor in std::iter::once(second).chain(factors) {
+        let factor = factor.at_least(Level::Power);
+        out.text += &format!("*{}", factor.text);
+        out.latex += &format!(" \\, {}", factor.latex);
+        out.mathml += &format!("<mo>&#x2062;</mo>{}", factor.mathml);
+    }
+    out.level = Level::Product;
+    out
+}
+
+fn quotient(top: Printed, bottom: Vec<Printed>) -> Printed {
+    if bottom.is_empty() {
+        return top;
+    }
+    let bottom = product(bottom);
+    Printed {
+        latex: format!("\\frac{{{}}}{{{}}}", top.latex, bottom.latex),
+        mathml: format!("<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>", top.mathml, bottom.mathml),
+        text: format!("{}/{}", top.at_least(Level::Product).text, bottom.at_least(Level::Power).text),
+        level: Level::Product,
+    }
+}
+
+fn raise(base: Printed, n: i32) -> Printed {
+    let base = base.at_least(Level::Atom);
+    Printed {
+        text: format!("{}^{n}", base.text),
+        latex: format!("{{{}}}^{{{n}}}", base.latex),
+        mathml: format!("<msup><mrow>{}</mrow><mn>{n}</mn></msup>", base.mathml),
+        level: Level::Power,
+    }
+}
+
+fn call(function: Function, power: Option<i32>, arguments: Vec<Printed>) -> Printed {
+    let name = function.name();
+    let list = |part: fn(&Printed) -> &String, separator: &str| {
+        arguments.iter().map(|a| part(a).clone()).collect::<Vec<_>>().join(separator)
+    };
+    let (text, latex, mathml) = (list(|a| &a.text, ", "), list(|a| &a.latex, ", "), list(|a| &a.mathml, "<mo>,</mo>"));
+    if function == Function::Sqrt {
+        return Printed::atom(
+            format!("sqrt({text})"),
+            format!("\\sqrt{{{latex}}}"),
+            format!("<msqrt><mrow>{mathml}</mrow></msqrt>"),
+        );
+    }
+    let bare = arguments.iter().all(|a| a.level == Level::Atom);
+    let latex = if bare { format!("{{{latex}}}") } else { format!("\\left({latex}\\right)") };
+    let mathml = if bare { mathml } else { format!("<mrow><mo>(</mo>{mathml}<mo>)</mo></mrow>") };
+    let latex_name = match function {
+        Function::Sin | Function::Cos | Function::Tan | Function::Exp | Function::Ln | Function::Tanh | Function::Min | Function::Max => {
+            format!("\\{name}")
+        }
+        _ => format!("\\operatorname{{{name}}}"),
+    };
+    let exponent = power.map(|n| format!("^{{{n}}}")).unwrap_or_default();
+    let mathml_name = match power {
+        Some(n) => format!("<msup><mi>{name}</mi><mn>{n}</mn></msup>"),
+        None => format!("<mi>{name}</mi>"),
+    };
+    Printed {
+        text: power.map_or_else(|| format!("{name}({text})"), |n| format!("{name}({text})^{n}")),
+        latex: format!("{latex_name}{exponent}{latex}"),
+        mathml: format!("<mrow>{mathml_name}<mo>&#x2061;</mo>{mathml}</mrow>"),
+        level: Level::Power,
+    }
+}

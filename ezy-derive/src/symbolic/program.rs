@@ -1,0 +1,263 @@
+//! Straight-line programs: what a kernel computes, operation by operation.
+
+use std::collections::HashMap;
+
+use super::function::Function;
+use super::sum::Symbol;
+
+/// Index of a node; operands always come before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(pub usize);
+
+/// One operation or input.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Node {
+    Input(Symbol),
+    /// Entry of the vector of constants.
+    Constant(usize),
+    /// Bits of a non-negative number.
+    Literal(u64),
+    Add(NodeId, NodeId),
+    Sub(NodeId, NodeId),
+    Mul(NodeId, NodeId),
+    Div(NodeId, NodeId),
+    Neg(NodeId),
+    Sin(NodeId),
+    Cos(NodeId),
+    Call(Function, Vec<NodeId>),
+}
+
+/// A node or its negative. Signs travel to the outputs, where most of them vanish into subtractions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Value {
+    pub node: NodeId,
+    pub negative: bool,
+}
+
+impl Value {
+    #[must_use]
+    pub fn neg(self) -> Self {
+        Self { node: self.node, negative: !self.negative }
+    }
+}
+
+/// Nodes in order, shared: the same operation on the same operands is one node.
+#[derive(Debug, Default)]
+pub struct Program {
+    nodes: Vec<Node>,
+    ids: HashMap<Node, NodeId>,
+    names: HashMap<NodeId, String>,
+    outputs: Vec<Value>,
+}
+
+/// Operations of a program, counted as emitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Count {
+    pub add: usize,
+    pub mul: usize,
+    pub div: usize,
+    pub trig: usize,
+    pub calls: usize,
+}
+
+impl Program {
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.0]
+    }
+
+    /// Name for a temporary, if it was given one.
+    pub fn name(&self, id: NodeId) -> Option<&str> {
+        self.names.get(&id).map(String::as_str)
+    }
+
+    /// Names the temporary that holds a value; the first name stays.
+    pub fn set_name(&mut self, value: Value, name: &str) {
+        self.names.entry(value.node).or_insert_with(|| name.to_owned());
+    }
+
+    pub fn outputs(&self) -> &[Value] {
+        &self.outputs
+    }
+
+    pub fn push_output(&mut self, value: Value) {
+        self.outputs.push(value);
+    }
+
+    pub fn literal(&mut self, x: f64) -> Value {
+        let node = self.intern(Node::Literal(x.abs().to_bits()));
+        Value { node, negative: x < 0.0 }
+    }
+
+    pub fn leaf(&mut self, node: Node) -> Value {
+        Value { node: self.intern(node), negative: false }
+    }
+
+    pub fn is_zero(&self, x: Value) -> bool {
+        self.is_literal(x, 0.0)
+    }
+
+    pub fn add(&mut self, a: Value, b: Value) -> Value {
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
+        }
+        if a.node == b.node && a.negative != b.negative {
+            return self.literal(0.0);
+        }
+        match (a.negative, b.negative) {
+            (false, true) => self.sub_nodes(a.node, b.node),
+            (true, false) => self.sub_nodes(b.node, a.node),
+            (negative, _) => {
+                let (x, y) = ordered(a.node, b.node);
+                Value { node: self.intern(Node::Add(x, y)), negative }
+            }
+        }
+    }
+
+    pub fn sub(&mut self, a: Value, b: Value) -> Value {
+        self.add(a, b.neg())
+    }
+
+    pub fn mul(&mut self, a: Value, b: Value) -> Value {
+        let negative = a.negative != b.negative;
+        if self.is_zero(a) || self.is_literal(b, 1.0) {
+            return Value { node: a.node, negative };
+        }
+        if self.is_zero(b) || self.is_literal(a, 1.0) {
+            return Value { node: b.node, negative };
+        }
+        let (x, y) = ordered(a.node, b.node);
+        Value { node: self.intern(Node::Mul(x, y)), negative }
+    }
+
+    pub fn div(&mut self, a: Value, b: Value) -> Value {
+        let negative = a.negative != b.negative;
+        if self.is_zero(a) || self.is_literal(b, 1.0) {
+            return Value { node: a.node, negative };
+        }
+        Value { node: self.intern(Node::Div(a.node, b.node)), negative }
+    }
+
+    pub fn call(&mut self, function: Function, arguments: &[Value]) -> Value {
+        let arguments = arguments.iter().map(|&x| self.positive(x)).collect();
+        self.leaf(Node::Call(function, arguments))
+    }
+
+    /// The node that holds the value with its sign.
+    pub fn positive(&mut self, x: Value) -> NodeId {
+        if x.negative && !self.is_zero(x) { self.intern(Node::Neg(x.node)) } else { x.node }
+    }
+
+    /// Turns signed outputs into plain ones: swaps a subtraction that nothing else uses, else negates.
+    pub fn settle_signs(&mut self) {
+        for i in 0..self.outputs.len() {
+            let output = self.outputs[i];
+            if !output.negative {
+                continue;
+            }
+            if self.is_zero(output) || self.flip(output.node) {
+                self.outputs[i].negative = false;
+            } else {
+                let node = self.intern(Node::Neg(output.node));
+                self.outputs[i] = Value { node, negative: false };
+            }
+        }
+    }
+
+    /// Nodes that the outputs need, in order.
+    pub fn live(&self) -> Vec<NodeId> {
+        let uses = self.uses();
+        (0..self.nodes.len()).map(NodeId).filter(|id| uses[id.0] > 0).collect()
+    }
+
+    /// How often each node is used by live nodes and outputs.
+    pub fn uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.nodes.len()];
+        for output in &self.outputs {
+            uses[output.node.0] += 1;
+        }
+        for i in (0..self.nodes.len()).rev() {
+            if uses[i] > 0 {
+                for operand in self.nodes[i].operands() {
+                    uses[operand.0] += 1;
+                }
+            }
+        }
+        uses
+    }
+
+    pub fn count(&self) -> Count {
+        let live = self.live();
+        let mut count = Count::default();
+        for &id in &live {
+            match self.node(id) {
+                Node::Add(..) | Node::Sub(..) | Node::Neg(_) => count.add += 1,
+                Node::Mul(..) => count.mul += 1,
+                Node::Div(..) => count.div += 1,
+                Node::Sin(angle) => {
+                    let paired = self.ids.get(&Node::Cos(*angle)).is_some_and(|cos| live.binary_search(cos).is_ok());
+                    count.trig += usize::from(!paired);
+                }
+                Node::Cos(_) => count.trig += 1,
+                Node::Call(..) => count.calls += 1,
+                Node::Input(_) | Node::Constant(_) | Node::Literal(_) => {}
+            }
+        }
+        count
+    }
+
+    /// Changes the sign of a node in place where that costs nothing and nothing else sees it.
+    fn flip(&mut self, id: NodeId) -> bool {
+        if self.uses()[id.0] != 1 {
+            return false;
+        }
+        match *self.node(id) {
+            Node::Sub(a, b) => {
+                self.nodes[id.0] = Node::Sub(b, a);
+                true
+            }
+            Node::Mul(a, b) => self.flip(b) || self.flip(a),
+            Node::Div(a, _) => self.flip(a),
+            _ => false,
+        }
+    }
+
+    fn sub_nodes(&mut self, a: NodeId, b: NodeId) -> Value {
+        if let Some(&node) = self.ids.get(&Node::Sub(b, a)) {
+            return Value { node, negative: true };
+        }
+        Value { node: self.intern(Node::Sub(a, b)), negative: false }
+    }
+
+    fn is_literal(&self, x: Value, number: f64) -> bool {
+        self.nodes[x.node.0] == Node::Literal(number.to_bits())
+    }
+
+    fn intern(&mut self, node: Node) -> NodeId {
+        if let Some(&id) = self.ids.get(&node) {
+            return id;
+        }
+        let id = NodeId(self.nodes.len());
+        self.nodes.push(node.clone());
+        self.ids.insert(node, id);
+        id
+    }
+}
+
+impl Node {
+    /// The nodes that this one reads.
+    pub fn operands(&self) -> Vec<NodeId> {
+        match self {
+            Self::Input(_) | Self::Constant(_) | Self::Literal(_) => Vec::new(),
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![*a, *b],
+            Self::Neg(a) | Self::Sin(a) | Self::Cos(a) => vec![*a],
+            Self::Call(_, arguments) => arguments.clone(),
+        }
+    }
+}
+
+fn ordered(a: NodeId, b: NodeId) -> (NodeId, NodeId) {
+    if a <= b { (a, b) } else { (b, a) }
+}

@@ -9,6 +9,7 @@
 pub mod dynamics;
 pub mod integrate;
 pub mod linalg;
+pub mod kernel;
 pub mod model;
 pub mod record;
 pub mod report;

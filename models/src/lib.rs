@@ -1,1 +1,3 @@
 //! The models of EZY.
+
+pub mod vehicles;

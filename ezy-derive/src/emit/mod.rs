@@ -1,6 +1,5 @@
 //! From equations to Rust items. Nothing here can fail, and nothing here does algebra.
 
-mod case;
 mod constants;
 mod info;
 mod kernel;
@@ -10,19 +9,20 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::mechanics::Equations;
-use crate::model::{EffectId, Model};
+use crate::model::case::{camel_case, snake_case};
+use crate::model::{EffectId, Model, Scene};
 
 /// The module of a model: one type for each scene, and the description of all of them.
 pub fn model(model: &Model) -> TokenStream {
     let visibility = &model.visibility;
-    let module = Ident::new(&case::snake(&model.name.to_string()), model.name.span());
+    let module = Ident::new(&snake_case(&model.name.to_string()), model.name.span());
     let name = model.name.to_string();
     let documentation = &model.documentation;
     let all: Vec<_> = (0..model.effects.len()).map(|i| Some(EffectId(i))).collect();
     let effects = info::effects(model, &all);
     let scenes = model.scenes.iter().map(|scene| scene::items(model, scene, Equations::derive(model, scene)));
     let entries = model.scenes.iter().map(|scene| {
-        let type_name = case::scene_type(scene);
+        let type_name = scene_type(scene);
         quote! {
             ::ezy_core::model::SceneEntry {
                 info: &#type_name::INFO,
@@ -44,4 +44,9 @@ pub fn model(model: &Model) -> TokenStream {
             #(#scenes)*
         }
     }
+}
+
+/// Type of a scene, at the span of its name in the model file.
+fn scene_type(scene: &Scene) -> Ident {
+    Ident::new(&camel_case(&scene.name.to_string()), scene.name.span())
 }

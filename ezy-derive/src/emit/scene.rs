@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::kernel::{self, Body};
-use super::{case, constants, info};
+use super::{constants, info, scene_type};
 use crate::mechanics::Equations;
 use crate::mechanics::solve::{self, Correction, Solver};
 use crate::model::{Model, Scene};
@@ -22,7 +22,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> TokenStr
     let constants = constants::statements(model, &equations.algebra.coefficients, &pool);
     let emitted = info::Emitted { accelerations: &accelerations, correction: &correction, n_constants };
     let info = info::scene(model, scene, &equations, &emitted);
-    let type_name = case::scene_type(scene);
+    let type_name = scene_type(scene);
     let structure = structure(model, scene, &equations, &type_name, &accelerations);
     let (parameter, set_parameter) = parameter_access(model, &equations);
     quote! {

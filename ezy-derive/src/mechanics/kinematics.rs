@@ -1,7 +1,7 @@
 //! Positions, directions and velocities of points fixed to bodies.
 
 use super::expression::Writer;
-use crate::model::{Component, Direction, Place};
+use crate::model::{BodyId, Component, Direction, Place};
 use crate::symbolic::{SumId, Symbol};
 
 /// Components along the ground's axes.
@@ -23,12 +23,6 @@ impl Writer<'_> {
     /// Velocity of a place, m/s.
     pub fn velocity(&mut self, place: &Place) -> Vector {
         self.position(place).map(|x| self.time_derivative(x))
-    }
-
-    /// A direction along the ground's axes; its length is that of the declared components.
-    pub fn direction(&mut self, direction: &Direction) -> Vector {
-        let local = [self.write(&direction.x), self.write(&direction.y)];
-        self.turned(local, direction.body)
     }
 
     /// A direction scaled to length one.
@@ -62,7 +56,7 @@ impl Writer<'_> {
         self.algebra.total(&parts)
     }
 
-    fn turned(&mut self, local: Vector, body: Option<crate::model::BodyId>) -> Vector {
+    fn turned(&mut self, local: Vector, body: Option<BodyId>) -> Vector {
         let Some(body) = body else { return local };
         let angle = self.symbols.coordinate(body, Component::Phi);
         let angle = self.algebra.symbol(angle);

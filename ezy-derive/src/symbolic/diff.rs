@@ -129,19 +129,6 @@ impl Algebra {
         let second = self.mul(growth, rates[1]);
         self.add(first, second)
     }
-
-    /// The sum with every symbol of `list` set to zero; exact for sums that are linear in them.
-    pub fn without(&mut self, a: SumId, list: &[Symbol]) -> SumId {
-        let kept: Vec<_> = self
-            .terms(a)
-            .iter()
-            .copied()
-            .filter(|&(monomial, _)| {
-                !self.monomial(monomial).iter().any(|&(atom, _)| matches!(self.atom(atom), Atom::Symbol(s) if list.contains(s)))
-            })
-            .collect();
-        self.sum(kept)
-    }
 }
 
 /// Derivative of a sine or cosine that was not split into [`Atom::Sin`] and [`Atom::Cos`].

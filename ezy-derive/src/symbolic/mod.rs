@@ -20,6 +20,5 @@ pub mod program;
 pub mod spelling;
 pub mod sum;
 
-pub use coefficient::Coefficient;
 pub use function::Function;
 pub use sum::{Algebra, SumId, Symbol};

@@ -8,8 +8,8 @@
 
 pub mod dynamics;
 pub mod integrate;
-pub mod linalg;
 pub mod kernel;
+pub mod linalg;
 pub mod model;
 pub mod record;
 pub mod report;

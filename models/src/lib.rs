@@ -1,3 +1,5 @@
 //! The models of EZY.
 
 pub mod vehicles;
+
+pub use vehicles::ezy_roller::ezy_roller;

@@ -211,11 +211,7 @@ impl Emitter<'_> {
         let Body { statements, outputs } = self.lowered(&sums);
         let gives = self.equations.start.iter().zip(outputs).map(|(given, value)| {
             let i = given.index;
-            if given.rate {
-                quote!(start.give_velocity(#i, #value);)
-            } else {
-                quote!(start.give_position(#i, #value);)
-            }
+            if given.rate { quote!(start.give_velocity(#i, #value);) } else { quote!(start.give_position(#i, #value);) }
         });
         quote!(#statements #(#gives)*)
     }

@@ -56,9 +56,8 @@ impl System<'_> {
 
     /// The block with the fewest couplings to others (minimum degree); the first of several.
     fn least_coupled(&self, blocks: &[Vec<usize>]) -> usize {
-        let coupled = |a: &[usize], b: &[usize]| {
-            a.iter().any(|&i| b.iter().any(|&j| !self.program.is_zero(self.matrix[i][j])))
-        };
+        let coupled =
+            |a: &[usize], b: &[usize]| a.iter().any(|&i| b.iter().any(|&j| !self.program.is_zero(self.matrix[i][j])));
         let degree = |i: usize| (0..blocks.len()).filter(|&j| j != i && coupled(&blocks[i], &blocks[j])).count();
         (0..blocks.len()).min_by_key(|&i| (degree(i), i)).unwrap_or(0)
     }

@@ -72,7 +72,14 @@ impl Reduced {
                 }
             }
             let couplings = left.iter().map(|&j| (j, matrix[row][j])).filter(|(_, a)| !a.is_zero()).collect();
-            steps.push(ConstantStep { row, pivot, diagonal: diagonal[row], right_side: right_side[row], symbol, couplings });
+            steps.push(ConstantStep {
+                row,
+                pivot,
+                diagonal: diagonal[row],
+                right_side: right_side[row],
+                symbol,
+                couplings,
+            });
         }
         let multipliers: Vec<Symbol> = (0..n)
             .map(|row| {

@@ -126,9 +126,7 @@ fn candidates(algebra: &Algebra, terms: &[Term]) -> Vec<Candidate> {
     coefficients.retain(|(_, n)| *n > 1);
     atoms.retain(|(_, n)| *n > 1);
     coefficients.sort_by_key(|&(id, n)| (std::cmp::Reverse(n), id));
-    atoms.sort_by_key(|&((atom, n), uses)| {
-        (std::cmp::Reverse(uses), !algebra.is_trigonometric_atom(atom), atom, n)
-    });
+    atoms.sort_by_key(|&((atom, n), uses)| (std::cmp::Reverse(uses), !algebra.is_trigonometric_atom(atom), atom, n));
     let coefficients = coefficients.into_iter().map(|(id, _)| Candidate::Coefficient(id));
     let atoms = atoms.into_iter().map(|((atom, n), _)| Candidate::Atom(atom, n));
     coefficients.chain(atoms).collect()

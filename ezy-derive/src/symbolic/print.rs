@@ -102,9 +102,7 @@ impl<N: Names> Printer<'_, N> {
             Atom::Symbol(symbol) => self.names.symbol(*symbol),
             Atom::Sin(angle) => call(Function::Sin, None, vec![self.sum(*angle)]),
             Atom::Cos(angle) => call(Function::Cos, None, vec![self.sum(*angle)]),
-            Atom::Call(function, arguments) => {
-                call(*function, None, arguments.iter().map(|&x| self.sum(x)).collect())
-            }
+            Atom::Call(function, arguments) => call(*function, None, arguments.iter().map(|&x| self.sum(x)).collect()),
             Atom::Group(sum) => self.sum(*sum).in_parentheses(),
         };
         if n == 1 { base } else { raise(base, n) }
@@ -226,7 +224,14 @@ fn call(function: Function, power: Option<i32>, arguments: Vec<Printed>) -> Prin
     let latex = if bare { format!("{{{latex}}}") } else { format!("\\left({latex}\\right)") };
     let mathml = if bare { mathml } else { format!("<mrow><mo>(</mo>{mathml}<mo>)</mo></mrow>") };
     let latex_name = match function {
-        Function::Sin | Function::Cos | Function::Tan | Function::Exp | Function::Ln | Function::Tanh | Function::Min | Function::Max => {
+        Function::Sin
+        | Function::Cos
+        | Function::Tan
+        | Function::Exp
+        | Function::Ln
+        | Function::Tanh
+        | Function::Min
+        | Function::Max => {
             format!("\\{name}")
         }
         _ => format!("\\operatorname{{{name}}}"),

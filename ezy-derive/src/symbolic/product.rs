@@ -25,11 +25,8 @@ impl Algebra {
             let inverse = self.coefficients.div(Coefficient::ONE, k);
             let mut terms = self.terms(a).clone();
             for (_, factor) in &mut terms {
-                *factor = if factor.is_unit() && !factor.negative {
-                    inverse
-                } else {
-                    self.coefficients.div(*factor, k)
-                };
+                *factor =
+                    if factor.is_unit() && !factor.negative { inverse } else { self.coefficients.div(*factor, k) };
             }
             return self.sum(terms);
         }

@@ -1,5 +1,3 @@
-//! Vehicles.
+//! Vehicles, one model a file.
 
-mod ezy_roller;
-
-pub use ezy_roller::ezy_roller;
+pub mod ezy_roller;

@@ -59,20 +59,22 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let (t, n_h, tolerance) = (start.t, self.info.n_position_rows, position_tolerance(q));
         let mut trial = q.to_vec();
         let mut norm = self.position_residual(t, q);
+        let mut length = self.residual_length(n_h);
         for _ in 0..MAX_PASSES {
             if norm <= tolerance {
                 return Ok(());
             }
             let Some(step) = self.free_correction(t, q, n_h, &start.q_given) else { break };
-            // the step that brings |C| to the tolerance usually goes on to rounding: Newton converges quadratically
+            // a least-squares step shortens the vector of residuals, not always the largest of them
             let mut fraction = 1.0;
             let mut improved = false;
             for _ in 0..MAX_HALVINGS {
                 trial.iter_mut().zip(q.iter()).zip(&step).for_each(|((x, q), s)| *x = q + fraction * s);
                 let trial_norm = self.position_residual(t, &trial);
-                if trial_norm < norm {
+                let trial_length = self.residual_length(n_h);
+                if trial_length < length {
                     q.copy_from_slice(&trial);
-                    norm = trial_norm;
+                    (norm, length) = (trial_norm, trial_length);
                     improved = true;
                     break;
                 }
@@ -93,6 +95,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     fn assemble_velocities(&mut self, start: &Start, q: &[f64], v: &mut [f64]) -> Result<(), StartError> {
         let (t, n_c) = (start.t, self.info.n_rows());
         let mut norm = self.velocity_residual(t, q, v);
+        let mut length = self.residual_length(n_c);
         let mut trial = v.to_vec();
         // the rows are linear in v: one solve, and a second one that removes its rounding
         for _ in 0..2 {
@@ -102,11 +105,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
             let Some(step) = self.free_correction(t, q, n_c, &start.v_given) else { break };
             trial.iter_mut().zip(v.iter()).zip(&step).for_each(|((x, v), s)| *x = v + s);
             let trial_norm = self.velocity_residual(t, q, &trial);
-            if trial_norm.is_nan() || trial_norm >= norm {
+            let trial_length = self.residual_length(n_c);
+            if trial_length.is_nan() || trial_length >= length {
                 break;
             }
             v.copy_from_slice(&trial);
-            norm = trial_norm;
+            (norm, length) = (trial_norm, trial_length);
         }
         let tolerance = velocity_tolerance(v);
         if norm <= tolerance {
@@ -144,6 +148,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
             step[column] = -x / root_weight[column];
         }
         Some(step)
+    }
+
+    /// Euclidean length of the first residuals in the buffer.
+    fn residual_length(&self, n_rows: usize) -> f64 {
+        self.buffers.residual[..n_rows].iter().map(|r| r * r).sum::<f64>().sqrt()
     }
 
     /// Names the rows whose residual in the buffer exceeds the tolerance.

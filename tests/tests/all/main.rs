@@ -2,6 +2,17 @@
 
 mod scenes;
 
+mod backends;
 mod exact_start;
+mod massless;
+mod order;
+mod projection;
+mod rank;
+mod recording;
 mod self_check;
+mod setup;
+mod start;
+mod straight_and_locked;
+mod symmetries;
 mod trajectories;
+mod work;

@@ -1,0 +1,78 @@
+//! Orders that cannot be carried out, each with its message; runs that stop on the way.
+
+use crate::scenes::{Case, driven, set};
+use ezy_core::dynamics::MotionError;
+use ezy_core::prelude::*;
+use ezy_core::simulate::StopReason;
+
+fn message(change: impl for<'s> Fn(Simulation<'s, dyn Scene + 's>) -> Simulation<'s, dyn Scene + 's>) -> String {
+    let case = driven().remove(0);
+    change(Simulation::new(&*case.scene)).run().unwrap_err().to_string()
+}
+
+fn message_with(parameter: &str, value: f64) -> String {
+    let mut case = driven().remove(0);
+    set(&mut *case.scene, &[(parameter, value)]);
+    Simulation::new(&*case.scene).run().unwrap_err().to_string()
+}
+
+#[test]
+fn invariant_bad_steps_are_refused() {
+    for (step, text) in [(-1.0, "-1 s"), (0.0, "0 s"), (f64::NAN, "NaN s"), (f64::INFINITY, "inf s")] {
+        let error = message(|s| s.method(Method::rk4(step)));
+        assert_eq!(error, format!("the step is {text}; give a positive step"));
+    }
+    let error = message(|s| s.method(Method::rk4(1e-12)));
+    assert!(error.starts_with("6.0e13 steps of 0.000000000001 s") && error.contains("larger step"), "{error}");
+}
+
+#[test]
+fn invariant_bad_ends_and_intervals_are_refused() {
+    for end in [f64::NAN, f64::INFINITY, -1.0] {
+        let error = message(|s| s.until(end));
+        assert!(error.starts_with(&format!("the run is to end at {end} s but starts at 0 s")), "{error}");
+    }
+    for every in [f64::NAN, 0.0, -0.1] {
+        let error = message(|s| s.every(every));
+        assert!(error.starts_with(&format!("the recording interval is {every} s")), "{error}");
+    }
+    assert!(message(|s| s.every(1e-9)).contains("give a longer interval"));
+}
+
+#[test]
+fn invariant_bad_parameters_and_masses_are_named() {
+    assert_eq!(message_with("b", f64::NAN), "parameter `b` is NaN; give it a finite value");
+    assert_eq!(message_with("omega", f64::INFINITY), "parameter `omega` is inf; give it a finite value");
+    assert_eq!(message_with("m1", -1.0), "the mass of body `seat` is -1; it must be zero or positive");
+    assert_eq!(message_with("i2", -0.5), "the inertia of body `bar` is -0.5; it must be zero or positive");
+}
+
+#[test]
+fn invariant_unknown_start_names_come_with_the_nearest() {
+    let error = message(|s| s.give("seat.fi", 1.0));
+    assert!(error.starts_with("start value `seat.fi` is not known (did you mean `seat."), "{error}");
+    assert!(error.contains("known: seat.x, seat.y, seat.phi") && error.contains("bar.omega"), "{error}");
+}
+
+#[test]
+fn invariant_overflow_stops_with_the_last_good_state() {
+    for Case { route, mut scene } in driven() {
+        set(&mut *scene, &[("m0", 1e200)]);
+        let run = Simulation::new(&*scene).every(1e-3).run().unwrap();
+        let Outcome::Stopped { t, reason: StopReason::Motion(reason) } = &run.outcome else {
+            panic!("{route}: {}", run.outcome)
+        };
+        assert!(matches!(reason, MotionError::NotFinite { .. }), "{route}: {reason}");
+        assert_eq!(run.last().t, *t, "{route}");
+        assert!(run.last().numbers().take(13).all(f64::is_finite), "{route}");
+    }
+}
+
+#[test]
+fn invariant_progress_rises_to_one() {
+    for Case { route, scene } in driven() {
+        let mut told = Vec::new();
+        Simulation::new(&*scene).until(1.0).on_progress(|p| told.push(p)).run().unwrap();
+        assert!(told.is_sorted() && told.last() == Some(&1.0) && told.len() == 100, "{route}: {told:?}");
+    }
+}

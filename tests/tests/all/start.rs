@@ -1,0 +1,119 @@
+//! Starts that are given in part.
+
+use crate::scenes::{Case, all, coast, driven};
+use ezy_core::dynamics::StartError;
+use ezy_core::model::Start;
+use ezy_core::prelude::*;
+use ezy_core::simulate::SetupError;
+
+/// What the assembly promises.
+const RESIDUAL: f64 = 1e-12;
+/// Rounding of a mass-weighted product of velocities of order one.
+const ORTHOGONAL: f64 = 1e-12;
+
+#[test]
+fn invariant_start_holds_given_values_to_the_bit() {
+    for Case { route, scene } in coast() {
+        let given = [("seat.x", 0.123456789), ("seat.phi", 0.77), ("bar.phi", -2.1), ("seat.omega", 0.3)];
+        let mut order = Simulation::new(&*scene).until(0.0);
+        for (name, value) in given {
+            order = order.give(name, value);
+        }
+        // the scene's own velocity along x would slip the rear wheel sideways at this heading
+        let (s, c) = 0.77_f64.sin_cos();
+        let run = order.give("seat.vx", c - 0.06 * s).give("seat.vy", s + 0.06 * c).run().unwrap();
+        for (name, value) in given {
+            assert_eq!(run.first().get(name), Ok(value), "{route}: {name}");
+        }
+        assert!(run.first().position_residual <= RESIDUAL, "{route}");
+        assert!(run.first().velocity_residual <= RESIDUAL, "{route}");
+    }
+}
+
+#[test]
+fn invariant_consistent_start_is_not_touched() {
+    for Case { route, scene } in all() {
+        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let state = system.consistent_start(&system.scene_start()).unwrap();
+        let mut free = Start::free(state.q.len());
+        free.q.copy_from_slice(&state.q);
+        free.v.copy_from_slice(&state.v);
+        let again = system.consistent_start(&free).unwrap();
+        assert_eq!((&again.q, &again.v), (&state.q, &state.v), "{route}");
+    }
+}
+
+#[test]
+fn invariant_start_assembles_angles_from_a_far_guess() {
+    for Case { route, scene } in driven() {
+        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut start = Start::free(6);
+        for (i, value) in [(0, 0.0), (1, 0.0), (3, -0.3), (4, 0.55)] {
+            start.give_position(i, value);
+        }
+        let state = system.consistent_start(&start).unwrap();
+        assert!(system.position_residual(state.t, &state.q) <= RESIDUAL, "{route}");
+        assert_eq!([state.q[0], state.q[1], state.q[3], state.q[4]], [0.0, 0.0, -0.3, 0.55], "{route}");
+    }
+}
+
+/// The assembled velocity is the one of least kinetic energy: orthogonal in M to every free motion, in particular to
+/// its own difference from another consistent velocity with the same given values.
+#[test]
+fn analytic_assembled_velocities_have_least_energy() {
+    for Case { route, scene } in driven() {
+        let mut system = System::new(&*scene, Backend::Auto).unwrap();
+        let mut start = system.scene_start();
+        start.give_velocity(5, 1.0);
+        let least = system.consistent_start(&start).unwrap();
+        start.v[0] = 0.4;
+        let other = system.consistent_start(&start).unwrap();
+        assert_ne!(least.v, other.v, "{route}: another guess, another motion");
+        let product: f64 = (0..6).map(|i| system.mass_matrix()[i] * least.v[i] * (other.v[i] - least.v[i])).sum();
+        assert!(product.abs() <= ORTHOGONAL, "{route}: {product:.1e}");
+    }
+}
+
+#[test]
+fn invariant_start_assembles_massless_bodies() {
+    for Case { route, mut scene } in coast() {
+        crate::scenes::set(&mut *scene, &[("m2", 0.0), ("i2", 0.0)]);
+        let run = Simulation::new(&*scene).until(0.0).run().unwrap();
+        let error = (run.first().velocities[5] - 5.0).abs();
+        assert!(error <= RESIDUAL, "{route}: {error:.1e}");
+    }
+}
+
+#[test]
+fn invariant_contradicting_positions_are_named() {
+    for Case { route, scene } in coast() {
+        // the hinge is at 0.8 m, the bar's centre cannot be a metre away
+        let error = Simulation::new(&*scene).give("bar.x", 1.8).run().unwrap_err();
+        let SetupError::Start(StartError::Contradiction { level, rows, residual, held, .. }) = error else {
+            panic!("{route}: {error}")
+        };
+        assert_eq!((level, rows), ("position", vec!["B.x"]), "{route}");
+        assert!((residual - 1.0).abs() <= RESIDUAL, "{route}: {residual}");
+        assert_eq!(held, ["seat.x", "seat.y", "seat.phi", "bar.x", "bar.phi"], "{route}");
+    }
+}
+
+#[test]
+fn invariant_contradicting_velocities_are_named() {
+    for Case { route, scene } in coast() {
+        // the rear wheel cannot slide sideways
+        let error = Simulation::new(&*scene).give("seat.vy", 0.5).run().unwrap_err();
+        let SetupError::Start(StartError::Contradiction { level, rows, .. }) = error else {
+            panic!("{route}: {error}")
+        };
+        assert_eq!((level, rows[0]), ("velocity", "rear"), "{route}");
+    }
+}
+
+#[test]
+fn invariant_start_value_that_is_not_finite_is_named() {
+    for Case { route, scene } in coast() {
+        let error = Simulation::new(&*scene).give("bar.vx", f64::NAN).run().unwrap_err().to_string();
+        assert!(error.contains("`bar.vx` is NaN"), "{route}: {error}");
+    }
+}

@@ -1,7 +1,8 @@
 //! Faults of a model text, collected so that a user sees all faults of a stage at once.
 //!
-//! The wording of every message is in the catalogue below this module: [`syntax`], [`names`], [`rules`].
+//! The wording of every message is in the catalogue below this module: [`syntax`], [`names`], [`rules`], [`equations`].
 
+pub mod equations;
 pub mod names;
 pub mod nearest;
 pub mod rules;

@@ -3,7 +3,8 @@
 use proc_macro2::TokenStream;
 
 use crate::diag::Diagnostics;
-use crate::{emit, model, parse};
+use crate::mechanics::Equations;
+use crate::{emit, mechanics, model, parse};
 
 /// A model file as Rust items, or as compile errors on the words to change.
 pub fn expand(tokens: TokenStream) -> TokenStream {
@@ -15,7 +16,96 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(model) = model::resolve(syntax, &mut diag).filter(|_| diag.is_empty()) else {
         return diag.into_compile_errors();
     };
+    let equations: Vec<Equations> = model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect();
+    if let Some(first) = equations.first() {
+        mechanics::check::rows(&model, first, &mut diag);
+    }
+    if !diag.is_empty() {
+        return diag.into_compile_errors();
+    }
     let mut items = diag.into_compile_errors();
-    items.extend(emit::model(&model));
+    items.extend(emit::model(&model, equations));
     items
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    /// The `model!` text of a model file of this workspace.
+    fn model_text(file: &str) -> TokenStream {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/src").join(file);
+        let source = std::fs::read_to_string(path).expect("the model file is there");
+        let file = syn::parse_file(&source).expect("the model file is Rust");
+        let text = file.items.into_iter().find_map(|item| match item {
+            syn::Item::Macro(item) => Some(item.mac.tokens),
+            _ => None,
+        });
+        text.expect("the file holds a model")
+    }
+
+    fn expanded(file: &str) -> String {
+        prettyplease::unparse(&syn::parse2(expand(model_text(file))).expect("the expansion is Rust"))
+    }
+
+    /// `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the file anew.
+    #[test]
+    fn regress_expansion_of_the_ezy_roller_is_unchanged() {
+        let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/answers/expanded/ezy_roller.rs");
+        let now = expanded("vehicles/ezy_roller.rs");
+        if std::env::var_os("UPDATE_GOLDEN").is_some() {
+            std::fs::write(&golden, &now).expect("the golden file can be written");
+        }
+        let before = std::fs::read_to_string(&golden).unwrap_or_default();
+        assert!(now == before, "the expansion changed; see {} and UPDATE_GOLDEN", golden.display());
+    }
+
+    /// Messages for a model with the given rows between a body `one`, a body `two` and the ground.
+    fn messages(rows: &str) -> String {
+        let text = format!(
+            "model Trial {{ param a: m = 1.0; param b: m = 2.0; body one {{ mass: 1, inertia: 1 }} \
+             body two {{ mass: 1, inertia: 1 }} {rows} start s {{ at rest; }} scene run {{ start s; until 1 s; }} }}"
+        );
+        expand(text.parse().expect("the text has tokens")).to_string()
+    }
+
+    #[test]
+    fn analytic_row_that_repeats_others_is_named() {
+        let found = messages("skate left: at one(a, b) along one(1, 0); skate right: at one(a, -b) along one(1, 0);");
+        assert!(found.contains("row `right` repeats what `left` already demands"), "{found}");
+        let found = messages("hinge P: one(a, 0) ~ two(0, 0); hinge Q: one(a, 0) ~ two(0, 0);");
+        assert!(found.contains("row `Q.x` repeats what `P.x` already demands"), "{found}");
+    }
+
+    #[test]
+    fn analytic_more_rows_than_coordinates_are_counted() {
+        let rows = "hinge P: ground(0, 0) ~ one(a, 0); hinge Q: ground(b, 0) ~ one(0, a); hinge R: one(0, 0) ~ two(a, 0); \
+                    hinge S: two(b, 0) ~ ground(0, 1);";
+        assert!(
+            messages(rows).contains("constraint rows but only 6 coordinates") || messages(rows).contains("repeats")
+        );
+    }
+
+    #[test]
+    fn analytic_independent_rows_are_accepted() {
+        let found = messages(
+            "hinge P: ground(0, 0) ~ one(a, 0); hinge Q: one(0, b) ~ two(0, 0); skate s: at two(b, 0) along two(1, 0);",
+        );
+        assert!(!found.contains("compile_error"), "{found}");
+    }
+
+    #[test]
+    fn invariant_expansion_is_the_same_twice() {
+        assert_eq!(expanded("vehicles/ezy_roller.rs"), expanded("vehicles/ezy_roller.rs"));
+    }
+
+    #[test]
+    fn invariant_scene_without_an_effect_has_no_cosine_of_time() {
+        let code = expanded("vehicles/ezy_roller.rs");
+        let coast = code.split("for Coast {").nth(2).and_then(|rest| rest.split("pub struct").next());
+        let coast = coast.expect("the scene `coast` is emitted");
+        assert!(coast.contains("fn accelerations") && !coast.contains("cos(product"), "{coast}");
+    }
 }

@@ -39,7 +39,10 @@ impl Writer<'_> {
         let value = match self.program.node(id) {
             Node::Constant(_) | Node::Literal(_) => return TokenStream::new(),
             Node::Input(symbol) => match self.symbols.meaning(*symbol) {
-                Meaning::Time => quote!(t),
+                Meaning::Time => {
+                    self.names.insert(id, Ident::new("t", Span::call_site()));
+                    return TokenStream::new();
+                }
                 Meaning::Coordinate(i) => quote!(q[#i]),
                 Meaning::Velocity(i) => quote!(v[#i]),
                 Meaning::Named(_) => other(*symbol),
@@ -92,7 +95,7 @@ impl Writer<'_> {
     }
 
     fn suggestion(&self, id: NodeId) -> String {
-        if let Some(name) = self.program.name(id).filter(|name| !name.is_empty()) {
+        if let Some(name) = self.program.name(id) {
             return name.to_owned();
         }
         let kind = match self.program.node(id) {
@@ -137,7 +140,7 @@ impl Writer<'_> {
 }
 
 /// Arguments of kernels, which temporaries must not shadow.
-const RESERVED: [&str; 9] = ["c", "q", "v", "a", "m", "lambda", "residual", "delta", "out"];
+const RESERVED: [&str; 10] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out"];
 
 /// A call of a function of the model language.
 pub fn call(function: Function, arguments: &[TokenStream]) -> TokenStream {

@@ -13,14 +13,14 @@ use crate::model::case::{camel_case, snake_case};
 use crate::model::{EffectId, Model, Scene};
 
 /// The module of a model: one type for each scene, and the description of all of them.
-pub fn model(model: &Model) -> TokenStream {
+pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
     let visibility = &model.visibility;
     let module = Ident::new(&snake_case(&model.name.to_string()), model.name.span());
     let name = model.name.to_string();
     let documentation = &model.documentation;
     let all: Vec<_> = (0..model.effects.len()).map(|i| Some(EffectId(i))).collect();
     let effects = info::effects(model, &all);
-    let scenes = model.scenes.iter().map(|scene| scene::items(model, scene, Equations::derive(model, scene)));
+    let scenes = model.scenes.iter().zip(equations).map(|(scene, equations)| scene::items(model, scene, equations));
     let entries = model.scenes.iter().map(|scene| {
         let type_name = scene_type(scene);
         quote! {

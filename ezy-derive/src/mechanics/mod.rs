@@ -4,9 +4,10 @@
 //! derived from those by the symbolic engine: Jacobians, convective terms, generalised forces, power, and the
 //! elimination. Only what the scene calls for is ever written down.
 
-pub mod block;
-pub mod constraints;
-pub mod elimination;
+mod block;
+pub mod check;
+mod constraints;
+mod elimination;
 mod expression;
 mod forces;
 mod kinematics;

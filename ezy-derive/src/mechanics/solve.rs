@@ -3,7 +3,6 @@
 use super::block::{Solved, System};
 use super::elimination::Reduced;
 use super::scene::Equations;
-use super::symbols::Meaning;
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::{Program, Value};
@@ -124,10 +123,7 @@ fn lower(
     let blocks = blocks(equations, reduced);
     let thresholds = thresholds(equations, reduced, &blocks);
     let symbols = &equations.symbols;
-    let name_of = |symbol: Symbol| match symbols.meaning(symbol) {
-        Meaning::Named(_) => symbols.code_name(symbol),
-        _ => String::new(),
-    };
+    let name_of = |symbol: Symbol| symbols.code_name(symbol);
     let mut lowering = Lowering::new(&equations.algebra, constants);
     for &(symbol, force) in named {
         let value = lowering.lower(force);

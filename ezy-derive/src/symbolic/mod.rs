@@ -10,6 +10,7 @@
 pub mod call;
 pub mod coefficient;
 pub mod diff;
+pub mod evaluate;
 mod fingerprint;
 pub mod function;
 pub mod lower;
@@ -19,6 +20,8 @@ pub mod product;
 pub mod program;
 pub mod spelling;
 pub mod sum;
+#[cfg(test)]
+mod tests;
 
 pub use function::Function;
 pub use sum::{Algebra, SumId, Symbol};

@@ -70,9 +70,10 @@ impl Program {
         self.names.get(&id).map(String::as_str)
     }
 
-    /// Names the temporary that holds a value; the first name stays.
+    /// Names the temporary that holds a value or its negative; the first name stays.
     pub fn set_name(&mut self, value: Value, name: &str) {
-        self.names.entry(value.node).or_insert_with(|| name.to_owned());
+        let name = if value.negative { format!("minus_{name}") } else { name.to_owned() };
+        self.names.entry(value.node).or_insert(name);
     }
 
     pub fn outputs(&self) -> &[Value] {

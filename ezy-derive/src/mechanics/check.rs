@@ -1,0 +1,120 @@
+//! Rules that need the equations: rows that restrict nothing, rows that repeat others, more rows than coordinates.
+//!
+//! Dependence is decided at random states with random parameters, so what is found holds for all of them.
+
+use super::scene::Equations;
+use super::symbols::{Meaning, Symbols};
+use crate::diag::{Diagnostics, equations as message};
+use crate::model::Model;
+use crate::symbolic::Symbol;
+use crate::symbolic::evaluate::Point;
+
+/// Random states at which rows are compared.
+const SAMPLES: u64 = 3;
+
+/// A row counts as dependent when elimination leaves less than this part of it: rounding leaves 1e-15 per row,
+/// random independent rows keep 1e-3.
+const DEPENDENT: f64 = 1e-9;
+
+/// Reports faulty rows of a model at the words that declare them.
+pub fn rows(model: &Model, equations: &Equations, diag: &mut Diagnostics) {
+    let constraints = &equations.constraints;
+    let mut reported = Vec::new();
+    let (n_q, n_c) = (equations.mass.len(), constraints.rows.len());
+    for (i, row) in constraints.rows.iter().enumerate() {
+        if constraints.jacobian[i].is_empty() {
+            diag.error(message::restricts_nothing(&model.rows[row.family].name, &row.name));
+            reported.push(row.family);
+        }
+    }
+    if n_c > n_q {
+        diag.error(message::too_many_rows(&model.name, n_c, n_q));
+        return;
+    }
+    if !reported.is_empty() {
+        return;
+    }
+    let found: Vec<Vec<(usize, Vec<usize>)>> = (0..SAMPLES).map(|seed| dependent_rows(equations, seed)).collect();
+    for (i, others) in &found[0] {
+        let family = constraints.rows[*i].family;
+        let always = found.iter().all(|sample| sample.iter().any(|(row, _)| row == i));
+        if always && !reported.contains(&family) {
+            let names: Vec<&str> = others.iter().map(|&row| constraints.rows[row].name.as_str()).collect();
+            diag.error(message::dependent(&model.rows[family].name, &constraints.rows[*i].name, &names));
+            reported.push(family);
+        }
+    }
+}
+
+/// Rows that are combinations of earlier ones, with the rows they combine.
+fn dependent_rows(equations: &Equations, seed: u64) -> Vec<(usize, Vec<usize>)> {
+    let state = RandomState { symbols: &equations.symbols, seed };
+    let constraints = &equations.constraints;
+    let n_q = equations.mass.len();
+    let mut basis: Vec<BasisRow> = Vec::new();
+    let mut dependent = Vec::new();
+    for (i, entries) in constraints.jacobian.iter().enumerate() {
+        let mut row = vec![0.0; n_q];
+        for &(column, entry) in entries {
+            row[column] = equations.algebra.evaluate(entry, &state);
+        }
+        let size = largest(&row).1;
+        let mut used = vec![0.0; i];
+        for reduced in &basis {
+            let factor = row[reduced.column] / reduced.row[reduced.column];
+            row.iter_mut().zip(&reduced.row).for_each(|(x, y)| *x -= factor * y);
+            used.iter_mut().zip(&reduced.combination).for_each(|(x, y)| *x += factor * y);
+        }
+        let (column, left) = largest(&row);
+        if left <= DEPENDENT * size {
+            let others = (0..i).filter(|&j| f64::abs(used[j]) > DEPENDENT).collect();
+            dependent.push((i, others));
+            continue;
+        }
+        let mut combination: Vec<f64> = used.iter().map(|x| -x).collect();
+        combination.push(1.0);
+        basis.push(BasisRow { row, column, combination });
+    }
+    dependent
+}
+
+/// A row after elimination, its largest column, and which declared rows it combines.
+struct BasisRow {
+    row: Vec<f64>,
+    column: usize,
+    combination: Vec<f64>,
+}
+
+fn largest(row: &[f64]) -> (usize, f64) {
+    let values = row.iter().map(|x| x.abs()).enumerate();
+    values.fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best })
+}
+
+/// A state that is special in no way.
+struct RandomState<'a> {
+    symbols: &'a Symbols,
+    seed: u64,
+}
+
+impl Point for RandomState<'_> {
+    fn symbol(&self, symbol: Symbol) -> f64 {
+        let offset = match self.symbols.meaning(symbol) {
+            Meaning::Time => 0.1,
+            _ => -1.5,
+        };
+        offset + 3.0 * fraction(self.seed, u64::from(symbol.0))
+    }
+
+    fn parameter(&self, index: usize) -> f64 {
+        0.5 + fraction(self.seed, 1_000_003 + index as u64)
+    }
+}
+
+/// A number in [0, 1) that repeats (SplitMix64, Steele, Lea, Flood 2014).
+fn fraction(seed: u64, index: u64) -> f64 {
+    let mut z = (seed + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ index.wrapping_mul(0xd134_2543_de82_ef95);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^= z >> 31;
+    (z >> 11) as f64 / (1_u64 << 53) as f64
+}

@@ -1,0 +1,3510 @@
+///A seat on a rear wheel, steered and driven by swinging a front bar on its own wheel.
+#[allow(unused_variables, clippy::all, clippy::pedantic)]
+pub mod ezy_roller {
+    /// The model and its scenes.
+    pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {
+        name: "EzyRoller",
+        documentation: "A seat on a rear wheel, steered and driven by swinging a front bar on its own wheel.",
+        effects: &[
+            ::ezy_core::model::EffectInfo {
+                name: "pump",
+                documentation: "The rider swings the bar: a torque between seat and bar.",
+            },
+            ::ezy_core::model::EffectInfo {
+                name: "rolling_resistance",
+                documentation: "Drag of the rear wheel, proportional to its speed.",
+            },
+        ],
+        scenes: &[
+            ::ezy_core::model::SceneEntry {
+                info: &Coast::INFO,
+                new: || ::std::boxed::Box::new(
+                    <Coast as ::core::default::Default>::default(),
+                ),
+            },
+            ::ezy_core::model::SceneEntry {
+                info: &Driven::INFO,
+                new: || ::std::boxed::Box::new(
+                    <Driven as ::core::default::Default>::default(),
+                ),
+            },
+            ::ezy_core::model::SceneEntry {
+                info: &DrivenOnTarmac::INFO,
+                new: || ::std::boxed::Box::new(
+                    <DrivenOnTarmac as ::core::default::Default>::default(),
+                ),
+            },
+        ],
+    };
+    ///No forces: the bar stands across, the seat moves at 1 m/s.
+    ///
+    ///Accelerations and multipliers cost 29 additions, 56 multiplications, 1 divisions and 2 sine–cosine pairs.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Coast {
+        ///rear wheel A, behind the seat's centre of mass (m); default `0.2`.
+        pub a: f64,
+        ///hinge B, ahead of the seat's centre of mass (m); default `0.6`.
+        pub b: f64,
+        ///front wheel C, beyond the bar's centre of mass (m); default `0.1`.
+        pub c: f64,
+        ///bar's centre of mass, beyond the hinge (m); default `0.1`.
+        pub d: f64,
+        ///mass of seat and rider (kg); default `46.0`.
+        pub m1: f64,
+        ///moment of inertia of seat and rider (kg*m^2); default `10.0`.
+        pub i1: f64,
+        ///mass of the bar (kg); default `1.0`.
+        pub m2: f64,
+        ///moment of inertia of the bar (kg*m^2); default `0.005`.
+        pub i2: f64,
+    }
+    impl ::core::default::Default for Coast {
+        fn default() -> Self {
+            Self {
+                a: 0.2f64,
+                b: 0.6f64,
+                c: 0.1f64,
+                d: 0.1f64,
+                m1: 46f64,
+                i1: 10f64,
+                m2: 1f64,
+                i2: 0.005f64,
+            }
+        }
+    }
+    impl Coast {
+        /// What is known of the scene when it is compiled.
+        pub const INFO: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+            model: "EzyRoller",
+            name: "coast",
+            documentation: "No forces: the bar stands across, the seat moves at 1 m/s.",
+            bodies: &["seat", "bar"],
+            coordinates: &[
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.x",
+                    velocity_name: "seat.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.x",
+                        latex: "x_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vx",
+                        latex: "\\dot{x}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.y",
+                    velocity_name: "seat.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.y",
+                        latex: "y_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vy",
+                        latex: "\\dot{y}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.phi",
+                    velocity_name: "seat.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.phi",
+                        latex: "\\varphi_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.x",
+                    velocity_name: "bar.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.x",
+                        latex: "x_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vx",
+                        latex: "\\dot{x}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.y",
+                    velocity_name: "bar.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.y",
+                        latex: "y_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vy",
+                        latex: "\\dot{y}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.phi",
+                    velocity_name: "bar.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.phi",
+                        latex: "\\varphi_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+            ],
+            points: &[
+                ::ezy_core::model::PointInfo {
+                    name: "A",
+                    body: ::core::option::Option::Some(0usize),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "C",
+                    body: ::core::option::Option::Some(1usize),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "B",
+                    body: ::core::option::Option::Some(0usize),
+                },
+            ],
+            rows: &[
+                ::ezy_core::model::RowInfo {
+                    name: "B.x",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "b*cos(seat.phi) + seat.x + d*cos(bar.phi) - bar.x",
+                        latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}} + x_{\\mathrm{seat}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}} - x_{\\mathrm{bar}}",
+                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
+                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "B.y",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "b*sin(seat.phi) + seat.y + d*sin(bar.phi) - bar.y",
+                        latex: "b \\, \\sin{\\varphi_{\\mathrm{seat}}} + y_{\\mathrm{seat}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}} - y_{\\mathrm{bar}}",
+                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
+                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "rear",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
+                        latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "front",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
+                        latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mi>c</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+            ],
+            n_position_rows: 2usize,
+            parameters: &[
+                ::ezy_core::model::ParameterInfo {
+                    name: "a",
+                    unit: "m",
+                    default: 0.2f64,
+                    default_text: "0.2",
+                    documentation: "rear wheel A, behind the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "a",
+                        latex: "a",
+                        mathml: "<mi>a</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "b",
+                    unit: "m",
+                    default: 0.6f64,
+                    default_text: "0.6",
+                    documentation: "hinge B, ahead of the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "b",
+                        latex: "b",
+                        mathml: "<mi>b</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "c",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "front wheel C, beyond the bar's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "c",
+                        latex: "c",
+                        mathml: "<mi>c</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "d",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "bar's centre of mass, beyond the hinge",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "d",
+                        latex: "d",
+                        mathml: "<mi>d</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m1",
+                    unit: "kg",
+                    default: 46f64,
+                    default_text: "46.0",
+                    documentation: "mass of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m1",
+                        latex: "m_{\\mathrm{1}}",
+                        mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i1",
+                    unit: "kg*m^2",
+                    default: 10f64,
+                    default_text: "10.0",
+                    documentation: "moment of inertia of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i1",
+                        latex: "i_{\\mathrm{1}}",
+                        mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m2",
+                    unit: "kg",
+                    default: 1f64,
+                    default_text: "1.0",
+                    documentation: "mass of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m2",
+                        latex: "m_{\\mathrm{2}}",
+                        mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i2",
+                    unit: "kg*m^2",
+                    default: 0.005f64,
+                    default_text: "0.005",
+                    documentation: "moment of inertia of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i2",
+                        latex: "i_{\\mathrm{2}}",
+                        mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
+                    },
+                },
+            ],
+            effects: &[],
+            until_s: 1f64,
+            n_constants: 28usize,
+            jacobian: ::ezy_core::model::SparsityPattern {
+                starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
+                columns: &[
+                    0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize,
+                    0usize, 1usize, 2usize, 3usize, 4usize, 5usize,
+                ],
+            },
+            jacobian_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-b*sin(seat.phi)",
+                    latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-d*sin(bar.phi)",
+                    latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "b*cos(seat.phi)",
+                    latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "d*cos(bar.phi)",
+                    latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(seat.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(seat.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-a",
+                    latex: "-a",
+                    mathml: "<mrow><mo>−</mo><mi>a</mi></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(bar.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(bar.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "c",
+                    latex: "c",
+                    mathml: "<mrow><mi>c</mi></mrow>",
+                },
+            ],
+            mass_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i1",
+                    latex: "i_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i2",
+                    latex: "i_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
+                },
+            ],
+            force_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+            ],
+            elimination: &[
+                ::ezy_core::model::EliminationStep {
+                    rows: &[2usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[3usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[0usize, 1usize],
+                    constant_pivot: false,
+                },
+            ],
+            acceleration_operations: ::ezy_core::model::Operations {
+                add: 29usize,
+                mul: 56usize,
+                div: 1usize,
+                trig: 2usize,
+                calls: 0usize,
+            },
+            correction_operations: ::ezy_core::model::Operations {
+                add: 23usize,
+                mul: 42usize,
+                div: 1usize,
+                trig: 2usize,
+                calls: 0usize,
+            },
+        };
+    }
+    #[automatically_derived]
+    impl ::ezy_core::model::Scene for Coast {
+        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+            static INFO: ::ezy_core::model::SceneInfo = Coast::INFO;
+            &INFO
+        }
+        fn parameter(&self, index: usize) -> f64 {
+            match index {
+                0usize => self.a,
+                1usize => self.b,
+                2usize => self.c,
+                3usize => self.d,
+                4usize => self.m1,
+                5usize => self.i1,
+                6usize => self.m2,
+                7usize => self.i2,
+                _ => f64::NAN,
+            }
+        }
+        fn set_parameter(&mut self, index: usize, value: f64) {
+            match index {
+                0usize => self.a = value,
+                1usize => self.b = value,
+                2usize => self.c = value,
+                3usize => self.d = value,
+                4usize => self.m1 = value,
+                5usize => self.i1 = value,
+                6usize => self.m2 = value,
+                7usize => self.i2 = value,
+                _ => {}
+            }
+        }
+        fn constants(&self, c: &mut [f64]) {
+            let c = ::ezy_core::kernel::array_mut::<28usize>(c);
+            let k1 = 1f64;
+            let k2 = self.m1;
+            let k3 = self.i1;
+            let k4 = self.m2;
+            let k5 = self.i2;
+            let k6 = self.b;
+            let k7 = self.d;
+            let k9 = self.a;
+            let k10 = self.c;
+            let k11 = ::core::f64::consts::PI;
+            let k12 = 2f64;
+            let k13 = k11 / k12;
+            let k14 = k1 / k2;
+            let k15 = k1 / k3;
+            let k16 = k1 / k4;
+            let k17 = k1 / k5;
+            let k18 = k6 * k6;
+            let k19 = k18 * k15;
+            let k20 = k7 * k7;
+            let k21 = k20 * k17;
+            let k22 = k14 + k19;
+            let k23 = k22 + k16;
+            let k24 = k23 + k21;
+            let k25 = k6 * k9;
+            let k26 = k25 * k15;
+            let k27 = k26 - k14;
+            let k28 = k7 * k10;
+            let k29 = k28 * k17;
+            let k30 = k16 - k29;
+            let k31 = k14 + k16;
+            let k32 = k9 * k9;
+            let k33 = k32 * k15;
+            let k34 = k14 + k33;
+            let k35 = k10 * k10;
+            let k36 = k35 * k17;
+            let k37 = k16 + k36;
+            let k38 = k1 / k34;
+            let k39 = k27 * k38;
+            let k40 = k39 * k27;
+            let k41 = k24 - k40;
+            let k42 = k40 - k19;
+            let k43 = k1 / k37;
+            let k44 = k30 * k43;
+            let k45 = k44 * k30;
+            let k46 = k41 - k45;
+            let k47 = k45 - k21;
+            let k48 = k6 * k15;
+            let k49 = k9 * k15;
+            let k50 = k7 * k17;
+            let k51 = k10 * k17;
+            let k52 = 0.0000000001f64;
+            let k53 = k52 * k34;
+            let k54 = k52 * k37;
+            let k55 = k24 + k31;
+            let k56 = k55 * k55;
+            let k57 = k52 * k56;
+            c[0usize] = k42;
+            c[1usize] = k47;
+            c[2usize] = k46;
+            c[3usize] = k31;
+            c[4usize] = k6;
+            c[5usize] = k7;
+            c[6usize] = k39;
+            c[7usize] = k44;
+            c[8usize] = k43;
+            c[9usize] = k38;
+            c[10usize] = k14;
+            c[11usize] = k48;
+            c[12usize] = k49;
+            c[13usize] = k16;
+            c[14usize] = k50;
+            c[15usize] = k51;
+            c[16usize] = k34;
+            c[17usize] = k53;
+            c[18usize] = k37;
+            c[19usize] = k54;
+            c[20usize] = k57;
+            c[21usize] = k2;
+            c[22usize] = k3;
+            c[23usize] = k4;
+            c[24usize] = k5;
+            c[25usize] = k9;
+            c[26usize] = k10;
+            c[27usize] = k13;
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            0.0
+        }
+        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
+            out[0usize] = c[21usize];
+            out[1usize] = c[21usize];
+            out[2usize] = c[22usize];
+            out[3usize] = c[23usize];
+            out[4usize] = c[23usize];
+            out[5usize] = c[24usize];
+        }
+        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = c[4usize] * cos_seat_phi;
+            let seat_x = q[0usize];
+            let sum_7 = product_5 + seat_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_11 = c[5usize] * cos_bar_phi;
+            let sum_12 = sum_7 + product_11;
+            let bar_x = q[3usize];
+            let difference_14 = sum_12 - bar_x;
+            let product_16 = c[4usize] * sin_seat_phi;
+            let seat_y = q[1usize];
+            let sum_18 = product_16 + seat_y;
+            let product_20 = c[5usize] * sin_bar_phi;
+            let sum_21 = sum_18 + product_20;
+            let bar_y = q[4usize];
+            let difference_23 = sum_21 - bar_y;
+            out[0usize] = difference_14;
+            out[1usize] = difference_23;
+        }
+        fn velocity_constraint(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
+            let seat_vx = v[0usize];
+            let seat_omega = v[2usize];
+            let product_5 = c[4usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_5 * sin_seat_phi;
+            let difference_9 = seat_vx - product_8;
+            let bar_vx = v[3usize];
+            let difference_11 = difference_9 - bar_vx;
+            let bar_omega = v[5usize];
+            let product_14 = c[5usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_17 = product_14 * sin_bar_phi;
+            let difference_18 = difference_11 - product_17;
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let product_23 = product_5 * cos_seat_phi;
+            let sum_24 = difference_21 + product_23;
+            let product_26 = product_14 * cos_bar_phi;
+            let sum_27 = sum_24 + product_26;
+            let product_29 = seat_omega * c[25usize];
+            let product_30 = seat_vx * sin_seat_phi;
+            let sum_31 = product_29 + product_30;
+            let product_32 = seat_vy * cos_seat_phi;
+            let difference_33 = product_32 - sum_31;
+            let product_35 = bar_omega * c[26usize];
+            let product_36 = bar_vx * sin_bar_phi;
+            let difference_37 = product_35 - product_36;
+            let product_38 = bar_vy * cos_bar_phi;
+            let sum_39 = difference_37 + product_38;
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = difference_33;
+            out[3usize] = sum_39;
+        }
+        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<14usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_4 = c[4usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_8 = c[5usize] * sin_bar_phi;
+            let product_10 = c[4usize] * cos_seat_phi;
+            let product_12 = c[5usize] * cos_bar_phi;
+            let value_15 = -product_4;
+            let value_16 = -1f64;
+            let value_17 = -product_8;
+            let value_18 = -sin_seat_phi;
+            let value_19 = -c[25usize];
+            let value_20 = -sin_bar_phi;
+            out[0usize] = 1f64;
+            out[1usize] = value_15;
+            out[2usize] = value_16;
+            out[3usize] = value_17;
+            out[4usize] = 1f64;
+            out[5usize] = product_10;
+            out[6usize] = value_16;
+            out[7usize] = product_12;
+            out[8usize] = value_18;
+            out[9usize] = cos_seat_phi;
+            out[10usize] = value_19;
+            out[11usize] = value_20;
+            out[12usize] = cos_bar_phi;
+            out[13usize] = c[26usize];
+        }
+        fn convective_term(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[4usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[5usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = product_12 * cos_bar_phi;
+            let sum_16 = product_8 + product_15;
+            let product_18 = product_4 * sin_seat_phi;
+            let product_20 = product_12 * sin_bar_phi;
+            let sum_21 = product_18 + product_20;
+            let seat_vx = v[0usize];
+            let product_23 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let product_25 = sin_seat_phi * seat_vy;
+            let sum_26 = product_23 + product_25;
+            let product_27 = seat_omega * sum_26;
+            let bar_vx = v[3usize];
+            let product_29 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let product_31 = sin_bar_phi * bar_vy;
+            let sum_32 = product_29 + product_31;
+            let product_33 = bar_omega * sum_32;
+            let value_34 = -sum_16;
+            let value_35 = -sum_21;
+            let value_36 = -product_27;
+            let value_37 = -product_33;
+            out[0usize] = value_34;
+            out[1usize] = value_35;
+            out[2usize] = value_36;
+            out[3usize] = value_37;
+        }
+        fn applied_force(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            out[0usize] = 0f64;
+            out[1usize] = 0f64;
+            out[2usize] = 0f64;
+            out[3usize] = 0f64;
+            out[4usize] = 0f64;
+            out[5usize] = 0f64;
+        }
+        fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+        }
+        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = c[25usize] * cos_seat_phi;
+            let seat_x = q[0usize];
+            let difference_7 = seat_x - product_5;
+            let product_9 = c[25usize] * sin_seat_phi;
+            let seat_y = q[1usize];
+            let difference_11 = seat_y - product_9;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = c[26usize] * cos_bar_phi;
+            let bar_x = q[3usize];
+            let sum_17 = product_15 + bar_x;
+            let product_19 = c[26usize] * sin_bar_phi;
+            let bar_y = q[4usize];
+            let sum_21 = product_19 + bar_y;
+            let product_23 = cos_seat_phi * c[4usize];
+            let sum_24 = seat_x + product_23;
+            let product_25 = sin_seat_phi * c[4usize];
+            let sum_26 = seat_y + product_25;
+            out[0usize] = difference_7;
+            out[1usize] = difference_11;
+            out[2usize] = sum_17;
+            out[3usize] = sum_21;
+            out[4usize] = sum_24;
+            out[5usize] = sum_26;
+        }
+        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            start.give_position(0usize, c[25usize]);
+            start.give_position(1usize, 0f64);
+            start.give_position(2usize, 0f64);
+            start.give_position(5usize, c[27usize]);
+            start.give_velocity(0usize, 1f64);
+            start.give_velocity(2usize, 0f64);
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            a: &mut [f64],
+            lambda: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<4usize>(lambda);
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = seat_vx * cos_seat_phi;
+            let seat_vy = v[1usize];
+            let product_8 = seat_vy * sin_seat_phi;
+            let sum_9 = product_5 + product_8;
+            let seat_omega = v[2usize];
+            let minus_right_side_rear = sum_9 * seat_omega;
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let product_18 = bar_vy * sin_bar_phi;
+            let sum_19 = product_15 + product_18;
+            let bar_omega = v[5usize];
+            let minus_right_side_front = sum_19 * bar_omega;
+            let product_23 = cos_seat_phi * c[0usize];
+            let product_24 = cos_seat_phi * product_23;
+            let product_26 = cos_bar_phi * c[1usize];
+            let product_27 = cos_bar_phi * product_26;
+            let sum_28 = product_24 + product_27;
+            let sum_30 = sum_28 + c[2usize];
+            let product_31 = sin_seat_phi * c[0usize];
+            let product_32 = cos_seat_phi * product_31;
+            let product_33 = sin_bar_phi * c[1usize];
+            let product_34 = cos_bar_phi * product_33;
+            let sum_35 = product_32 + product_34;
+            let difference_37 = c[3usize] - sum_28;
+            let product_39 = seat_omega * c[4usize];
+            let product_40 = seat_omega * product_39;
+            let product_41 = cos_seat_phi * product_40;
+            let product_43 = bar_omega * c[5usize];
+            let product_44 = bar_omega * product_43;
+            let product_45 = cos_bar_phi * product_44;
+            let sum_46 = product_41 + product_45;
+            let product_48 = minus_right_side_rear * c[6usize];
+            let product_49 = sin_seat_phi * product_48;
+            let difference_50 = product_49 - sum_46;
+            let product_52 = minus_right_side_front * c[7usize];
+            let product_53 = sin_bar_phi * product_52;
+            let sum_54 = difference_50 + product_53;
+            let product_55 = sin_seat_phi * product_40;
+            let product_56 = sin_bar_phi * product_44;
+            let sum_57 = product_55 + product_56;
+            let product_58 = cos_seat_phi * product_48;
+            let sum_59 = sum_57 + product_58;
+            let product_60 = cos_bar_phi * product_52;
+            let sum_61 = sum_59 + product_60;
+            let product_62 = sum_30 * difference_37;
+            let product_63 = sum_35 * sum_35;
+            let difference_64 = product_62 - product_63;
+            let quotient_65 = 1f64 / difference_64;
+            let product_66 = difference_37 * sum_54;
+            let product_67 = sum_35 * sum_61;
+            let sum_68 = product_66 + product_67;
+            let lambda_B_x = quotient_65 * sum_68;
+            let product_70 = sum_35 * sum_54;
+            let product_71 = sum_30 * sum_61;
+            let sum_72 = product_70 + product_71;
+            let minus_lambda_B_y = quotient_65 * sum_72;
+            let product_74 = sin_bar_phi * lambda_B_x;
+            let product_75 = cos_bar_phi * minus_lambda_B_y;
+            let sum_76 = product_74 + product_75;
+            let product_77 = c[7usize] * sum_76;
+            let product_79 = minus_right_side_front * c[8usize];
+            let minus_lambda_front = product_77 + product_79;
+            let product_81 = sin_seat_phi * lambda_B_x;
+            let product_82 = cos_seat_phi * minus_lambda_B_y;
+            let sum_83 = product_81 + product_82;
+            let product_84 = c[6usize] * sum_83;
+            let product_86 = minus_right_side_rear * c[9usize];
+            let minus_lambda_rear = product_84 + product_86;
+            let product_88 = sin_seat_phi * minus_lambda_rear;
+            let sum_89 = lambda_B_x + product_88;
+            let product_91 = sum_89 * c[10usize];
+            let product_92 = cos_seat_phi * minus_lambda_rear;
+            let sum_93 = minus_lambda_B_y + product_92;
+            let product_94 = c[10usize] * sum_93;
+            let product_96 = sum_83 * c[11usize];
+            let product_98 = minus_lambda_rear * c[12usize];
+            let difference_99 = product_96 - product_98;
+            let product_100 = sin_bar_phi * minus_lambda_front;
+            let difference_101 = lambda_B_x - product_100;
+            let product_103 = difference_101 * c[13usize];
+            let product_104 = cos_bar_phi * minus_lambda_front;
+            let difference_105 = product_104 - minus_lambda_B_y;
+            let product_106 = c[13usize] * difference_105;
+            let product_108 = sum_76 * c[14usize];
+            let product_110 = minus_lambda_front * c[15usize];
+            let sum_111 = product_108 + product_110;
+            let value_117 = -product_91;
+            let value_118 = -minus_lambda_B_y;
+            let value_119 = -minus_lambda_rear;
+            let value_120 = -minus_lambda_front;
+            a[0usize] = value_117;
+            a[1usize] = product_94;
+            a[2usize] = difference_99;
+            a[3usize] = product_103;
+            a[4usize] = product_106;
+            a[5usize] = sum_111;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = value_118;
+            lambda[2usize] = value_119;
+            lambda[3usize] = value_120;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[16usize] > c[17usize]))
+                .mark(3usize, !(c[18usize] > c[19usize]))
+                .mark(0usize, !(difference_64 > c[20usize]))
+                .mark(1usize, !(difference_64 > c[20usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            residual: &[f64],
+            delta: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let residual = ::ezy_core::kernel::array::<4usize>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
+            let right_side_rear = residual[2usize];
+            let right_side_front = residual[3usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_7 = c[0usize] * cos_seat_phi;
+            let product_8 = cos_seat_phi * product_7;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_12 = c[1usize] * cos_bar_phi;
+            let product_13 = cos_bar_phi * product_12;
+            let sum_14 = product_8 + product_13;
+            let sum_16 = sum_14 + c[2usize];
+            let product_18 = c[0usize] * sin_seat_phi;
+            let product_19 = cos_seat_phi * product_18;
+            let product_21 = c[1usize] * sin_bar_phi;
+            let product_22 = cos_bar_phi * product_21;
+            let sum_23 = product_19 + product_22;
+            let difference_25 = c[3usize] - sum_14;
+            let residual_0 = residual[0usize];
+            let product_28 = right_side_rear * c[6usize];
+            let product_29 = sin_seat_phi * product_28;
+            let difference_30 = residual_0 - product_29;
+            let product_32 = right_side_front * c[7usize];
+            let product_33 = sin_bar_phi * product_32;
+            let difference_34 = difference_30 - product_33;
+            let residual_1 = residual[1usize];
+            let product_36 = cos_seat_phi * product_28;
+            let sum_37 = residual_1 + product_36;
+            let product_38 = cos_bar_phi * product_32;
+            let sum_39 = sum_37 + product_38;
+            let product_40 = sum_16 * difference_25;
+            let product_41 = sum_23 * sum_23;
+            let difference_42 = product_40 - product_41;
+            let quotient_43 = 1f64 / difference_42;
+            let product_44 = difference_25 * difference_34;
+            let product_45 = sum_23 * sum_39;
+            let difference_46 = product_44 - product_45;
+            let lambda_B_x = quotient_43 * difference_46;
+            let product_48 = sum_23 * difference_34;
+            let product_49 = sum_16 * sum_39;
+            let difference_50 = product_49 - product_48;
+            let lambda_B_y = quotient_43 * difference_50;
+            let product_52 = sin_bar_phi * lambda_B_x;
+            let product_53 = cos_bar_phi * lambda_B_y;
+            let difference_54 = product_53 - product_52;
+            let product_55 = c[7usize] * difference_54;
+            let product_57 = right_side_front * c[8usize];
+            let lambda_front = product_55 + product_57;
+            let product_59 = sin_seat_phi * lambda_B_x;
+            let product_60 = cos_seat_phi * lambda_B_y;
+            let difference_61 = product_60 - product_59;
+            let product_62 = c[6usize] * difference_61;
+            let product_64 = right_side_rear * c[9usize];
+            let lambda_rear = product_62 + product_64;
+            let product_66 = sin_seat_phi * lambda_rear;
+            let difference_67 = product_66 - lambda_B_x;
+            let product_69 = difference_67 * c[10usize];
+            let product_70 = cos_seat_phi * lambda_rear;
+            let sum_71 = lambda_B_y + product_70;
+            let product_72 = c[10usize] * sum_71;
+            let product_74 = difference_61 * c[11usize];
+            let product_76 = lambda_rear * c[12usize];
+            let difference_77 = product_76 - product_74;
+            let product_78 = sin_bar_phi * lambda_front;
+            let sum_79 = lambda_B_x + product_78;
+            let product_81 = sum_79 * c[13usize];
+            let product_82 = cos_bar_phi * lambda_front;
+            let difference_83 = lambda_B_y - product_82;
+            let product_84 = c[13usize] * difference_83;
+            let product_86 = difference_54 * c[14usize];
+            let product_88 = lambda_front * c[15usize];
+            let sum_89 = product_86 + product_88;
+            let value_95 = -product_72;
+            let value_96 = -sum_89;
+            delta[0usize] = product_69;
+            delta[1usize] = value_95;
+            delta[2usize] = difference_77;
+            delta[3usize] = product_81;
+            delta[4usize] = product_84;
+            delta[5usize] = value_96;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[16usize] > c[17usize]))
+                .mark(3usize, !(c[18usize] > c[19usize]))
+                .mark(0usize, !(difference_42 > c[20usize]))
+                .mark(1usize, !(difference_42 > c[20usize]))
+        }
+    }
+    ///From rest, folded, driven by the rider's torque.
+    ///
+    ///Accelerations and multipliers cost 35 additions, 63 multiplications, 1 divisions and 3 sine–cosine pairs.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Driven {
+        ///rear wheel A, behind the seat's centre of mass (m); default `0.2`.
+        pub a: f64,
+        ///hinge B, ahead of the seat's centre of mass (m); default `0.6`.
+        pub b: f64,
+        ///front wheel C, beyond the bar's centre of mass (m); default `0.1`.
+        pub c: f64,
+        ///bar's centre of mass, beyond the hinge (m); default `0.1`.
+        pub d: f64,
+        ///mass of seat and rider (kg); default `46.0`.
+        pub m1: f64,
+        ///moment of inertia of seat and rider (kg*m^2); default `10.0`.
+        pub i1: f64,
+        ///mass of the bar (kg); default `1.0`.
+        pub m2: f64,
+        ///moment of inertia of the bar (kg*m^2); default `0.005`.
+        pub i2: f64,
+        ///largest torque (N*m); default `2.0`.
+        pub m0: f64,
+        ///angular frequency of the torque (rad/s); default `pi`.
+        pub omega: f64,
+    }
+    impl ::core::default::Default for Driven {
+        fn default() -> Self {
+            Self {
+                a: 0.2f64,
+                b: 0.6f64,
+                c: 0.1f64,
+                d: 0.1f64,
+                m1: 46f64,
+                i1: 10f64,
+                m2: 1f64,
+                i2: 0.005f64,
+                m0: 2f64,
+                omega: 3.141592653589793f64,
+            }
+        }
+    }
+    impl Driven {
+        /// What is known of the scene when it is compiled.
+        pub const INFO: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+            model: "EzyRoller",
+            name: "driven",
+            documentation: "From rest, folded, driven by the rider's torque.",
+            bodies: &["seat", "bar"],
+            coordinates: &[
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.x",
+                    velocity_name: "seat.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.x",
+                        latex: "x_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vx",
+                        latex: "\\dot{x}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.y",
+                    velocity_name: "seat.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.y",
+                        latex: "y_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vy",
+                        latex: "\\dot{y}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.phi",
+                    velocity_name: "seat.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.phi",
+                        latex: "\\varphi_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.x",
+                    velocity_name: "bar.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.x",
+                        latex: "x_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vx",
+                        latex: "\\dot{x}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.y",
+                    velocity_name: "bar.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.y",
+                        latex: "y_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vy",
+                        latex: "\\dot{y}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.phi",
+                    velocity_name: "bar.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.phi",
+                        latex: "\\varphi_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+            ],
+            points: &[
+                ::ezy_core::model::PointInfo {
+                    name: "A",
+                    body: ::core::option::Option::Some(0usize),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "C",
+                    body: ::core::option::Option::Some(1usize),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "B",
+                    body: ::core::option::Option::Some(0usize),
+                },
+            ],
+            rows: &[
+                ::ezy_core::model::RowInfo {
+                    name: "B.x",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "b*cos(seat.phi) + seat.x + d*cos(bar.phi) - bar.x",
+                        latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}} + x_{\\mathrm{seat}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}} - x_{\\mathrm{bar}}",
+                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
+                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "B.y",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "b*sin(seat.phi) + seat.y + d*sin(bar.phi) - bar.y",
+                        latex: "b \\, \\sin{\\varphi_{\\mathrm{seat}}} + y_{\\mathrm{seat}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}} - y_{\\mathrm{bar}}",
+                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
+                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "rear",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
+                        latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "front",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
+                        latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mi>c</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+            ],
+            n_position_rows: 2usize,
+            parameters: &[
+                ::ezy_core::model::ParameterInfo {
+                    name: "a",
+                    unit: "m",
+                    default: 0.2f64,
+                    default_text: "0.2",
+                    documentation: "rear wheel A, behind the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "a",
+                        latex: "a",
+                        mathml: "<mi>a</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "b",
+                    unit: "m",
+                    default: 0.6f64,
+                    default_text: "0.6",
+                    documentation: "hinge B, ahead of the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "b",
+                        latex: "b",
+                        mathml: "<mi>b</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "c",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "front wheel C, beyond the bar's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "c",
+                        latex: "c",
+                        mathml: "<mi>c</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "d",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "bar's centre of mass, beyond the hinge",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "d",
+                        latex: "d",
+                        mathml: "<mi>d</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m1",
+                    unit: "kg",
+                    default: 46f64,
+                    default_text: "46.0",
+                    documentation: "mass of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m1",
+                        latex: "m_{\\mathrm{1}}",
+                        mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i1",
+                    unit: "kg*m^2",
+                    default: 10f64,
+                    default_text: "10.0",
+                    documentation: "moment of inertia of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i1",
+                        latex: "i_{\\mathrm{1}}",
+                        mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m2",
+                    unit: "kg",
+                    default: 1f64,
+                    default_text: "1.0",
+                    documentation: "mass of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m2",
+                        latex: "m_{\\mathrm{2}}",
+                        mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i2",
+                    unit: "kg*m^2",
+                    default: 0.005f64,
+                    default_text: "0.005",
+                    documentation: "moment of inertia of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i2",
+                        latex: "i_{\\mathrm{2}}",
+                        mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m0",
+                    unit: "N*m",
+                    default: 2f64,
+                    default_text: "2.0",
+                    documentation: "largest torque",
+                    effect: ::core::option::Option::Some("pump"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m0",
+                        latex: "m_{\\mathrm{0}}",
+                        mathml: "<msub><mi>m</mi><mtext>0</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "omega",
+                    unit: "rad/s",
+                    default: 3.141592653589793f64,
+                    default_text: "pi",
+                    documentation: "angular frequency of the torque",
+                    effect: ::core::option::Option::Some("pump"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "omega",
+                        latex: "\\omega",
+                        mathml: "<mi>ω</mi>",
+                    },
+                },
+            ],
+            effects: &[
+                ::ezy_core::model::EffectInfo {
+                    name: "pump",
+                    documentation: "The rider swings the bar: a torque between seat and bar.",
+                },
+            ],
+            until_s: 60f64,
+            n_constants: 36usize,
+            jacobian: ::ezy_core::model::SparsityPattern {
+                starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
+                columns: &[
+                    0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize,
+                    0usize, 1usize, 2usize, 3usize, 4usize, 5usize,
+                ],
+            },
+            jacobian_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-b*sin(seat.phi)",
+                    latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-d*sin(bar.phi)",
+                    latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "b*cos(seat.phi)",
+                    latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "d*cos(bar.phi)",
+                    latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(seat.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(seat.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-a",
+                    latex: "-a",
+                    mathml: "<mrow><mo>−</mo><mi>a</mi></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(bar.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(bar.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "c",
+                    latex: "c",
+                    mathml: "<mrow><mi>c</mi></mrow>",
+                },
+            ],
+            mass_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i1",
+                    latex: "i_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i2",
+                    latex: "i_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
+                },
+            ],
+            force_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m0*cos(omega*t)",
+                    latex: "m_{\\mathrm{0}} \\, \\cos\\left(\\omega \\, t\\right)",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-m0*cos(omega*t)",
+                    latex: "-m_{\\mathrm{0}} \\, \\cos\\left(\\omega \\, t\\right)",
+                    mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                },
+            ],
+            elimination: &[
+                ::ezy_core::model::EliminationStep {
+                    rows: &[2usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[3usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[0usize, 1usize],
+                    constant_pivot: false,
+                },
+            ],
+            acceleration_operations: ::ezy_core::model::Operations {
+                add: 35usize,
+                mul: 63usize,
+                div: 1usize,
+                trig: 3usize,
+                calls: 0usize,
+            },
+            correction_operations: ::ezy_core::model::Operations {
+                add: 23usize,
+                mul: 42usize,
+                div: 1usize,
+                trig: 2usize,
+                calls: 0usize,
+            },
+        };
+    }
+    #[automatically_derived]
+    impl ::ezy_core::model::Scene for Driven {
+        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+            static INFO: ::ezy_core::model::SceneInfo = Driven::INFO;
+            &INFO
+        }
+        fn parameter(&self, index: usize) -> f64 {
+            match index {
+                0usize => self.a,
+                1usize => self.b,
+                2usize => self.c,
+                3usize => self.d,
+                4usize => self.m1,
+                5usize => self.i1,
+                6usize => self.m2,
+                7usize => self.i2,
+                8usize => self.m0,
+                9usize => self.omega,
+                _ => f64::NAN,
+            }
+        }
+        fn set_parameter(&mut self, index: usize, value: f64) {
+            match index {
+                0usize => self.a = value,
+                1usize => self.b = value,
+                2usize => self.c = value,
+                3usize => self.d = value,
+                4usize => self.m1 = value,
+                5usize => self.i1 = value,
+                6usize => self.m2 = value,
+                7usize => self.i2 = value,
+                8usize => self.m0 = value,
+                9usize => self.omega = value,
+                _ => {}
+            }
+        }
+        fn constants(&self, c: &mut [f64]) {
+            let c = ::ezy_core::kernel::array_mut::<36usize>(c);
+            let k1 = 1f64;
+            let k2 = self.m1;
+            let k3 = self.i1;
+            let k4 = self.m2;
+            let k5 = self.i2;
+            let k6 = self.b;
+            let k7 = self.d;
+            let k9 = self.a;
+            let k10 = self.c;
+            let k11 = self.m0;
+            let k12 = self.omega;
+            let k13 = ::core::f64::consts::PI;
+            let k14 = k1 / k2;
+            let k15 = k1 / k3;
+            let k16 = k6 * k11;
+            let k17 = k16 * k15;
+            let k18 = k1 / k4;
+            let k19 = k1 / k5;
+            let k20 = k7 * k11;
+            let k21 = k20 * k19;
+            let k22 = k9 * k11;
+            let k23 = k22 * k15;
+            let k24 = k10 * k11;
+            let k25 = k24 * k19;
+            let k26 = k6 * k6;
+            let k27 = k26 * k15;
+            let k28 = k7 * k7;
+            let k29 = k28 * k19;
+            let k30 = k14 + k27;
+            let k31 = k30 + k18;
+            let k32 = k31 + k29;
+            let k33 = k6 * k9;
+            let k34 = k33 * k15;
+            let k35 = k34 - k14;
+            let k36 = k7 * k10;
+            let k37 = k36 * k19;
+            let k38 = k18 - k37;
+            let k39 = k14 + k18;
+            let k40 = k9 * k9;
+            let k41 = k40 * k15;
+            let k42 = k14 + k41;
+            let k43 = k10 * k10;
+            let k44 = k43 * k19;
+            let k45 = k18 + k44;
+            let k46 = k1 / k42;
+            let k47 = k35 * k46;
+            let k48 = k47 * k35;
+            let k49 = k32 - k48;
+            let k50 = k48 - k27;
+            let k51 = k1 / k45;
+            let k52 = k38 * k51;
+            let k53 = k52 * k38;
+            let k54 = k49 - k53;
+            let k55 = k53 - k29;
+            let k56 = k11 * k15;
+            let k57 = k6 * k15;
+            let k58 = k9 * k15;
+            let k59 = k11 * k19;
+            let k60 = k7 * k19;
+            let k61 = k10 * k19;
+            let k62 = 0.0000000001f64;
+            let k63 = k62 * k42;
+            let k64 = k62 * k45;
+            let k65 = k32 + k39;
+            let k66 = k65 * k65;
+            let k67 = k62 * k66;
+            c[0usize] = k23;
+            c[1usize] = k12;
+            c[2usize] = k25;
+            c[3usize] = k50;
+            c[4usize] = k55;
+            c[5usize] = k54;
+            c[6usize] = k39;
+            c[7usize] = k17;
+            c[8usize] = k47;
+            c[9usize] = k21;
+            c[10usize] = k52;
+            c[11usize] = k6;
+            c[12usize] = k7;
+            c[13usize] = k51;
+            c[14usize] = k46;
+            c[15usize] = k14;
+            c[16usize] = k57;
+            c[17usize] = k56;
+            c[18usize] = k58;
+            c[19usize] = k18;
+            c[20usize] = k60;
+            c[21usize] = k59;
+            c[22usize] = k61;
+            c[23usize] = k42;
+            c[24usize] = k63;
+            c[25usize] = k45;
+            c[26usize] = k64;
+            c[27usize] = k67;
+            c[28usize] = k2;
+            c[29usize] = k3;
+            c[30usize] = k4;
+            c[31usize] = k5;
+            c[32usize] = k9;
+            c[33usize] = k10;
+            c[34usize] = k11;
+            c[35usize] = k13;
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            0.0
+        }
+        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
+            out[0usize] = c[28usize];
+            out[1usize] = c[28usize];
+            out[2usize] = c[29usize];
+            out[3usize] = c[30usize];
+            out[4usize] = c[30usize];
+            out[5usize] = c[31usize];
+        }
+        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = c[11usize] * cos_seat_phi;
+            let seat_x = q[0usize];
+            let sum_7 = product_5 + seat_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_11 = c[12usize] * cos_bar_phi;
+            let sum_12 = sum_7 + product_11;
+            let bar_x = q[3usize];
+            let difference_14 = sum_12 - bar_x;
+            let product_16 = c[11usize] * sin_seat_phi;
+            let seat_y = q[1usize];
+            let sum_18 = product_16 + seat_y;
+            let product_20 = c[12usize] * sin_bar_phi;
+            let sum_21 = sum_18 + product_20;
+            let bar_y = q[4usize];
+            let difference_23 = sum_21 - bar_y;
+            out[0usize] = difference_14;
+            out[1usize] = difference_23;
+        }
+        fn velocity_constraint(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
+            let seat_vx = v[0usize];
+            let seat_omega = v[2usize];
+            let product_5 = c[11usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_5 * sin_seat_phi;
+            let difference_9 = seat_vx - product_8;
+            let bar_vx = v[3usize];
+            let difference_11 = difference_9 - bar_vx;
+            let bar_omega = v[5usize];
+            let product_14 = c[12usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_17 = product_14 * sin_bar_phi;
+            let difference_18 = difference_11 - product_17;
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let product_23 = product_5 * cos_seat_phi;
+            let sum_24 = difference_21 + product_23;
+            let product_26 = product_14 * cos_bar_phi;
+            let sum_27 = sum_24 + product_26;
+            let product_29 = seat_omega * c[32usize];
+            let product_30 = seat_vx * sin_seat_phi;
+            let sum_31 = product_29 + product_30;
+            let product_32 = seat_vy * cos_seat_phi;
+            let difference_33 = product_32 - sum_31;
+            let product_35 = bar_omega * c[33usize];
+            let product_36 = bar_vx * sin_bar_phi;
+            let difference_37 = product_35 - product_36;
+            let product_38 = bar_vy * cos_bar_phi;
+            let sum_39 = difference_37 + product_38;
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = difference_33;
+            out[3usize] = sum_39;
+        }
+        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<14usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_4 = c[11usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_8 = c[12usize] * sin_bar_phi;
+            let product_10 = c[11usize] * cos_seat_phi;
+            let product_12 = c[12usize] * cos_bar_phi;
+            let value_15 = -product_4;
+            let value_16 = -1f64;
+            let value_17 = -product_8;
+            let value_18 = -sin_seat_phi;
+            let value_19 = -c[32usize];
+            let value_20 = -sin_bar_phi;
+            out[0usize] = 1f64;
+            out[1usize] = value_15;
+            out[2usize] = value_16;
+            out[3usize] = value_17;
+            out[4usize] = 1f64;
+            out[5usize] = product_10;
+            out[6usize] = value_16;
+            out[7usize] = product_12;
+            out[8usize] = value_18;
+            out[9usize] = cos_seat_phi;
+            out[10usize] = value_19;
+            out[11usize] = value_20;
+            out[12usize] = cos_bar_phi;
+            out[13usize] = c[33usize];
+        }
+        fn convective_term(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[11usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[12usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = product_12 * cos_bar_phi;
+            let sum_16 = product_8 + product_15;
+            let product_18 = product_4 * sin_seat_phi;
+            let product_20 = product_12 * sin_bar_phi;
+            let sum_21 = product_18 + product_20;
+            let seat_vx = v[0usize];
+            let product_23 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let product_25 = sin_seat_phi * seat_vy;
+            let sum_26 = product_23 + product_25;
+            let product_27 = seat_omega * sum_26;
+            let bar_vx = v[3usize];
+            let product_29 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let product_31 = sin_bar_phi * bar_vy;
+            let sum_32 = product_29 + product_31;
+            let product_33 = bar_omega * sum_32;
+            let value_34 = -sum_16;
+            let value_35 = -sum_21;
+            let value_36 = -product_27;
+            let value_37 = -product_33;
+            out[0usize] = value_34;
+            out[1usize] = value_35;
+            out[2usize] = value_36;
+            out[3usize] = value_37;
+        }
+        fn applied_force(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let product_4 = c[1usize] * t;
+            let cos_4 = f64::cos(product_4);
+            let product_6 = c[34usize] * cos_4;
+            let value_7 = -product_6;
+            out[0usize] = 0f64;
+            out[1usize] = 0f64;
+            out[2usize] = product_6;
+            out[3usize] = 0f64;
+            out[4usize] = 0f64;
+            out[5usize] = value_7;
+        }
+        fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<1usize>(out);
+            let seat_omega = v[2usize];
+            let bar_omega = v[5usize];
+            let difference_4 = seat_omega - bar_omega;
+            let product_7 = c[1usize] * t;
+            let cos_7 = f64::cos(product_7);
+            let product_9 = difference_4 * cos_7;
+            let product_11 = product_9 * c[34usize];
+            out[0usize] = product_11;
+        }
+        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = c[32usize] * cos_seat_phi;
+            let seat_x = q[0usize];
+            let difference_7 = seat_x - product_5;
+            let product_9 = c[32usize] * sin_seat_phi;
+            let seat_y = q[1usize];
+            let difference_11 = seat_y - product_9;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = c[33usize] * cos_bar_phi;
+            let bar_x = q[3usize];
+            let sum_17 = product_15 + bar_x;
+            let product_19 = c[33usize] * sin_bar_phi;
+            let bar_y = q[4usize];
+            let sum_21 = product_19 + bar_y;
+            let product_23 = cos_seat_phi * c[11usize];
+            let sum_24 = seat_x + product_23;
+            let product_25 = sin_seat_phi * c[11usize];
+            let sum_26 = seat_y + product_25;
+            out[0usize] = difference_7;
+            out[1usize] = difference_11;
+            out[2usize] = sum_17;
+            out[3usize] = sum_21;
+            out[4usize] = sum_24;
+            out[5usize] = sum_26;
+        }
+        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            start.give_position(0usize, 0f64);
+            start.give_position(1usize, 0f64);
+            start.give_position(2usize, 0f64);
+            start.give_position(5usize, c[35usize]);
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            a: &mut [f64],
+            lambda: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<4usize>(lambda);
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = seat_vx * cos_seat_phi;
+            let seat_vy = v[1usize];
+            let product_8 = seat_vy * sin_seat_phi;
+            let sum_9 = product_5 + product_8;
+            let seat_omega = v[2usize];
+            let product_11 = sum_9 * seat_omega;
+            let product_15 = c[1usize] * t;
+            let cos_15 = f64::cos(product_15);
+            let product_17 = c[0usize] * cos_15;
+            let minus_right_side_rear = product_11 + product_17;
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_22 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let product_25 = bar_vy * sin_bar_phi;
+            let sum_26 = product_22 + product_25;
+            let bar_omega = v[5usize];
+            let product_28 = sum_26 * bar_omega;
+            let product_30 = cos_15 * c[2usize];
+            let minus_right_side_front = product_28 + product_30;
+            let product_33 = cos_seat_phi * c[3usize];
+            let product_34 = cos_seat_phi * product_33;
+            let product_36 = cos_bar_phi * c[4usize];
+            let product_37 = cos_bar_phi * product_36;
+            let sum_38 = product_34 + product_37;
+            let sum_40 = sum_38 + c[5usize];
+            let product_41 = sin_seat_phi * c[3usize];
+            let product_42 = cos_seat_phi * product_41;
+            let product_43 = sin_bar_phi * c[4usize];
+            let product_44 = cos_bar_phi * product_43;
+            let sum_45 = product_42 + product_44;
+            let difference_47 = c[6usize] - sum_38;
+            let product_49 = cos_15 * c[7usize];
+            let product_51 = minus_right_side_rear * c[8usize];
+            let difference_52 = product_51 - product_49;
+            let product_53 = sin_seat_phi * difference_52;
+            let product_55 = cos_15 * c[9usize];
+            let product_57 = minus_right_side_front * c[10usize];
+            let sum_58 = product_55 + product_57;
+            let product_59 = sin_bar_phi * sum_58;
+            let sum_60 = product_53 + product_59;
+            let product_62 = seat_omega * c[11usize];
+            let product_63 = seat_omega * product_62;
+            let product_64 = cos_seat_phi * product_63;
+            let difference_65 = sum_60 - product_64;
+            let product_67 = bar_omega * c[12usize];
+            let product_68 = bar_omega * product_67;
+            let product_69 = cos_bar_phi * product_68;
+            let difference_70 = difference_65 - product_69;
+            let product_71 = cos_seat_phi * difference_52;
+            let product_72 = cos_bar_phi * sum_58;
+            let sum_73 = product_71 + product_72;
+            let product_74 = sin_seat_phi * product_63;
+            let sum_75 = sum_73 + product_74;
+            let product_76 = sin_bar_phi * product_68;
+            let sum_77 = sum_75 + product_76;
+            let product_78 = sum_40 * difference_47;
+            let product_79 = sum_45 * sum_45;
+            let difference_80 = product_78 - product_79;
+            let quotient_81 = 1f64 / difference_80;
+            let product_82 = difference_47 * difference_70;
+            let product_83 = sum_45 * sum_77;
+            let sum_84 = product_82 + product_83;
+            let lambda_B_x = quotient_81 * sum_84;
+            let product_86 = sum_45 * difference_70;
+            let product_87 = sum_40 * sum_77;
+            let sum_88 = product_86 + product_87;
+            let minus_lambda_B_y = quotient_81 * sum_88;
+            let product_90 = sin_bar_phi * lambda_B_x;
+            let product_91 = cos_bar_phi * minus_lambda_B_y;
+            let sum_92 = product_90 + product_91;
+            let product_93 = c[10usize] * sum_92;
+            let product_95 = minus_right_side_front * c[13usize];
+            let minus_lambda_front = product_93 + product_95;
+            let product_97 = sin_seat_phi * lambda_B_x;
+            let product_98 = cos_seat_phi * minus_lambda_B_y;
+            let sum_99 = product_97 + product_98;
+            let product_100 = c[8usize] * sum_99;
+            let product_102 = minus_right_side_rear * c[14usize];
+            let minus_lambda_rear = product_100 + product_102;
+            let product_104 = sin_seat_phi * minus_lambda_rear;
+            let sum_105 = lambda_B_x + product_104;
+            let product_107 = sum_105 * c[15usize];
+            let product_108 = cos_seat_phi * minus_lambda_rear;
+            let sum_109 = minus_lambda_B_y + product_108;
+            let product_110 = c[15usize] * sum_109;
+            let product_112 = sum_99 * c[16usize];
+            let product_114 = cos_15 * c[17usize];
+            let sum_115 = product_112 + product_114;
+            let product_117 = minus_lambda_rear * c[18usize];
+            let difference_118 = sum_115 - product_117;
+            let product_119 = sin_bar_phi * minus_lambda_front;
+            let difference_120 = lambda_B_x - product_119;
+            let product_122 = difference_120 * c[19usize];
+            let product_123 = cos_bar_phi * minus_lambda_front;
+            let difference_124 = product_123 - minus_lambda_B_y;
+            let product_125 = c[19usize] * difference_124;
+            let product_127 = sum_92 * c[20usize];
+            let product_129 = cos_15 * c[21usize];
+            let difference_130 = product_127 - product_129;
+            let product_132 = minus_lambda_front * c[22usize];
+            let sum_133 = difference_130 + product_132;
+            let value_139 = -product_107;
+            let value_140 = -minus_lambda_B_y;
+            let value_141 = -minus_lambda_rear;
+            let value_142 = -minus_lambda_front;
+            a[0usize] = value_139;
+            a[1usize] = product_110;
+            a[2usize] = difference_118;
+            a[3usize] = product_122;
+            a[4usize] = product_125;
+            a[5usize] = sum_133;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = value_140;
+            lambda[2usize] = value_141;
+            lambda[3usize] = value_142;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[23usize] > c[24usize]))
+                .mark(3usize, !(c[25usize] > c[26usize]))
+                .mark(0usize, !(difference_80 > c[27usize]))
+                .mark(1usize, !(difference_80 > c[27usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            residual: &[f64],
+            delta: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let residual = ::ezy_core::kernel::array::<4usize>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
+            let right_side_rear = residual[2usize];
+            let right_side_front = residual[3usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_7 = c[3usize] * cos_seat_phi;
+            let product_8 = cos_seat_phi * product_7;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_12 = c[4usize] * cos_bar_phi;
+            let product_13 = cos_bar_phi * product_12;
+            let sum_14 = product_8 + product_13;
+            let sum_16 = sum_14 + c[5usize];
+            let product_18 = c[3usize] * sin_seat_phi;
+            let product_19 = cos_seat_phi * product_18;
+            let product_21 = c[4usize] * sin_bar_phi;
+            let product_22 = cos_bar_phi * product_21;
+            let sum_23 = product_19 + product_22;
+            let difference_25 = c[6usize] - sum_14;
+            let residual_0 = residual[0usize];
+            let product_28 = right_side_rear * c[8usize];
+            let product_29 = sin_seat_phi * product_28;
+            let difference_30 = residual_0 - product_29;
+            let product_32 = right_side_front * c[10usize];
+            let product_33 = sin_bar_phi * product_32;
+            let difference_34 = difference_30 - product_33;
+            let residual_1 = residual[1usize];
+            let product_36 = cos_seat_phi * product_28;
+            let sum_37 = residual_1 + product_36;
+            let product_38 = cos_bar_phi * product_32;
+            let sum_39 = sum_37 + product_38;
+            let product_40 = sum_16 * difference_25;
+            let product_41 = sum_23 * sum_23;
+            let difference_42 = product_40 - product_41;
+            let quotient_43 = 1f64 / difference_42;
+            let product_44 = difference_25 * difference_34;
+            let product_45 = sum_23 * sum_39;
+            let difference_46 = product_44 - product_45;
+            let lambda_B_x = quotient_43 * difference_46;
+            let product_48 = sum_23 * difference_34;
+            let product_49 = sum_16 * sum_39;
+            let difference_50 = product_49 - product_48;
+            let lambda_B_y = quotient_43 * difference_50;
+            let product_52 = sin_bar_phi * lambda_B_x;
+            let product_53 = cos_bar_phi * lambda_B_y;
+            let difference_54 = product_53 - product_52;
+            let product_55 = c[10usize] * difference_54;
+            let product_57 = right_side_front * c[13usize];
+            let lambda_front = product_55 + product_57;
+            let product_59 = sin_seat_phi * lambda_B_x;
+            let product_60 = cos_seat_phi * lambda_B_y;
+            let difference_61 = product_60 - product_59;
+            let product_62 = c[8usize] * difference_61;
+            let product_64 = right_side_rear * c[14usize];
+            let lambda_rear = product_62 + product_64;
+            let product_66 = sin_seat_phi * lambda_rear;
+            let difference_67 = product_66 - lambda_B_x;
+            let product_69 = difference_67 * c[15usize];
+            let product_70 = cos_seat_phi * lambda_rear;
+            let sum_71 = lambda_B_y + product_70;
+            let product_72 = c[15usize] * sum_71;
+            let product_74 = difference_61 * c[16usize];
+            let product_76 = lambda_rear * c[18usize];
+            let difference_77 = product_76 - product_74;
+            let product_78 = sin_bar_phi * lambda_front;
+            let sum_79 = lambda_B_x + product_78;
+            let product_81 = sum_79 * c[19usize];
+            let product_82 = cos_bar_phi * lambda_front;
+            let difference_83 = lambda_B_y - product_82;
+            let product_84 = c[19usize] * difference_83;
+            let product_86 = difference_54 * c[20usize];
+            let product_88 = lambda_front * c[22usize];
+            let sum_89 = product_86 + product_88;
+            let value_95 = -product_72;
+            let value_96 = -sum_89;
+            delta[0usize] = product_69;
+            delta[1usize] = value_95;
+            delta[2usize] = difference_77;
+            delta[3usize] = product_81;
+            delta[4usize] = product_84;
+            delta[5usize] = value_96;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[23usize] > c[24usize]))
+                .mark(3usize, !(c[25usize] > c[26usize]))
+                .mark(0usize, !(difference_42 > c[27usize]))
+                .mark(1usize, !(difference_42 > c[27usize]))
+        }
+    }
+    ///Driven, with rolling resistance.
+    ///
+    ///Accelerations and multipliers cost 43 additions, 78 multiplications, 1 divisions and 3 sine–cosine pairs.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct DrivenOnTarmac {
+        ///rear wheel A, behind the seat's centre of mass (m); default `0.2`.
+        pub a: f64,
+        ///hinge B, ahead of the seat's centre of mass (m); default `0.6`.
+        pub b: f64,
+        ///front wheel C, beyond the bar's centre of mass (m); default `0.1`.
+        pub c: f64,
+        ///bar's centre of mass, beyond the hinge (m); default `0.1`.
+        pub d: f64,
+        ///mass of seat and rider (kg); default `46.0`.
+        pub m1: f64,
+        ///moment of inertia of seat and rider (kg*m^2); default `10.0`.
+        pub i1: f64,
+        ///mass of the bar (kg); default `1.0`.
+        pub m2: f64,
+        ///moment of inertia of the bar (kg*m^2); default `0.005`.
+        pub i2: f64,
+        ///largest torque (N*m); default `2.0`.
+        pub m0: f64,
+        ///angular frequency of the torque (rad/s); default `pi`.
+        pub omega: f64,
+        ///drag per speed (N*s/m); default `0.5`.
+        pub k: f64,
+    }
+    impl ::core::default::Default for DrivenOnTarmac {
+        fn default() -> Self {
+            Self {
+                a: 0.2f64,
+                b: 0.6f64,
+                c: 0.1f64,
+                d: 0.1f64,
+                m1: 46f64,
+                i1: 10f64,
+                m2: 1f64,
+                i2: 0.005f64,
+                m0: 2f64,
+                omega: 3.141592653589793f64,
+                k: 0.5f64,
+            }
+        }
+    }
+    impl DrivenOnTarmac {
+        /// What is known of the scene when it is compiled.
+        pub const INFO: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+            model: "EzyRoller",
+            name: "driven_on_tarmac",
+            documentation: "Driven, with rolling resistance.",
+            bodies: &["seat", "bar"],
+            coordinates: &[
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.x",
+                    velocity_name: "seat.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.x",
+                        latex: "x_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vx",
+                        latex: "\\dot{x}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.y",
+                    velocity_name: "seat.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.y",
+                        latex: "y_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vy",
+                        latex: "\\dot{y}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.phi",
+                    velocity_name: "seat.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.phi",
+                        latex: "\\varphi_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.x",
+                    velocity_name: "bar.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.x",
+                        latex: "x_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vx",
+                        latex: "\\dot{x}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.y",
+                    velocity_name: "bar.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.y",
+                        latex: "y_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vy",
+                        latex: "\\dot{y}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.phi",
+                    velocity_name: "bar.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.phi",
+                        latex: "\\varphi_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+            ],
+            points: &[
+                ::ezy_core::model::PointInfo {
+                    name: "A",
+                    body: ::core::option::Option::Some(0usize),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "C",
+                    body: ::core::option::Option::Some(1usize),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "B",
+                    body: ::core::option::Option::Some(0usize),
+                },
+            ],
+            rows: &[
+                ::ezy_core::model::RowInfo {
+                    name: "B.x",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "b*cos(seat.phi) + seat.x + d*cos(bar.phi) - bar.x",
+                        latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}} + x_{\\mathrm{seat}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}} - x_{\\mathrm{bar}}",
+                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
+                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "B.y",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "b*sin(seat.phi) + seat.y + d*sin(bar.phi) - bar.y",
+                        latex: "b \\, \\sin{\\varphi_{\\mathrm{seat}}} + y_{\\mathrm{seat}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}} - y_{\\mathrm{bar}}",
+                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
+                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "rear",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
+                        latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "front",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
+                        latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mi>c</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+            ],
+            n_position_rows: 2usize,
+            parameters: &[
+                ::ezy_core::model::ParameterInfo {
+                    name: "a",
+                    unit: "m",
+                    default: 0.2f64,
+                    default_text: "0.2",
+                    documentation: "rear wheel A, behind the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "a",
+                        latex: "a",
+                        mathml: "<mi>a</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "b",
+                    unit: "m",
+                    default: 0.6f64,
+                    default_text: "0.6",
+                    documentation: "hinge B, ahead of the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "b",
+                        latex: "b",
+                        mathml: "<mi>b</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "c",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "front wheel C, beyond the bar's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "c",
+                        latex: "c",
+                        mathml: "<mi>c</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "d",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "bar's centre of mass, beyond the hinge",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "d",
+                        latex: "d",
+                        mathml: "<mi>d</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m1",
+                    unit: "kg",
+                    default: 46f64,
+                    default_text: "46.0",
+                    documentation: "mass of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m1",
+                        latex: "m_{\\mathrm{1}}",
+                        mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i1",
+                    unit: "kg*m^2",
+                    default: 10f64,
+                    default_text: "10.0",
+                    documentation: "moment of inertia of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i1",
+                        latex: "i_{\\mathrm{1}}",
+                        mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m2",
+                    unit: "kg",
+                    default: 1f64,
+                    default_text: "1.0",
+                    documentation: "mass of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m2",
+                        latex: "m_{\\mathrm{2}}",
+                        mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i2",
+                    unit: "kg*m^2",
+                    default: 0.005f64,
+                    default_text: "0.005",
+                    documentation: "moment of inertia of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i2",
+                        latex: "i_{\\mathrm{2}}",
+                        mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m0",
+                    unit: "N*m",
+                    default: 2f64,
+                    default_text: "2.0",
+                    documentation: "largest torque",
+                    effect: ::core::option::Option::Some("pump"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m0",
+                        latex: "m_{\\mathrm{0}}",
+                        mathml: "<msub><mi>m</mi><mtext>0</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "omega",
+                    unit: "rad/s",
+                    default: 3.141592653589793f64,
+                    default_text: "pi",
+                    documentation: "angular frequency of the torque",
+                    effect: ::core::option::Option::Some("pump"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "omega",
+                        latex: "\\omega",
+                        mathml: "<mi>ω</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "k",
+                    unit: "N*s/m",
+                    default: 0.5f64,
+                    default_text: "0.5",
+                    documentation: "drag per speed",
+                    effect: ::core::option::Option::Some("rolling_resistance"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "k",
+                        latex: "k",
+                        mathml: "<mi>k</mi>",
+                    },
+                },
+            ],
+            effects: &[
+                ::ezy_core::model::EffectInfo {
+                    name: "pump",
+                    documentation: "The rider swings the bar: a torque between seat and bar.",
+                },
+                ::ezy_core::model::EffectInfo {
+                    name: "rolling_resistance",
+                    documentation: "Drag of the rear wheel, proportional to its speed.",
+                },
+            ],
+            until_s: 60f64,
+            n_constants: 38usize,
+            jacobian: ::ezy_core::model::SparsityPattern {
+                starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
+                columns: &[
+                    0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize,
+                    0usize, 1usize, 2usize, 3usize, 4usize, 5usize,
+                ],
+            },
+            jacobian_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-b*sin(seat.phi)",
+                    latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-d*sin(bar.phi)",
+                    latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "b*cos(seat.phi)",
+                    latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "d*cos(bar.phi)",
+                    latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(seat.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(seat.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-a",
+                    latex: "-a",
+                    mathml: "<mrow><mo>−</mo><mi>a</mi></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(bar.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(bar.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "c",
+                    latex: "c",
+                    mathml: "<mrow><mi>c</mi></mrow>",
+                },
+            ],
+            mass_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i1",
+                    latex: "i_{\\mathrm{1}}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i2",
+                    latex: "i_{\\mathrm{2}}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
+                },
+            ],
+            force_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "-k*seat.vx - k*a*seat.omega*sin(seat.phi)",
+                    latex: "-k \\, \\dot{x}_{\\mathrm{seat}} - k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-k*seat.vy + k*a*seat.omega*cos(seat.phi)",
+                    latex: "-k \\, \\dot{y}_{\\mathrm{seat}} + k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>+</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-k*a*a*seat.omega - k*a*seat.vx*sin(seat.phi) + k*a*seat.vy*cos(seat.phi) + m0*cos(omega*t)",
+                    latex: "-k \\, a \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + m_{\\mathrm{0}} \\, \\cos\\left(\\omega \\, t\\right)",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-m0*cos(omega*t)",
+                    latex: "-m_{\\mathrm{0}} \\, \\cos\\left(\\omega \\, t\\right)",
+                    mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                },
+            ],
+            elimination: &[
+                ::ezy_core::model::EliminationStep {
+                    rows: &[2usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[3usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[0usize, 1usize],
+                    constant_pivot: false,
+                },
+            ],
+            acceleration_operations: ::ezy_core::model::Operations {
+                add: 43usize,
+                mul: 78usize,
+                div: 1usize,
+                trig: 3usize,
+                calls: 0usize,
+            },
+            correction_operations: ::ezy_core::model::Operations {
+                add: 23usize,
+                mul: 42usize,
+                div: 1usize,
+                trig: 2usize,
+                calls: 0usize,
+            },
+        };
+    }
+    #[automatically_derived]
+    impl ::ezy_core::model::Scene for DrivenOnTarmac {
+        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+            static INFO: ::ezy_core::model::SceneInfo = DrivenOnTarmac::INFO;
+            &INFO
+        }
+        fn parameter(&self, index: usize) -> f64 {
+            match index {
+                0usize => self.a,
+                1usize => self.b,
+                2usize => self.c,
+                3usize => self.d,
+                4usize => self.m1,
+                5usize => self.i1,
+                6usize => self.m2,
+                7usize => self.i2,
+                8usize => self.m0,
+                9usize => self.omega,
+                10usize => self.k,
+                _ => f64::NAN,
+            }
+        }
+        fn set_parameter(&mut self, index: usize, value: f64) {
+            match index {
+                0usize => self.a = value,
+                1usize => self.b = value,
+                2usize => self.c = value,
+                3usize => self.d = value,
+                4usize => self.m1 = value,
+                5usize => self.i1 = value,
+                6usize => self.m2 = value,
+                7usize => self.i2 = value,
+                8usize => self.m0 = value,
+                9usize => self.omega = value,
+                10usize => self.k = value,
+                _ => {}
+            }
+        }
+        fn constants(&self, c: &mut [f64]) {
+            let c = ::ezy_core::kernel::array_mut::<38usize>(c);
+            let k1 = 1f64;
+            let k2 = self.m1;
+            let k3 = self.i1;
+            let k4 = self.m2;
+            let k5 = self.i2;
+            let k6 = self.b;
+            let k7 = self.d;
+            let k9 = self.a;
+            let k10 = self.c;
+            let k11 = self.m0;
+            let k12 = self.omega;
+            let k13 = self.k;
+            let k14 = k13 * k9;
+            let k15 = k14 * k9;
+            let k16 = -(k14 + k14);
+            let k17 = ::core::f64::consts::PI;
+            let k18 = k1 / k2;
+            let k19 = k1 / k3;
+            let k20 = k6 * k19;
+            let k21 = k1 / k4;
+            let k22 = k1 / k5;
+            let k23 = k7 * k11;
+            let k24 = k23 * k22;
+            let k25 = k9 * k19;
+            let k26 = k10 * k11;
+            let k27 = k26 * k22;
+            let k28 = k6 * k6;
+            let k29 = k28 * k19;
+            let k30 = k7 * k7;
+            let k31 = k30 * k22;
+            let k32 = k18 + k29;
+            let k33 = k32 + k21;
+            let k34 = k33 + k31;
+            let k35 = k6 * k9;
+            let k36 = k35 * k19;
+            let k37 = k36 - k18;
+            let k38 = k7 * k10;
+            let k39 = k38 * k22;
+            let k40 = k21 - k39;
+            let k41 = k18 + k21;
+            let k42 = k9 * k9;
+            let k43 = k42 * k19;
+            let k44 = k18 + k43;
+            let k45 = k10 * k10;
+            let k46 = k45 * k22;
+            let k47 = k21 + k46;
+            let k48 = k1 / k44;
+            let k49 = k37 * k48;
+            let k50 = k49 * k37;
+            let k51 = k34 - k50;
+            let k52 = k50 - k29;
+            let k53 = k1 / k47;
+            let k54 = k40 * k53;
+            let k55 = k54 * k40;
+            let k56 = k51 - k55;
+            let k57 = k55 - k31;
+            let k58 = k11 * k22;
+            let k59 = k7 * k22;
+            let k60 = k10 * k22;
+            let k61 = 0.0000000001f64;
+            let k62 = k61 * k44;
+            let k63 = k61 * k47;
+            let k64 = k34 + k41;
+            let k65 = k64 * k64;
+            let k66 = k61 * k65;
+            c[0usize] = k13;
+            c[1usize] = k14;
+            c[2usize] = k15;
+            c[3usize] = k11;
+            c[4usize] = k12;
+            c[5usize] = k18;
+            c[6usize] = k25;
+            c[7usize] = k27;
+            c[8usize] = k52;
+            c[9usize] = k57;
+            c[10usize] = k56;
+            c[11usize] = k41;
+            c[12usize] = k20;
+            c[13usize] = k49;
+            c[14usize] = k24;
+            c[15usize] = k54;
+            c[16usize] = k6;
+            c[17usize] = k7;
+            c[18usize] = k53;
+            c[19usize] = k48;
+            c[20usize] = k19;
+            c[21usize] = k21;
+            c[22usize] = k59;
+            c[23usize] = k58;
+            c[24usize] = k60;
+            c[25usize] = k44;
+            c[26usize] = k62;
+            c[27usize] = k47;
+            c[28usize] = k63;
+            c[29usize] = k66;
+            c[30usize] = k2;
+            c[31usize] = k3;
+            c[32usize] = k4;
+            c[33usize] = k5;
+            c[34usize] = k9;
+            c[35usize] = k10;
+            c[36usize] = k16;
+            c[37usize] = k17;
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            0.0
+        }
+        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
+            out[0usize] = c[30usize];
+            out[1usize] = c[30usize];
+            out[2usize] = c[31usize];
+            out[3usize] = c[32usize];
+            out[4usize] = c[32usize];
+            out[5usize] = c[33usize];
+        }
+        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = c[16usize] * cos_seat_phi;
+            let seat_x = q[0usize];
+            let sum_7 = product_5 + seat_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_11 = c[17usize] * cos_bar_phi;
+            let sum_12 = sum_7 + product_11;
+            let bar_x = q[3usize];
+            let difference_14 = sum_12 - bar_x;
+            let product_16 = c[16usize] * sin_seat_phi;
+            let seat_y = q[1usize];
+            let sum_18 = product_16 + seat_y;
+            let product_20 = c[17usize] * sin_bar_phi;
+            let sum_21 = sum_18 + product_20;
+            let bar_y = q[4usize];
+            let difference_23 = sum_21 - bar_y;
+            out[0usize] = difference_14;
+            out[1usize] = difference_23;
+        }
+        fn velocity_constraint(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
+            let seat_vx = v[0usize];
+            let seat_omega = v[2usize];
+            let product_5 = c[16usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_5 * sin_seat_phi;
+            let difference_9 = seat_vx - product_8;
+            let bar_vx = v[3usize];
+            let difference_11 = difference_9 - bar_vx;
+            let bar_omega = v[5usize];
+            let product_14 = c[17usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_17 = product_14 * sin_bar_phi;
+            let difference_18 = difference_11 - product_17;
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let product_23 = product_5 * cos_seat_phi;
+            let sum_24 = difference_21 + product_23;
+            let product_26 = product_14 * cos_bar_phi;
+            let sum_27 = sum_24 + product_26;
+            let product_29 = seat_omega * c[34usize];
+            let product_30 = seat_vx * sin_seat_phi;
+            let sum_31 = product_29 + product_30;
+            let product_32 = seat_vy * cos_seat_phi;
+            let difference_33 = product_32 - sum_31;
+            let product_35 = bar_omega * c[35usize];
+            let product_36 = bar_vx * sin_bar_phi;
+            let difference_37 = product_35 - product_36;
+            let product_38 = bar_vy * cos_bar_phi;
+            let sum_39 = difference_37 + product_38;
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = difference_33;
+            out[3usize] = sum_39;
+        }
+        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<14usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_4 = c[16usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_8 = c[17usize] * sin_bar_phi;
+            let product_10 = c[16usize] * cos_seat_phi;
+            let product_12 = c[17usize] * cos_bar_phi;
+            let value_15 = -product_4;
+            let value_16 = -1f64;
+            let value_17 = -product_8;
+            let value_18 = -sin_seat_phi;
+            let value_19 = -c[34usize];
+            let value_20 = -sin_bar_phi;
+            out[0usize] = 1f64;
+            out[1usize] = value_15;
+            out[2usize] = value_16;
+            out[3usize] = value_17;
+            out[4usize] = 1f64;
+            out[5usize] = product_10;
+            out[6usize] = value_16;
+            out[7usize] = product_12;
+            out[8usize] = value_18;
+            out[9usize] = cos_seat_phi;
+            out[10usize] = value_19;
+            out[11usize] = value_20;
+            out[12usize] = cos_bar_phi;
+            out[13usize] = c[35usize];
+        }
+        fn convective_term(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[16usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[17usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = product_12 * cos_bar_phi;
+            let sum_16 = product_8 + product_15;
+            let product_18 = product_4 * sin_seat_phi;
+            let product_20 = product_12 * sin_bar_phi;
+            let sum_21 = product_18 + product_20;
+            let seat_vx = v[0usize];
+            let product_23 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let product_25 = sin_seat_phi * seat_vy;
+            let sum_26 = product_23 + product_25;
+            let product_27 = seat_omega * sum_26;
+            let bar_vx = v[3usize];
+            let product_29 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let product_31 = sin_bar_phi * bar_vy;
+            let sum_32 = product_29 + product_31;
+            let product_33 = bar_omega * sum_32;
+            let value_34 = -sum_16;
+            let value_35 = -sum_21;
+            let value_36 = -product_27;
+            let value_37 = -product_33;
+            out[0usize] = value_34;
+            out[1usize] = value_35;
+            out[2usize] = value_36;
+            out[3usize] = value_37;
+        }
+        fn applied_force(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_vx = v[0usize];
+            let product_3 = c[0usize] * seat_vx;
+            let seat_omega = v[2usize];
+            let product_6 = c[1usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_10 = product_6 * sin_seat_phi;
+            let sum_11 = product_3 + product_10;
+            let seat_vy = v[1usize];
+            let product_13 = c[0usize] * seat_vy;
+            let product_15 = product_6 * cos_seat_phi;
+            let difference_16 = product_15 - product_13;
+            let product_17 = seat_vx * sin_seat_phi;
+            let product_18 = seat_vy * cos_seat_phi;
+            let difference_19 = product_18 - product_17;
+            let product_20 = c[1usize] * difference_19;
+            let product_22 = seat_omega * c[2usize];
+            let difference_23 = product_20 - product_22;
+            let product_27 = c[4usize] * t;
+            let cos_27 = f64::cos(product_27);
+            let product_29 = c[3usize] * cos_27;
+            let sum_30 = difference_23 + product_29;
+            let value_31 = -sum_11;
+            let value_32 = -product_29;
+            out[0usize] = value_31;
+            out[1usize] = difference_16;
+            out[2usize] = sum_30;
+            out[3usize] = 0f64;
+            out[4usize] = 0f64;
+            out[5usize] = value_32;
+        }
+        fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_omega = v[2usize];
+            let bar_omega = v[5usize];
+            let difference_4 = seat_omega - bar_omega;
+            let product_7 = c[4usize] * t;
+            let cos_7 = f64::cos(product_7);
+            let product_9 = difference_4 * cos_7;
+            let product_11 = product_9 * c[3usize];
+            let seat_vx = v[0usize];
+            let product_13 = seat_vx * seat_vx;
+            let seat_vy = v[1usize];
+            let product_15 = seat_vy * seat_vy;
+            let sum_16 = product_13 + product_15;
+            let product_18 = sum_16 * c[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_21 = seat_vx * sin_seat_phi;
+            let product_23 = seat_vy * cos_seat_phi;
+            let difference_24 = product_21 - product_23;
+            let product_26 = difference_24 * c[36usize];
+            let product_28 = seat_omega * c[2usize];
+            let difference_29 = product_26 - product_28;
+            let product_30 = seat_omega * difference_29;
+            let difference_31 = product_30 - product_18;
+            out[0usize] = product_11;
+            out[1usize] = difference_31;
+        }
+        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = c[34usize] * cos_seat_phi;
+            let seat_x = q[0usize];
+            let difference_7 = seat_x - product_5;
+            let product_9 = c[34usize] * sin_seat_phi;
+            let seat_y = q[1usize];
+            let difference_11 = seat_y - product_9;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = c[35usize] * cos_bar_phi;
+            let bar_x = q[3usize];
+            let sum_17 = product_15 + bar_x;
+            let product_19 = c[35usize] * sin_bar_phi;
+            let bar_y = q[4usize];
+            let sum_21 = product_19 + bar_y;
+            let product_23 = cos_seat_phi * c[16usize];
+            let sum_24 = seat_x + product_23;
+            let product_25 = sin_seat_phi * c[16usize];
+            let sum_26 = seat_y + product_25;
+            out[0usize] = difference_7;
+            out[1usize] = difference_11;
+            out[2usize] = sum_17;
+            out[3usize] = sum_21;
+            out[4usize] = sum_24;
+            out[5usize] = sum_26;
+        }
+        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            start.give_position(0usize, 0f64);
+            start.give_position(1usize, 0f64);
+            start.give_position(2usize, 0f64);
+            start.give_position(5usize, c[37usize]);
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            a: &mut [f64],
+            lambda: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<4usize>(lambda);
+            let seat_vx = v[0usize];
+            let product_3 = c[0usize] * seat_vx;
+            let seat_omega = v[2usize];
+            let product_6 = c[1usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_10 = product_6 * sin_seat_phi;
+            let minus_force_seat_x = product_3 + product_10;
+            let seat_vy = v[1usize];
+            let product_13 = c[0usize] * seat_vy;
+            let product_15 = product_6 * cos_seat_phi;
+            let force_seat_y = product_15 - product_13;
+            let product_17 = seat_vx * sin_seat_phi;
+            let product_18 = seat_vy * cos_seat_phi;
+            let difference_19 = product_18 - product_17;
+            let product_20 = c[1usize] * difference_19;
+            let product_22 = seat_omega * c[2usize];
+            let difference_23 = product_20 - product_22;
+            let product_27 = c[4usize] * t;
+            let cos_27 = f64::cos(product_27);
+            let product_29 = c[3usize] * cos_27;
+            let force_seat_phi = difference_23 + product_29;
+            let product_31 = sin_seat_phi * minus_force_seat_x;
+            let product_32 = cos_seat_phi * force_seat_y;
+            let sum_33 = product_31 + product_32;
+            let product_35 = sum_33 * c[5usize];
+            let product_36 = seat_vx * cos_seat_phi;
+            let product_37 = sin_seat_phi * seat_vy;
+            let sum_38 = product_36 + product_37;
+            let product_39 = seat_omega * sum_38;
+            let difference_40 = product_35 - product_39;
+            let product_42 = force_seat_phi * c[6usize];
+            let right_side_rear = difference_40 - product_42;
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_47 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let product_50 = bar_vy * sin_bar_phi;
+            let sum_51 = product_47 + product_50;
+            let bar_omega = v[5usize];
+            let product_53 = sum_51 * bar_omega;
+            let product_55 = cos_27 * c[7usize];
+            let minus_right_side_front = product_53 + product_55;
+            let product_58 = cos_seat_phi * c[8usize];
+            let product_59 = cos_seat_phi * product_58;
+            let product_61 = cos_bar_phi * c[9usize];
+            let product_62 = cos_bar_phi * product_61;
+            let sum_63 = product_59 + product_62;
+            let sum_65 = sum_63 + c[10usize];
+            let product_66 = sin_seat_phi * c[8usize];
+            let product_67 = cos_seat_phi * product_66;
+            let product_68 = sin_bar_phi * c[9usize];
+            let product_69 = cos_bar_phi * product_68;
+            let sum_70 = product_67 + product_69;
+            let difference_72 = c[11usize] - sum_63;
+            let product_74 = force_seat_phi * c[12usize];
+            let product_76 = right_side_rear * c[13usize];
+            let sum_77 = product_74 + product_76;
+            let product_78 = sin_seat_phi * sum_77;
+            let product_80 = cos_27 * c[14usize];
+            let product_82 = minus_right_side_front * c[15usize];
+            let sum_83 = product_80 + product_82;
+            let product_84 = sin_bar_phi * sum_83;
+            let difference_85 = product_84 - product_78;
+            let product_87 = seat_omega * c[16usize];
+            let product_88 = seat_omega * product_87;
+            let product_89 = cos_seat_phi * product_88;
+            let difference_90 = difference_85 - product_89;
+            let product_92 = bar_omega * c[17usize];
+            let product_93 = bar_omega * product_92;
+            let product_94 = cos_bar_phi * product_93;
+            let difference_95 = difference_90 - product_94;
+            let product_96 = minus_force_seat_x * c[5usize];
+            let difference_97 = difference_95 - product_96;
+            let product_98 = cos_seat_phi * sum_77;
+            let product_99 = cos_bar_phi * sum_83;
+            let difference_100 = product_98 - product_99;
+            let product_101 = sin_seat_phi * product_88;
+            let difference_102 = difference_100 - product_101;
+            let product_103 = sin_bar_phi * product_93;
+            let difference_104 = difference_102 - product_103;
+            let product_105 = force_seat_y * c[5usize];
+            let sum_106 = difference_104 + product_105;
+            let product_107 = sum_65 * difference_72;
+            let product_108 = sum_70 * sum_70;
+            let difference_109 = product_107 - product_108;
+            let quotient_110 = 1f64 / difference_109;
+            let product_111 = difference_72 * difference_97;
+            let product_112 = sum_70 * sum_106;
+            let difference_113 = product_111 - product_112;
+            let lambda_B_x = quotient_110 * difference_113;
+            let product_115 = sum_70 * difference_97;
+            let product_116 = sum_65 * sum_106;
+            let difference_117 = product_116 - product_115;
+            let lambda_B_y = quotient_110 * difference_117;
+            let product_119 = sin_bar_phi * lambda_B_x;
+            let product_120 = cos_bar_phi * lambda_B_y;
+            let difference_121 = product_120 - product_119;
+            let product_122 = c[15usize] * difference_121;
+            let product_124 = minus_right_side_front * c[18usize];
+            let lambda_front = product_122 - product_124;
+            let product_126 = sin_seat_phi * lambda_B_x;
+            let product_127 = cos_seat_phi * lambda_B_y;
+            let difference_128 = product_127 - product_126;
+            let product_129 = c[13usize] * difference_128;
+            let product_131 = right_side_rear * c[19usize];
+            let lambda_rear = product_129 + product_131;
+            let sum_133 = minus_force_seat_x + lambda_B_x;
+            let product_134 = sin_seat_phi * lambda_rear;
+            let difference_135 = product_134 - sum_133;
+            let product_136 = c[5usize] * difference_135;
+            let difference_137 = force_seat_y - lambda_B_y;
+            let product_138 = cos_seat_phi * lambda_rear;
+            let difference_139 = difference_137 - product_138;
+            let product_140 = c[5usize] * difference_139;
+            let product_141 = c[12usize] * difference_128;
+            let product_143 = force_seat_phi * c[20usize];
+            let difference_144 = product_143 - product_141;
+            let product_145 = c[6usize] * lambda_rear;
+            let sum_146 = difference_144 + product_145;
+            let product_147 = sin_bar_phi * lambda_front;
+            let sum_148 = lambda_B_x + product_147;
+            let product_150 = sum_148 * c[21usize];
+            let product_151 = cos_bar_phi * lambda_front;
+            let difference_152 = lambda_B_y - product_151;
+            let product_153 = c[21usize] * difference_152;
+            let product_155 = difference_121 * c[22usize];
+            let product_157 = cos_27 * c[23usize];
+            let sum_158 = product_155 + product_157;
+            let product_160 = lambda_front * c[24usize];
+            let sum_161 = sum_158 + product_160;
+            let value_167 = -sum_161;
+            a[0usize] = product_136;
+            a[1usize] = product_140;
+            a[2usize] = sum_146;
+            a[3usize] = product_150;
+            a[4usize] = product_153;
+            a[5usize] = value_167;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = lambda_B_y;
+            lambda[2usize] = lambda_rear;
+            lambda[3usize] = lambda_front;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[25usize] > c[26usize]))
+                .mark(3usize, !(c[27usize] > c[28usize]))
+                .mark(0usize, !(difference_109 > c[29usize]))
+                .mark(1usize, !(difference_109 > c[29usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            residual: &[f64],
+            delta: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let residual = ::ezy_core::kernel::array::<4usize>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
+            let right_side_rear = residual[2usize];
+            let right_side_front = residual[3usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_7 = c[8usize] * cos_seat_phi;
+            let product_8 = cos_seat_phi * product_7;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_12 = c[9usize] * cos_bar_phi;
+            let product_13 = cos_bar_phi * product_12;
+            let sum_14 = product_8 + product_13;
+            let sum_16 = sum_14 + c[10usize];
+            let product_18 = c[8usize] * sin_seat_phi;
+            let product_19 = cos_seat_phi * product_18;
+            let product_21 = c[9usize] * sin_bar_phi;
+            let product_22 = cos_bar_phi * product_21;
+            let sum_23 = product_19 + product_22;
+            let difference_25 = c[11usize] - sum_14;
+            let residual_0 = residual[0usize];
+            let product_28 = right_side_rear * c[13usize];
+            let product_29 = sin_seat_phi * product_28;
+            let difference_30 = residual_0 - product_29;
+            let product_32 = right_side_front * c[15usize];
+            let product_33 = sin_bar_phi * product_32;
+            let difference_34 = difference_30 - product_33;
+            let residual_1 = residual[1usize];
+            let product_36 = cos_seat_phi * product_28;
+            let sum_37 = residual_1 + product_36;
+            let product_38 = cos_bar_phi * product_32;
+            let sum_39 = sum_37 + product_38;
+            let product_40 = sum_16 * difference_25;
+            let product_41 = sum_23 * sum_23;
+            let difference_42 = product_40 - product_41;
+            let quotient_43 = 1f64 / difference_42;
+            let product_44 = difference_25 * difference_34;
+            let product_45 = sum_23 * sum_39;
+            let difference_46 = product_44 - product_45;
+            let lambda_B_x = quotient_43 * difference_46;
+            let product_48 = sum_23 * difference_34;
+            let product_49 = sum_16 * sum_39;
+            let difference_50 = product_49 - product_48;
+            let lambda_B_y = quotient_43 * difference_50;
+            let product_52 = sin_bar_phi * lambda_B_x;
+            let product_53 = cos_bar_phi * lambda_B_y;
+            let difference_54 = product_53 - product_52;
+            let product_55 = c[15usize] * difference_54;
+            let product_57 = right_side_front * c[18usize];
+            let lambda_front = product_55 + product_57;
+            let product_59 = sin_seat_phi * lambda_B_x;
+            let product_60 = cos_seat_phi * lambda_B_y;
+            let difference_61 = product_60 - product_59;
+            let product_62 = c[13usize] * difference_61;
+            let product_64 = right_side_rear * c[19usize];
+            let lambda_rear = product_62 + product_64;
+            let product_66 = sin_seat_phi * lambda_rear;
+            let difference_67 = product_66 - lambda_B_x;
+            let product_69 = difference_67 * c[5usize];
+            let product_70 = cos_seat_phi * lambda_rear;
+            let sum_71 = lambda_B_y + product_70;
+            let product_72 = c[5usize] * sum_71;
+            let product_74 = difference_61 * c[12usize];
+            let product_76 = lambda_rear * c[6usize];
+            let difference_77 = product_76 - product_74;
+            let product_78 = sin_bar_phi * lambda_front;
+            let sum_79 = lambda_B_x + product_78;
+            let product_81 = sum_79 * c[21usize];
+            let product_82 = cos_bar_phi * lambda_front;
+            let difference_83 = lambda_B_y - product_82;
+            let product_84 = c[21usize] * difference_83;
+            let product_86 = difference_54 * c[22usize];
+            let product_88 = lambda_front * c[24usize];
+            let sum_89 = product_86 + product_88;
+            let value_95 = -product_72;
+            let value_96 = -sum_89;
+            delta[0usize] = product_69;
+            delta[1usize] = value_95;
+            delta[2usize] = difference_77;
+            delta[3usize] = product_81;
+            delta[4usize] = product_84;
+            delta[5usize] = value_96;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[25usize] > c[26usize]))
+                .mark(3usize, !(c[27usize] > c[28usize]))
+                .mark(0usize, !(difference_42 > c[29usize]))
+                .mark(1usize, !(difference_42 > c[29usize]))
+        }
+    }
+}

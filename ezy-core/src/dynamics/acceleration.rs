@@ -93,6 +93,32 @@ impl<S: Scene + ?Sized> System<'_, S> {
         if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
     }
 
+    /// Removes from accelerations `a` what rounding left of `G a + [h; s]`, by one correction in the mass matrix.
+    ///
+    /// The elimination finds the multipliers to their last digits and divides by masses: a bar of 0.005 kg·m² under
+    /// reactions of 10 N keeps 1e-13 rad/s². Reading the light coordinates off the rows instead keeps 1e-15.
+    ///
+    /// # Errors
+    /// As [`System::accelerations`].
+    /// # Cost
+    /// One correction; no allocation.
+    pub fn refine_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
+        let mut residual = std::mem::take(&mut self.buffers.residual);
+        let mut delta = std::mem::take(&mut self.buffers.delta);
+        self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+        self.scene.convective_term(&self.constants, t, q, v, &mut residual);
+        for (k, row, column) in self.info.jacobian.entries() {
+            residual[row] += self.buffers.jacobian[k] * a[column];
+        }
+        let outcome = self.correction(t, q, &residual, Metric::Mass, &mut delta);
+        if outcome.is_ok() {
+            a.iter_mut().zip(&delta).for_each(|(a, delta)| *a += delta);
+        }
+        self.buffers.residual = residual;
+        self.buffers.delta = delta;
+        outcome
+    }
+
     /// Names what makes K singular. Slow; only for reports.
     #[cold]
     pub(super) fn why_singular(&mut self, t: f64, q: &[f64]) -> MotionError {

@@ -11,11 +11,13 @@ pub(super) struct Keeper<'s> {
     recorder: Option<&'s mut dyn Recorder>,
     /// Kinetic and potential energy of the first sample, J.
     initial_energy: Option<f64>,
+    /// Refined accelerations.
+    a: Vec<f64>,
 }
 
 impl<'s> Keeper<'s> {
     pub fn new(info: &'static SceneInfo, recorder: Option<&'s mut dyn Recorder>) -> Self {
-        Self { record: Record::new(info), recorder, initial_energy: None }
+        Self { record: Record::new(info), recorder, initial_energy: None, a: vec![0.0; info.n_coordinates()] }
     }
 
     pub fn n_kept(&self) -> usize {
@@ -41,12 +43,16 @@ impl<'s> Keeper<'s> {
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
         let work = works.iter().sum();
         let balance = kinetic + potential - work - *self.initial_energy.get_or_insert(kinetic + potential);
+        self.a.copy_from_slice(&at.a);
+        // only for the sample: the motion must not depend on whether it is looked at. The matrix was regular a moment
+        // ago; should the correction fail all the same, the accelerations are good without it
+        let _ = system.refine_accelerations(*t, q, v, &mut self.a);
         let sample = Sample {
             info: system.info(),
             t: *t,
             coordinates: q,
             velocities: v,
-            accelerations: &at.a,
+            accelerations: &self.a,
             multipliers: &at.lambda,
             work: works,
             energy: EnergyState { kinetic, potential, work, balance },

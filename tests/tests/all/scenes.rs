@@ -1,6 +1,7 @@
 //! The scenes that the tests run over.
 
 use ezy_core::model::Scene;
+use ezy_models::ezy_roller;
 use ezy_tests::hand_roller::HandRoller;
 
 /// A scene under test, with the route by which its equations were made.
@@ -11,12 +12,18 @@ pub struct Case {
 
 /// The coasting EzyRoller by every route.
 pub fn coast() -> Vec<Case> {
-    vec![Case { route: "hand", scene: Box::new(HandRoller::coast()) }]
+    vec![
+        Case { route: "hand", scene: Box::new(HandRoller::coast()) },
+        Case { route: "generated", scene: Box::new(ezy_roller::Coast::default()) },
+    ]
 }
 
 /// The driven EzyRoller by every route.
 pub fn driven() -> Vec<Case> {
-    vec![Case { route: "hand", scene: Box::new(HandRoller::driven()) }]
+    vec![
+        Case { route: "hand", scene: Box::new(HandRoller::driven()) },
+        Case { route: "generated", scene: Box::new(ezy_roller::Driven::default()) },
+    ]
 }
 
 /// Both scenes by every route.

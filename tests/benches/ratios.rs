@@ -1,0 +1,95 @@
+//! Times as ratios within one run: the solvers of the equations of motion against each other, and a whole run.
+//!
+//! `cargo bench -p ezy-tests`. The candidates take turns, and the best of many rounds counts, so that what else the
+//! machine does falls on all of them.
+
+use ezy_core::prelude::*;
+use ezy_models::ezy_roller;
+use nalgebra::{SMatrix, SVector};
+use std::hint::black_box;
+use std::time::Instant;
+
+const N_ROUNDS: usize = 60;
+const N_CALLS: usize = 20_000;
+const N_STATES: usize = 64;
+const N_RUNS: usize = 7;
+
+/// Accelerations with assembly: the backends, and besides them the least that a dense solution can cost.
+const BACKENDS: [(&str, Backend); 3] = [
+    ("accelerations/generated", Backend::Generated),
+    ("accelerations/dense (scaled LU, watched pivots)", Backend::Dense),
+    ("accelerations/sparse (faer LDLt)", Backend::Sparse),
+];
+const PLAIN_LU: &str = "accelerations/plain LU of a 10 x 10 (nalgebra)";
+
+fn main() {
+    accelerations();
+    driven_run();
+}
+
+fn accelerations() {
+    let scene = ezy_roller::Driven::default();
+    let run = Simulation::new(&scene).until(6.4).every(0.1).run().expect("the driven scene runs");
+    let states: Vec<_> =
+        run.samples().take(N_STATES).map(|s| (s.t, s.coordinates.to_vec(), s.velocities.to_vec())).collect();
+    let mut systems =
+        BACKENDS.map(|(_, backend)| System::new(&scene, backend).expect("the declared parameters are fine"));
+    let constants = systems[0].constants().to_vec();
+    let mut best = [f64::INFINITY; BACKENDS.len() + 1];
+    let (mut a, mut lambda) = ([0.0; 6], [0.0; 4]);
+    for _ in 0..N_ROUNDS {
+        for (system, best) in systems.iter_mut().zip(&mut best) {
+            *best = best.min(seconds_a_call(|i| {
+                let (t, q, v) = &states[i % N_STATES];
+                let solved = system.accelerations(*t, black_box(q), black_box(v), &mut a, &mut lambda);
+                black_box((&a, &lambda, solved.is_ok()));
+            }));
+        }
+        let plain = &mut best[BACKENDS.len()];
+        *plain = plain.min(seconds_a_call(|i| {
+            let (t, q, v) = &states[i % N_STATES];
+            black_box(plain_lu(&scene, &constants, *t, black_box(q), black_box(v)));
+        }));
+    }
+    for (name, time) in BACKENDS.iter().map(|(name, _)| *name).chain([PLAIN_LU]).zip(best) {
+        println!("{name:50} {:8.1} ns  {:6.2} x generated", 1e9 * time, time / best[0]);
+    }
+}
+
+fn seconds_a_call(mut call: impl FnMut(usize)) -> f64 {
+    let began = Instant::now();
+    (0..N_CALLS).for_each(&mut call);
+    began.elapsed().as_secs_f64() / N_CALLS as f64
+}
+
+/// K assembled and solved on the stack, its size known to the compiler, without scaling or a look at the pivots.
+fn plain_lu(scene: &ezy_roller::Driven, c: &[f64], t: f64, q: &[f64], v: &[f64]) -> Option<SVector<f64, 10>> {
+    let (mut m, mut g) = ([0.0; 6], [0.0; 14]);
+    let mut right_side = SVector::<f64, 10>::zeros();
+    scene.mass_matrix(c, &mut m);
+    scene.velocity_jacobian(c, t, q, &mut g);
+    let (force, convective) = right_side.as_mut_slice().split_at_mut(6);
+    scene.applied_force(c, t, q, v, force);
+    scene.convective_term(c, t, q, v, convective);
+    convective.iter_mut().for_each(|h| *h = -*h);
+    let mut kkt = SMatrix::<f64, 10, 10>::zeros();
+    (0..6).for_each(|i| kkt[(i, i)] = m[i]);
+    for (k, row, column) in scene.info().jacobian.entries() {
+        kkt[(6 + row, column)] = g[k];
+        kkt[(column, 6 + row)] = g[k];
+    }
+    kkt.lu().solve(&right_side)
+}
+
+fn driven_run() {
+    let scene = ezy_roller::Driven::default();
+    let order = || Simulation::new(&scene).method(Method::rk4(1e-3)).until(60.0);
+    let mut seconds = f64::INFINITY;
+    let mut cost = None;
+    for _ in 0..N_RUNS {
+        let run = order().run().expect("the driven scene runs");
+        seconds = seconds.min(run.cost.seconds);
+        cost = Some(run.cost);
+    }
+    println!("run/driven 60 s/rk4 1 ms                           {:8.1} ms  {cost:?}", 1e3 * seconds);
+}

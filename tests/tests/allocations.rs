@@ -1,0 +1,33 @@
+//! No step of a run allocates: a run of ten times the steps allocates as often.
+
+use ezy_core::model::Scene;
+use ezy_core::prelude::*;
+use ezy_models::ezy_roller;
+use ezy_tests::hand_roller::HandRoller;
+
+fn allocations(scene: &dyn Scene, backend: Backend, metric: Metric, n_steps: u32) -> u64 {
+    let mut n_done = 0;
+    let info = allocation_counter::measure(|| {
+        let order = Simulation::new(scene).backend(backend).metric(metric).method(Method::rk4(1e-3));
+        n_done = order.until(f64::from(n_steps) * 1e-3).run().unwrap().cost.steps;
+    });
+    assert_eq!(n_done, u64::from(n_steps));
+    info.count_total
+}
+
+#[test]
+fn invariant_steps_do_not_allocate() {
+    let scenes: [(&str, &dyn Scene); 3] = [
+        ("hand", &HandRoller::driven()),
+        ("generated", &ezy_roller::Driven::default()),
+        ("generated coast", &ezy_roller::Coast::default()),
+    ];
+    for (route, scene) in scenes {
+        for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
+            for metric in [Metric::Mass, Metric::Euclidean] {
+                let [few, many] = [100, 1000].map(|n| allocations(scene, backend, metric, n));
+                assert_eq!(few, many, "{route} {backend:?} {metric:?}");
+            }
+        }
+    }
+}

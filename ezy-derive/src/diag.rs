@@ -1,12 +1,15 @@
 //! Faults of a model text, collected so that a user sees all faults of a stage at once.
 //!
-//! The wording of every message is in the catalogue below this module: [`syntax`], [`names`], [`rules`], [`equations`].
+//! The wording of every message is in the catalogue below this module: [`syntax`], [`names`], [`values`], [`rules`],
+//! [`scenes`], [`equations`].
 
 pub mod equations;
 pub mod names;
 pub mod nearest;
 pub mod rules;
+pub mod scenes;
 pub mod syntax;
+pub mod values;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;

@@ -1,7 +1,7 @@
 //! Values of parameters and durations: numbers, `pi` and operators, computed when the model is compiled.
 
 use super::{Expr, Function};
-use crate::diag::rules;
+use crate::diag::values;
 use crate::parse::ast::{self, Operator};
 use std::f64::consts::PI;
 use syn::Result;
@@ -9,19 +9,19 @@ use syn::Result;
 /// The value of an expression of numbers; `of` says what it is for.
 pub fn constant(expr: &ast::Expr, of: &str) -> Result<f64> {
     let value = evaluate(expr, of)?;
-    if value.is_finite() { Ok(value) } else { Err(rules::constant_not_finite(expr.extent(), of, value)) }
+    if value.is_finite() { Ok(value) } else { Err(values::constant_not_finite(expr.extent(), of, value)) }
 }
 
 fn evaluate(expr: &ast::Expr, of: &str) -> Result<f64> {
     match expr {
         ast::Expr::Number { value, .. } => Ok(*value),
         ast::Expr::Name(name) if name == "pi" => Ok(PI),
-        ast::Expr::Name(name) => Err(rules::name_in_constant(name, &name.to_string(), of)),
+        ast::Expr::Name(name) => Err(values::name_in_constant(name, &name.to_string(), of)),
         ast::Expr::Member { owner, member } => {
-            Err(rules::name_in_constant(expr.extent(), &format!("{owner}.{member}"), of))
+            Err(values::name_in_constant(expr.extent(), &format!("{owner}.{member}"), of))
         }
-        ast::Expr::Call { function, .. } => Err(rules::name_in_constant(function, &function.to_string(), of)),
-        ast::Expr::Vector { .. } => Err(rules::expected_scalar(expr.extent(), of)),
+        ast::Expr::Call { function, .. } => Err(values::name_in_constant(function, &function.to_string(), of)),
+        ast::Expr::Vector { .. } => Err(values::expected_scalar(expr.extent(), of)),
         ast::Expr::Negative { operand, .. } => Ok(-evaluate(operand, of)?),
         ast::Expr::Binary { operator, left, right, .. } => {
             let (a, b) = (evaluate(left, of)?, evaluate(right, of)?);

@@ -5,7 +5,7 @@ use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
 use super::value::{Form, Value};
 use super::{Direction, Expr};
-use crate::diag::{names, rules};
+use crate::diag::{names, rules, values};
 use crate::parse::ast;
 use proc_macro2::Ident;
 
@@ -51,7 +51,7 @@ impl Context<'_> {
         match value.form {
             Form::Scalar(scalar) => Some((scalar, value.measure)),
             Form::Vector(..) => {
-                self.diag.error(rules::expected_scalar(expr.extent(), what));
+                self.diag.error(values::expected_scalar(expr.extent(), what));
                 None
             }
         }
@@ -67,7 +67,7 @@ impl Context<'_> {
     ) -> Option<(Expr, Expr)> {
         let value = self.value(expr, purpose)?;
         let Form::Vector(x, y) = value.form else {
-            self.diag.error(rules::expected_vector(expr.extent(), what));
+            self.diag.error(values::expected_vector(expr.extent(), what));
             return None;
         };
         self.check_dimension(expr, what, value.measure, dimension)?;
@@ -84,7 +84,7 @@ impl Context<'_> {
     ) -> Option<()> {
         match found.known().zip(wanted) {
             Some((found, wanted)) if found != wanted => {
-                self.diag.error(rules::wrong_dimension(expr.extent(), what, &found, &wanted));
+                self.diag.error(values::wrong_dimension(expr.extent(), what, &found, &wanted));
                 None
             }
             _ => Some(()),
@@ -149,7 +149,7 @@ impl Context<'_> {
         match &purpose.fixed {
             None => Some(()),
             Some(what) => {
-                self.diag.error(rules::must_not_move(at, what, on));
+                self.diag.error(values::must_not_move(at, what, on));
                 None
             }
         }

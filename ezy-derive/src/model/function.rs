@@ -5,7 +5,7 @@ use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
 use super::value::{Form, Value};
 use super::{Expr, Function};
-use crate::diag::{Extent, names, rules};
+use crate::diag::{Extent, names, values};
 use crate::parse::ast;
 use proc_macro2::{Ident, Span};
 
@@ -58,7 +58,7 @@ impl Context<'_> {
             return None;
         };
         if arguments.len() != arity {
-            self.diag.error(rules::arity(function, arity, arguments.len()));
+            self.diag.error(values::arity(function, arity, arguments.len()));
             return None;
         }
         match scalar {
@@ -70,12 +70,12 @@ impl Context<'_> {
     fn not_a_function(&self, function: &Ident, call: Extent, purpose: &Purpose) -> syn::Error {
         let symbol = self.names.lookup(purpose.scope, function);
         if function == "ground" || matches!(symbol, Some(Symbol::Body(_))) {
-            return rules::place_as_value(call, function);
+            return values::place_as_value(call, function);
         }
         let functions = SCALAR.iter().map(|row| row.0).chain(VECTOR.iter().map(|row| row.0));
         let functions: Vec<&str> = functions.collect();
         match symbol {
-            Some(symbol @ (Symbol::Parameter(_) | Symbol::Let(_))) => rules::called_value(function, symbol.what()),
+            Some(symbol @ (Symbol::Parameter(_) | Symbol::Let(_))) => values::called_value(function, symbol.what()),
             _ => names::unknown_function(function, &functions),
         }
     }
@@ -120,7 +120,7 @@ impl Context<'_> {
             let Some(value) = self.value(argument, purpose) else { continue };
             match value.form {
                 Form::Vector(x, y) => resolved.push((x, y, value.measure)),
-                Form::Scalar(_) => self.diag.error(rules::expected_vector(argument.extent(), &what)),
+                Form::Scalar(_) => self.diag.error(values::expected_vector(argument.extent(), &what)),
             }
         }
         if resolved.len() != arguments.len() {

@@ -4,7 +4,7 @@ use super::context::{Context, PointSource, Purpose, State};
 use super::names::{Scope, Symbol};
 use super::value::{Form, Value};
 use super::{BodyId, Expr, Place, PointId};
-use crate::diag::{names, rules};
+use crate::diag::{names, rules, values};
 use crate::parse::ast;
 use proc_macro2::Ident;
 
@@ -23,13 +23,13 @@ impl Context<'_> {
             State::Done(value) => return Some(value.clone()),
             State::Faulty => return None,
             State::InWork => {
-                self.diag.error(rules::cyclic_let(at, &source.name));
+                self.diag.error(values::cyclic_let(at, &source.name));
                 return None;
             }
             State::Waiting => {}
         }
         if self.n_lets_in_work == MAX_LETS_IN_WORK {
-            self.diag.error(rules::let_used_too_early(&source.name));
+            self.diag.error(values::let_used_too_early(&source.name));
             return None;
         }
         self.lets[id].state = State::InWork;
@@ -43,7 +43,7 @@ impl Context<'_> {
             };
             let small = parts <= MAX_PARTS && depth <= MAX_DEPTH;
             if !small {
-                self.diag.error(rules::let_too_large(&source.name));
+                self.diag.error(values::let_too_large(&source.name));
             }
             small
         });

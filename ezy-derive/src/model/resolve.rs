@@ -6,7 +6,7 @@ use super::names::{Names, Scope, Symbol};
 use super::scene::{Choice, parameters};
 use super::unit::Unit;
 use super::{BodyId, Effect, EffectId, Model, Parameter, ParameterId, Point, PointId, RowId};
-use crate::diag::{Diagnostics, names, rules};
+use crate::diag::{Diagnostics, names, rules, scenes};
 use crate::parse::ast::{self, Item, ItemKind};
 use proc_macro2::Ident;
 
@@ -146,7 +146,7 @@ impl<'a> Resolver<'a> {
         unique(&effect_names, "an effect", context.diag);
         unique(&start_names, "a start", context.diag);
         for name in effect_names.into_iter().filter(|name| *name == "model") {
-            context.diag.error(rules::effect_named_model(name));
+            context.diag.error(scenes::effect_named_model(name));
         }
         let scene_items: Vec<&ast::Scene> = scenes.iter().map(|(_, scene)| *scene).collect();
         context.check_scene_types(&scene_items);
@@ -218,7 +218,7 @@ impl Context<'_> {
                 continue;
             }
             for name in parameters(effect) {
-                self.diag.warning(rules::parameter_of_unused_effect(name, &effect.name));
+                self.diag.warning(scenes::parameter_of_unused_effect(name, &effect.name));
             }
         }
     }

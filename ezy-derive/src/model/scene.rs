@@ -5,7 +5,7 @@ use super::constant::constant;
 use super::context::Context;
 use super::unit::Unit;
 use super::{EffectId, Scene, StartId};
-use crate::diag::{names, rules};
+use crate::diag::{names, scenes};
 use crate::parse::ast;
 use proc_macro2::Ident;
 
@@ -32,7 +32,7 @@ impl Context<'_> {
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
         let Some(name) = &scene.start else {
             if !scene.broken {
-                self.diag.error(rules::scene_without_start(&scene.name, &known));
+                self.diag.error(scenes::scene_without_start(&scene.name, &known));
             }
             return None;
         };
@@ -46,7 +46,7 @@ impl Context<'_> {
     fn scene_until(&mut self, scene: &ast::Scene) -> Option<f64> {
         let Some(until) = &scene.until else {
             if !scene.broken {
-                self.diag.error(rules::scene_without_until(&scene.name));
+                self.diag.error(scenes::scene_without_until(&scene.name));
             }
             return None;
         };
@@ -55,14 +55,14 @@ impl Context<'_> {
         let number = constant(&until.value, "the end of a scene");
         let (unit, number) = (unit?, self.diag.keep(number)?);
         if unit.dimension != super::dimension::Dimension::TIME {
-            self.diag.error(rules::until_in_wrong_unit(&until.unit));
+            self.diag.error(scenes::until_in_wrong_unit(&until.unit));
             return None;
         }
         let until_s = unit.to_si(number);
         if until_s > 0.0 && until_s.is_finite() {
             return Some(until_s);
         }
-        self.diag.error(rules::until_not_positive(until.value.extent(), &scene.name));
+        self.diag.error(scenes::until_not_positive(until.value.extent(), &scene.name));
         None
     }
 
@@ -78,7 +78,7 @@ impl Context<'_> {
                 continue;
             };
             match effects.iter().find(|(id, _)| id.0 == index) {
-                Some((_, first)) => self.diag.error(rules::effect_twice(name, &scene.name, first)),
+                Some((_, first)) => self.diag.error(scenes::effect_twice(name, &scene.name, first)),
                 None => effects.push((EffectId(index), name)),
             }
         }
@@ -91,7 +91,7 @@ impl Context<'_> {
             for first in &effects[..i] {
                 let (first, second) = (choice.effects[first.0], choice.effects[second.0]);
                 for name in parameters(second).filter(|name| parameters(first).any(|other| other == *name)) {
-                    self.diag.error(rules::shared_parameter(name, &scene.name, &first.name, &second.name));
+                    self.diag.error(scenes::shared_parameter(name, &scene.name, &first.name, &second.name));
                 }
             }
         }
@@ -102,14 +102,14 @@ impl Context<'_> {
         for (i, scene) in scenes.iter().enumerate() {
             let type_name = camel_case(&scene.name.to_string());
             if crate::parse::is_rust_keyword(&type_name) {
-                self.diag.error(rules::no_type_name(&scene.name, &type_name));
+                self.diag.error(scenes::no_type_name(&scene.name, &type_name));
             }
             let same = |other: &&&ast::Scene| camel_case(&other.name.to_string()) == type_name;
             match scenes[..i].iter().find(same) {
                 Some(first) if first.name == scene.name => {
                     self.diag.error(names::declared_twice(&scene.name, "a scene", first.name.span()));
                 }
-                Some(first) => self.diag.error(rules::same_type_name(&scene.name, &type_name, &first.name)),
+                Some(first) => self.diag.error(scenes::same_type_name(&scene.name, &type_name, &first.name)),
                 None => {}
             }
         }

@@ -4,7 +4,7 @@ use super::constant::at_defaults;
 use super::context::{Context, Purpose};
 use super::dimension::Dimension;
 use super::{Component, Start, StartValue};
-use crate::diag::rules;
+use crate::diag::scenes;
 use crate::parse::ast::{self, Quantity};
 use proc_macro2::Ident;
 
@@ -28,7 +28,7 @@ impl Context<'_> {
         let mut words: Vec<&Ident> = Vec::new();
         for given in &start.given {
             if given.body == "ground" {
-                self.diag.error(rules::ground_starts(&given.body));
+                self.diag.error(scenes::ground_starts(&given.body));
                 continue;
             }
             let Some(body) = self.body(&given.body, false) else { continue };
@@ -40,13 +40,13 @@ impl Context<'_> {
                 let resolved = self.scalar(value, &purpose, &what, Some(dimension(*component, *rate)));
                 let same = |other: &StartValue| (other.body, other.component, other.rate) == (body, *component, *rate);
                 if let Some(first) = values.iter().position(same) {
-                    self.diag.error(rules::start_gives_twice(&given.word, &start.name, &name, words[first]));
+                    self.diag.error(scenes::start_gives_twice(&given.word, &start.name, &name, words[first]));
                     continue;
                 }
                 let Some(resolved) = resolved else { continue };
                 if let Some(rest) = start.at_rest.as_ref().filter(|_| *rate && at_defaults(&resolved, &[]) != Some(0.0))
                 {
-                    self.diag.error(rules::moves_at_rest(rest, &start.name, &name, &given.word));
+                    self.diag.error(scenes::moves_at_rest(rest, &start.name, &name, &given.word));
                 }
                 values.push(StartValue { body, component: *component, rate: *rate, value: resolved });
                 words.push(&given.word);

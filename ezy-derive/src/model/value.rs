@@ -2,7 +2,7 @@
 
 use super::Expr;
 use super::dimension::Measure;
-use crate::diag::rules;
+use crate::diag::values;
 use crate::parse::ast::Operator;
 use proc_macro2::Span;
 use syn::Result;
@@ -46,7 +46,7 @@ impl Value {
 
     /// `self operator other`; the message of a fault sits on the operator.
     pub fn binary(self, operator: Operator, at: Span, other: Self) -> Result<Self> {
-        let fault = rules::operands(at, operator, self.shape(), other.shape());
+        let fault = values::operands(at, operator, self.shape(), other.shape());
         let measure = self.measure_with(operator, at, &other)?;
         let form = match (operator, self.form, other.form) {
             (_, Form::Scalar(a), Form::Scalar(b)) => Form::Scalar(apply(operator, a, b)),
@@ -66,7 +66,7 @@ impl Value {
         let (a, b) = (self.measure, other.measure);
         Ok(match operator {
             Operator::Add | Operator::Subtract => match a.known().zip(b.known()) {
-                Some((a, b)) if a != b => return Err(rules::unlike_sum(at, operator, &a, &b)),
+                Some((a, b)) if a != b => return Err(values::unlike_sum(at, operator, &a, &b)),
                 _ => a.or(b),
             },
             Operator::Multiply => a.times(b),

@@ -1,0 +1,102 @@
+//! Messages about starts, effects and scenes.
+
+use super::nearest::quoted;
+use super::{Extent, Warning, fault_at_two_places, fault_with_help};
+use proc_macro2::Ident;
+
+pub fn ground_starts(at: &Ident) -> syn::Error {
+    fault_with_help(at, "the ground has no start values: it does not move", "remove this statement")
+}
+
+pub fn start_gives_twice(word: &Ident, start: &Ident, name: &str, first: &Ident) -> syn::Error {
+    fault_at_two_places(
+        fault_with_help(word, format_args!("start `{start}` gives `{name}` twice"), "remove one of them"),
+        first,
+        "first given here",
+    )
+}
+
+pub fn moves_at_rest(rest: &Ident, start: &Ident, name: &str, word: &Ident) -> syn::Error {
+    fault_at_two_places(
+        fault_with_help(rest, format_args!("start `{start}` is at rest, but gives `{name}`"), "remove `at rest;`"),
+        word,
+        &format!("`{name}` is given here"),
+    )
+}
+
+pub fn scene_without_start(scene: &Ident, starts: &[&str]) -> syn::Error {
+    let help = match starts.first() {
+        Some(first) => format!("write `start {first};`; declared starts: {}", quoted(starts)),
+        None => "declare one, such as `start folded { at rest; }`, and write `start folded;`".to_owned(),
+    };
+    fault_with_help(scene, format_args!("scene `{scene}` has no start"), help)
+}
+
+pub fn scene_without_until(scene: &Ident) -> syn::Error {
+    fault_with_help(scene, format_args!("scene `{scene}` has no end"), "write `until 60 s;`")
+}
+
+pub fn until_in_wrong_unit(unit: &Ident) -> syn::Error {
+    fault_with_help(unit, format_args!("`{unit}` is no unit of time"), "write `s`, `ms`, `min` or `h`")
+}
+
+pub fn until_not_positive(at: Extent, scene: &Ident) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("scene `{scene}` ends before it begins"),
+        "scenes begin at 0 s; write a positive time, such as `until 60 s;`",
+    )
+}
+
+pub fn effect_twice(name: &Ident, scene: &Ident, first: &Ident) -> syn::Error {
+    fault_at_two_places(
+        fault_with_help(name, format_args!("scene `{scene}` calls for effect `{name}` twice"), "remove one of them"),
+        first,
+        "first called for here",
+    )
+}
+
+pub fn shared_parameter(name: &Ident, scene: &Ident, first: &Ident, second: &Ident) -> syn::Error {
+    fault_with_help(
+        name,
+        format_args!("scene `{scene}` calls for effects `{first}` and `{second}`, which both declare `{name}`"),
+        format_args!("write another name in one of them, such as `{second}_{name}`"),
+    )
+}
+
+pub fn effect_named_model(name: &Ident) -> syn::Error {
+    fault_with_help(
+        name,
+        "no effect can be named `model`: this is the name of the forces outside of effects",
+        "write another name",
+    )
+}
+
+pub fn no_type_name(scene: &Ident, type_name: &str) -> syn::Error {
+    let text = if type_name.is_empty() {
+        format!("scene `{scene}` has no letter that could name its type")
+    } else {
+        format!("scene `{scene}` would be the type `{type_name}`, which is no name in Rust")
+    };
+    fault_with_help(scene, text, "write another name")
+}
+
+pub fn same_type_name(scene: &Ident, type_name: &str, first: &Ident) -> syn::Error {
+    fault_at_two_places(
+        fault_with_help(
+            scene,
+            format_args!("scenes `{first}` and `{scene}` would both be the type `{type_name}`"),
+            "write another name",
+        ),
+        first,
+        &format!("`{first}` is declared here"),
+    )
+}
+
+pub fn parameter_of_unused_effect(name: &Ident, effect: &Ident) -> Warning {
+    Warning {
+        span: name.span(),
+        name: "parameter_of_unused_effect",
+        text: format!("no scene calls for effect `{effect}`, so that its parameter `{name}` is never used"),
+    }
+}

@@ -1,0 +1,18 @@
+//! Faults of syntax: each is reported, on its own token.
+
+ezy_derive::model! {
+    pub model EzyRoller {
+        param a: m 0.2;
+        param b: m = 2**3;
+        body seat { mass: 46.0, inertia: }
+        body bar { mass: 1.0, inertia: 0.005 }
+        spring s: seat ~ bar;
+        hinge B: seat(b, 0) ~ bar(-1);
+        skate rear: at A across seat(1, 0);
+        effect pump { torque seat bar: 2 * cos(t); }
+        start folded { seat at (0, 0) angel 0; at rest; }
+        scene driven { start folded; until 60; with pump; }
+    }
+}
+
+fn main() {}

@@ -2,6 +2,8 @@
 
 mod diag;
 mod emit;
+#[cfg(test)]
+mod fuzz;
 mod mechanics;
 mod model;
 mod parse;

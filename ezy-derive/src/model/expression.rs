@@ -169,6 +169,6 @@ impl Context<'_> {
             self.diag.error(rules::direction_without_length(at, &direction.body));
             return None;
         }
-        Some(Direction { body, x, y, span: direction.body.span() })
+        Some(Direction { body, x, y })
     }
 }

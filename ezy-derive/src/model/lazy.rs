@@ -56,9 +56,7 @@ impl Context<'_> {
         match place {
             ast::Place::OnBody(place) => self.on_body(place, scope),
             ast::Place::Named(name) => match self.names.lookup(scope, name) {
-                Some(Symbol::Point(id) | Symbol::Hinge(_, id)) => {
-                    self.point_place(id, name).map(|place| Place { span: name.span(), ..place })
-                }
+                Some(Symbol::Point(id) | Symbol::Hinge(_, id)) => self.point_place(id, name),
                 Some(Symbol::Broken) => None,
                 Some(symbol) => {
                     self.diag.error(names::not_a_place(name, symbol.what(), matches!(symbol, Symbol::Body(_))));
@@ -103,7 +101,7 @@ impl Context<'_> {
         let body = self.body_or_ground(&place.body);
         let x = self.scalar(&place.x, &purpose, "a place", length);
         let y = self.scalar(&place.y, &purpose, "a place", length);
-        Some(Place { body: body?, x: x?, y: y?, span: place.body.span() })
+        Some(Place { body: body?, x: x?, y: y? })
     }
 
     /// A body, or `Some(None)` for the ground.

@@ -23,7 +23,7 @@ mod value;
 
 pub use resolve::resolve;
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 
 /// Index into [`Model::bodies`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -94,7 +94,6 @@ pub struct Place {
     pub body: Option<BodyId>,
     pub x: Expr,
     pub y: Expr,
-    pub span: Span,
 }
 
 /// A direction fixed to a body (`None`: the ground); need not have length one.
@@ -103,7 +102,6 @@ pub struct Direction {
     pub body: Option<BodyId>,
     pub x: Expr,
     pub y: Expr,
-    pub span: Span,
 }
 
 #[derive(Debug)]
@@ -148,7 +146,6 @@ pub struct Effect {
 /// A start: what is given; `at rest` gives nothing, since the guess of every velocity is zero.
 #[derive(Debug)]
 pub struct Start {
-    pub name: Ident,
     pub values: Vec<StartValue>,
 }
 

@@ -1,6 +1,5 @@
 //! From text to model, and to messages.
 
-mod fuzz;
 mod good;
 mod messages;
 

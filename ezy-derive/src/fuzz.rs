@@ -1,12 +1,13 @@
-//! No text, however mistaken, panics; each is a model or has an error.
+//! No text, however mistaken, panics; each becomes items or errors.
 
-use super::{EZY_ROLLER, resolve};
-use crate::diag::Diagnostics;
+use crate::pipeline::expand;
 use proc_macro2::{Group, TokenStream, TokenTree};
 use std::str::FromStr;
 
-/// Mutated texts. A few thousand meet every branch of the parser many times.
-const N_TEXTS: usize = 3000;
+const EZY_ROLLER: &str = include_str!("model/tests/ezy_roller.txt");
+
+/// Mutated texts. So many meet every branch of the parser many times.
+const N_TEXTS: usize = 2000;
 /// Mistakes of one text: from one slip to a heap of words.
 const MAX_MISTAKES: usize = 6;
 
@@ -42,37 +43,54 @@ fn invariant_mutated_texts_give_a_model_or_an_error() {
         for _ in 0..=random.below(MAX_MISTAKES) {
             text = mutate(text, &all, &mut random);
         }
-        let shown = text.to_string();
-        let mut diag = Diagnostics::default();
-        let ast = crate::parse::parse(text, &mut diag);
-        let model = crate::model::resolve(ast, &mut diag);
-        assert_eq!(model.is_some(), diag.is_empty(), "{shown}");
-        let _ = diag.into_compile_errors();
-        n_models += usize::from(model.is_some());
+        n_models += usize::from(!is_error(&expand(text)));
     }
     assert!(0 < n_models && n_models < N_TEXTS, "the mutations are neither empty nor all fatal: {n_models}");
 }
 
 #[test]
 fn invariant_other_constructs_are_a_model() {
-    let (model, messages) = resolve(MORE);
-    assert!(model.is_some(), "{messages:#?}");
+    assert!(!is_error(&expand_text(MORE)));
 }
 
 #[test]
 fn invariant_deep_brackets_and_signs_end_in_an_error() {
     for (open, close) in [("(", ")"), ("-", ""), ("sin(", ")"), ("2^", ""), ("1 - (2 * ", ")")] {
         let value = format!("{}1{}", open.repeat(2000), close.repeat(2000));
-        let (_, messages) = resolve(&format!("pub model M {{ param a = {value}; }}"));
-        assert!(messages[0].contains(" more than "), "{}", messages[0]);
+        let items = expand_text(&format!("pub model M {{ param a = {value}; }}"));
+        assert!(items.to_string().contains(" more than "), "{items}");
     }
 }
 
 #[test]
-fn invariant_values_in_reverse_order_end_in_an_error() {
-    let lets: String = (0..2000).map(|i| format!("let a{i} = 1 + a{};", i + 1)).collect();
-    let (_, messages) = resolve(&format!("pub model M {{ {lets} }}"));
-    assert!(messages[0].contains("long chain of values"), "{}", messages[0]);
+fn invariant_deepest_expressions_are_a_model() {
+    for (open, close, n) in [("(", ")", 49), ("-", "", 390), ("sin(", ")", 49), ("1.01^", "", 190), ("1 + ", "", 190)] {
+        let value = format!("{}(2 * seat.x){}", open.repeat(n), close.repeat(n));
+        assert!(!is_error(&expand_text(&with_torque("", &value))), "{open}");
+    }
+}
+
+#[test]
+fn invariant_values_of_values_are_a_model_or_an_error() {
+    let lets: String = (1..9).map(|i| format!("let a{i} = a{} + sin(a{});", i - 1, i - 1)).collect();
+    assert!(!is_error(&expand_text(&with_torque(&format!("let a0 = 2 * seat.x; {lets}"), "a8"))));
+    let reverse: String = (0..2000).map(|i| format!("let a{i} = 1 + a{};", i + 1)).collect();
+    assert!(expand_text(&with_torque(&reverse, "1")).to_string().contains("long chain of values"));
+}
+
+fn with_torque(items: &str, value: &str) -> String {
+    format!(
+        "pub model M {{ body seat {{ mass: 1, inertia: 1 }} {items} torque seat: {value};
+         start s {{ }} scene c {{ start s; until 1 s; }} }}"
+    )
+}
+
+fn expand_text(text: &str) -> TokenStream {
+    expand(TokenStream::from_str(text).expect("the text consists of Rust tokens"))
+}
+
+fn is_error(items: &TokenStream) -> bool {
+    items.to_string().contains("compile_error")
 }
 
 /// Deletes, repeats, swaps or inserts one token, somewhere in the tree.

@@ -1,0 +1,15 @@
+//! Rows that cannot hold together with others.
+
+ezy_derive::model! {
+    pub model EzyRoller {
+        body seat { mass: 46.0, inertia: 10.0 }
+        body bar { mass: 1.0, inertia: 0.005 }
+        hinge B: seat(0.6, 0) ~ bar(-0.1, 0);
+        skate rear_left: at seat(-0.2, 0.3) along seat(1, 0);
+        skate rear_right: at seat(-0.2, -0.3) along seat(1, 0);
+        start folded { at rest; }
+        scene coast { start folded; until 1 s; }
+    }
+}
+
+fn main() {}

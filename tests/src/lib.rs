@@ -1,4 +1,7 @@
-//! What the tests of EZY share: an EzyRoller written by hand, and the reference trajectories.
+//! What the tests of EZY share: scenes written by hand, and the reference trajectories.
 
+pub mod chain;
+pub mod crank;
 pub mod hand_roller;
+mod leaked;
 pub mod reference;

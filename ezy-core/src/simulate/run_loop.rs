@@ -4,14 +4,13 @@ use super::instantaneous::Instantaneous;
 use super::keeper::Keeper;
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{Metric, MotionError, Projection, State, System};
-use crate::integrate::{Clock, Method, Rk4, interpolate};
+use crate::integrate::{Clock, Rk4, interpolate};
 use crate::model::Scene;
 use crate::record::Recorder;
 use std::time::Instant;
 
 /// What a run is to do, checked.
 pub(super) struct Plan {
-    pub method: Method,
     pub clock: Clock,
     pub every_s: Option<f64>,
     pub projection: Projection,
@@ -53,7 +52,6 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             let quantity = info.coordinates[i].name;
             return Err(MotionError::NotFinite { t: now.state.t, quantity }.into());
         }
-        let Method::Rk4 { .. } = plan.method;
         let mut keeper = Keeper::new(info, recorder);
         keeper.keep(&mut system, &now)?;
         Ok(Self { method: Rk4::new(n_q, n_c, n_e), system, plan, now, next, between, keeper, on_progress })

@@ -30,8 +30,8 @@ pub struct Simulation<'s, S: Scene + ?Sized> {
 /// At 100 ns a step half an hour; more is a slip of the pen.
 const MAX_STEPS: f64 = 1e10;
 
-/// A few hundred bytes each.
-const MAX_SAMPLES: f64 = 1e8;
+/// A few hundred bytes each: some gigabytes.
+const MAX_SAMPLES: f64 = 1e7;
 
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// The scene with its own end, RK4 at 1 ms, both projections, keeping the start and the end.
@@ -131,13 +131,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         }
         let clock = self.clock(start.t)?;
         let state = system.consistent_start(&start)?;
-        let plan = Plan {
-            method: self.method,
-            clock,
-            every_s: self.every_s,
-            projection: self.projection,
-            metric: self.metric,
-        };
+        let plan = Plan { clock, every_s: self.every_s, projection: self.projection, metric: self.metric };
         RunLoop::new(system, plan, state, self.recorder, self.on_progress)?.run()
     }
 

@@ -37,6 +37,18 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
     }
 }
 
+impl<S: Scene + ?Sized> Probe<'_, S> {
+    /// Whether rows depend on time, so that their velocity does not vanish at rest.
+    pub fn rows_move(&self) -> bool {
+        let rest = vec![0.0; self.info.n_coordinates()];
+        let mut rows = vec![0.0; self.info.n_rows()];
+        self.states.iter().any(|RandomState { t, q, .. }| {
+            self.scene.velocity_constraint(&self.constants, *t, q, &rest, &mut rows);
+            rows.iter().any(|row| *row != 0.0)
+        })
+    }
+}
+
 /// A small generator with a fixed seed, so that a failure comes back.
 ///
 /// # Source

@@ -24,7 +24,7 @@ impl Schur {
             for k in 0..j {
                 l[j][j] -= l[j][k] * l[j][k] * l[k][k];
             }
-            deficient = deficient.mark(j, !(l[j][j] > PIVOT_TOLERANCE * start));
+            deficient = deficient.mark(j, l[j][j].is_nan() || l[j][j] <= PIVOT_TOLERANCE * start);
             for i in j + 1..4 {
                 for k in 0..j {
                     l[i][j] -= l[i][k] * l[j][k] * l[k][k];

@@ -6,6 +6,7 @@ mod backends;
 mod exact_start;
 mod massless;
 mod order;
+mod other_mechanisms;
 mod projection;
 mod rank;
 mod recording;

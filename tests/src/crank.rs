@@ -1,0 +1,130 @@
+//! A crank on the ground whose angle is prescribed in time: rows with C_t and C_tt, and no freedom left.
+
+use crate::leaked::{Description, info};
+use ezy_core::model::{DeficientRows, Scene, SceneInfo, Start};
+
+const RADIUS: f64 = 0.3;
+const MASS: f64 = 2.0;
+/// About the centre of mass, kg·m².
+pub const INERTIA: f64 = 0.4;
+
+/// The prescribed angle.
+pub fn angle(t: f64) -> f64 {
+    2.0 * t + 0.3 * (3.0 * t).sin()
+}
+
+/// Its rate.
+pub fn rate(t: f64) -> f64 {
+    2.0 + 0.9 * (3.0 * t).cos()
+}
+
+/// The rate of its rate.
+pub fn acceleration(t: f64) -> f64 {
+    -2.7 * (3.0 * t).sin()
+}
+
+/// A body hinged to the origin at a distance from its centre of mass, with rows x, y and drive.
+pub struct Crank {
+    info: &'static SceneInfo,
+}
+
+impl Crank {
+    /// The crank.
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
+        let description = Description {
+            model: "Crank",
+            n_bodies: 1,
+            rows: ["pin.x", "pin.y", "drive"].map(str::to_owned).to_vec(),
+            n_position_rows: 3,
+            columns: vec![vec![0, 2], vec![1, 2], vec![2]],
+            parameters: &[],
+            effects: &[],
+            until_s: 2.0,
+        };
+        Self { info: info(description) }
+    }
+}
+
+impl Scene for Crank {
+    fn info(&self) -> &'static SceneInfo {
+        self.info
+    }
+
+    fn parameter(&self, _index: usize) -> f64 {
+        f64::NAN
+    }
+
+    fn set_parameter(&mut self, _index: usize, _value: f64) {}
+
+    fn constants(&self, _c: &mut [f64]) {}
+
+    fn start(&self, _c: &[f64], _start: &mut Start) {}
+
+    fn mass_matrix(&self, _c: &[f64], m: &mut [f64]) {
+        m.copy_from_slice(&[MASS, MASS, INERTIA]);
+    }
+
+    fn position_constraint(&self, _c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(&[q[0] - RADIUS * q[2].cos(), q[1] - RADIUS * q[2].sin(), q[2] - angle(t)]);
+    }
+
+    fn velocity_constraint(&self, _c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let (s, c) = q[2].sin_cos();
+        out.copy_from_slice(&[v[0] + RADIUS * s * v[2], v[1] - RADIUS * c * v[2], v[2] - rate(t)]);
+    }
+
+    fn velocity_jacobian(&self, _c: &[f64], _t: f64, q: &[f64], out: &mut [f64]) {
+        let (s, c) = q[2].sin_cos();
+        out.copy_from_slice(&[1.0, RADIUS * s, 1.0, -RADIUS * c, 1.0]);
+    }
+
+    fn convective_term(&self, _c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let ((s, c), w2) = (q[2].sin_cos(), v[2] * v[2]);
+        out.copy_from_slice(&[RADIUS * c * w2, RADIUS * s * w2, -acceleration(t)]);
+    }
+
+    fn applied_force(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+    }
+
+    fn power(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
+
+    fn potential_energy(&self, _c: &[f64], _t: f64, _q: &[f64]) -> f64 {
+        0.0
+    }
+
+    fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
+
+    /// Kinematics alone: a from the rows, then λ from M a + Gᵀ λ = 0.
+    fn accelerations(
+        &self,
+        c: &[f64],
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> DeficientRows {
+        let mut h = [0.0; 3];
+        self.convective_term(c, t, q, v, &mut h);
+        self.correction(c, t, q, &h, a);
+        let (s, co) = q[2].sin_cos();
+        (lambda[0], lambda[1]) = (-MASS * a[0], -MASS * a[1]);
+        lambda[2] = -INERTIA * a[2] - RADIUS * s * lambda[0] + RADIUS * co * lambda[1];
+        DeficientRows::default()
+    }
+
+    fn correction(&self, _c: &[f64], _t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
+        let (s, c) = q[2].sin_cos();
+        delta[2] = -residual[2];
+        delta[0] = -residual[0] - RADIUS * s * delta[2];
+        delta[1] = -residual[1] + RADIUS * c * delta[2];
+        DeficientRows::default()
+    }
+}
+
+/// Torque that the drive needs: the crank's inertia about the pin times the prescribed acceleration.
+pub fn drive_torque(t: f64) -> f64 {
+    (INERTIA + MASS * RADIUS * RADIUS) * acceleration(t)
+}

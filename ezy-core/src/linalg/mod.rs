@@ -11,6 +11,7 @@
 
 mod dense;
 mod rank;
+mod scaled;
 mod sparse;
 
 pub use dense::DenseKkt;

@@ -1,6 +1,6 @@
 //! Why K is singular: which rows depend on each other, which coordinates nothing moves or holds.
 
-use super::dense::scale;
+use super::scaled::{assemble, scale};
 use crate::model::SparsityPattern;
 use nalgebra::DMatrix;
 
@@ -34,16 +34,9 @@ pub fn diagnose(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Op
     let (n_q, n_c) = (mass.len(), pattern.n_rows());
     let entries: Vec<_> = pattern.entries().collect();
     let mut d = vec![1.0; n_q + n_c];
-    scale(n_q, &entries, mass, jacobian, &mut d);
+    scale(&entries, mass, jacobian, &mut d);
     let mut K = DMatrix::zeros(n_q + n_c, n_q + n_c);
-    for i in 0..n_q {
-        K[(i, i)] = d[i] * mass[i] * d[i];
-    }
-    for &(k, row, column) in &entries {
-        let g = d[n_q + row] * jacobian[k] * d[column];
-        K[(n_q + row, column)] = g;
-        K[(column, n_q + row)] = g;
-    }
+    assemble(&entries, mass, jacobian, &d, &mut K);
     let svd = K.try_svd(false, true, f64::EPSILON, 0)?;
     let (sigma, v_t) = (&svd.singular_values, svd.v_t.as_ref()?);
     let (largest, smallest) = (sigma.max(), sigma.min());

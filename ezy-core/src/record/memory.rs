@@ -34,8 +34,12 @@ impl Record {
 
     /// Sample `i`, `None` past the last.
     pub fn get(&self, i: usize) -> Option<Sample<'_>> {
-        let start = i.checked_mul(self.n_numbers)?;
-        self.numbers.get(start..start + self.n_numbers).map(|numbers| Sample::from_numbers(self.info, numbers))
+        (i < self.len()).then(|| self.at(i))
+    }
+
+    /// Sample `i`, which the caller knows to be there.
+    pub(crate) fn at(&self, i: usize) -> Sample<'_> {
+        Sample::from_numbers(self.info, &self.numbers[i * self.n_numbers..][..self.n_numbers])
     }
 
     /// The samples in order of time.

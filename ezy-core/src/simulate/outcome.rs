@@ -29,23 +29,17 @@ impl Run {
 
     /// The first sample: the consistent start.
     pub fn first(&self) -> Sample<'_> {
-        self.sample(0)
+        self.record.at(0)
     }
 
     /// The last sample: the end, or the last good state when the run stopped early.
     pub fn last(&self) -> Sample<'_> {
-        self.sample(self.record.len() - 1)
+        self.record.at(self.record.len() - 1)
     }
 
-    /// Sample `i`.
-    ///
-    /// # Panics
-    /// When there are not as many ([`Run::samples`] has a length).
-    pub fn sample(&self, i: usize) -> Sample<'_> {
-        match self.record.get(i) {
-            Some(sample) => sample,
-            None => panic!("sample {i} of {}", self.record.len()),
-        }
+    /// Sample `i`, `None` past the last.
+    pub fn sample(&self, i: usize) -> Option<Sample<'_>> {
+        self.record.get(i)
     }
 
     /// One column of every sample, by the names of [`crate::record::columns`].

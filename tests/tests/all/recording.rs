@@ -54,7 +54,7 @@ fn reference_samples_between_steps() {
     let reference = load("ezyroller_driven");
     for Case { route, scene } in driven() {
         let run = Simulation::new(&*scene).method(Method::rk4(0.03)).until(1.0).every(0.5).run().unwrap();
-        let (s, r) = (run.sample(1), &reference[1]);
+        let (s, r) = (run.samples().nth(1).unwrap(), &reference[1]);
         assert_eq!(s.t, r.t);
         for (what, error) in [
             ("q", distance(s.coordinates, &r.q)),

@@ -1,5 +1,6 @@
-//! The models of EZY.
+//! The models of EZY, one a file, and the studies made with them.
 
+pub mod registry;
 pub mod vehicles;
 
 pub use vehicles::ezy_roller::ezy_roller;

@@ -5,7 +5,7 @@
 
 use crate::model::{Formula, SceneInfo};
 
-use super::matrix::{Cell, Matrix};
+use super::matrix::{Cell, Matrix, Names, equation_lines};
 
 /// One equation in the three renderings.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,39 +51,29 @@ const MINUS_S: Formula = Formula { text: "-s", latex: "-s", mathml: "<mrow><mo>-
 pub fn equations(info: &SceneInfo) -> Vec<Equation> {
     let n_h = info.n_position_rows;
     let (position_rows, velocity_rows) = info.rows.split_at(n_h);
+    let none = || Names(Vec::new());
     let mut list = vec![
-        equation("coordinates", &[&Q, &column(info.coordinates.iter().map(|c| c.symbol))]),
-        equation("velocities", &[&V, &column(info.coordinates.iter().map(|c| c.velocity_symbol))]),
+        equation("coordinates", &[&Q, &column(info.coordinates.iter().map(|c| c.symbol))], none()),
+        equation("velocities", &[&V, &column(info.coordinates.iter().map(|c| c.velocity_symbol))], none()),
     ];
     if !position_rows.is_empty() {
-        let names = || position_rows.iter().map(|row| row.name);
-        list.push(equation(
-            "position constraint",
-            &[&C, &column(position_rows.iter().map(|r| r.constraint)).named(names()), &ZERO],
-        ));
-        list.push(equation("Jacobian of the position constraint", &[&C_Q, &jacobian(info, 0..n_h).named(names())]));
-        list.push(equation(
-            "convective term of the position constraint",
-            &[&H, &column(position_rows.iter().map(|r| r.convective_term)).named(names())],
-        ));
+        let names = || Names(position_rows.iter().map(|row| row.name).collect());
+        let c = column(position_rows.iter().map(|row| row.constraint));
+        let h = column(position_rows.iter().map(|row| row.convective_term));
+        list.push(equation("position constraint", &[&C, &c, &ZERO], names()));
+        list.push(equation("Jacobian of the position constraint", &[&C_Q, &jacobian(info, 0..n_h)], names()));
+        list.push(equation("convective term of the position constraint", &[&H, &h], names()));
     }
     if !velocity_rows.is_empty() {
-        let names = || velocity_rows.iter().map(|row| row.name);
-        list.push(equation(
-            "velocity constraint",
-            &[&S_V, &column(velocity_rows.iter().map(|r| r.constraint)).named(names()), &ZERO],
-        ));
-        list.push(equation(
-            "Jacobian of the velocity constraint",
-            &[&S, &jacobian(info, n_h..info.n_rows()).named(names())],
-        ));
-        list.push(equation(
-            "convective term of the velocity constraint",
-            &[&S_TERM, &column(velocity_rows.iter().map(|r| r.convective_term)).named(names())],
-        ));
+        let names = || Names(velocity_rows.iter().map(|row| row.name).collect());
+        let s_v = column(velocity_rows.iter().map(|row| row.constraint));
+        let s = column(velocity_rows.iter().map(|row| row.convective_term));
+        list.push(equation("velocity constraint", &[&S_V, &s_v, &ZERO], names()));
+        list.push(equation("Jacobian of the velocity constraint", &[&S, &jacobian(info, n_h..info.n_rows())], names()));
+        list.push(equation("convective term of the velocity constraint", &[&S_TERM, &s], names()));
     }
-    list.push(equation("mass matrix", &[&M, &diagonal(info.mass_entries)]));
-    list.push(equation("applied force", &[&F, &column(info.force_entries.iter().copied())]));
+    list.push(equation("mass matrix", &[&M, &diagonal(info.mass_entries)], none()));
+    list.push(equation("applied force", &[&F, &column(info.force_entries.iter().copied())], none()));
     list.push(motion(!position_rows.is_empty(), !velocity_rows.is_empty()));
     list
 }
@@ -97,11 +87,11 @@ fn motion(position: bool, velocity: bool) -> Equation {
     let matrix =
         Matrix::new(rows.into_iter().zip([true, position, velocity]).filter_map(|(row, kept)| kept.then_some(row)));
     let product = matrix.times(column(kept([A, LAMBDA_C, LAMBDA_S])));
-    equation("equations of motion", &[&product, &column(kept([F, MINUS_H, MINUS_S]))])
+    equation("equations of motion", &[&product, &column(kept([F, MINUS_H, MINUS_S]))], Names(Vec::new()))
 }
 
-fn equation(name: &'static str, sides: &[&dyn Cell]) -> Equation {
-    let text = super::matrix::beside(sides, " = ");
+fn equation(name: &'static str, sides: &[&dyn Cell], names: Names) -> Equation {
+    let text = equation_lines(sides, &names);
     let latex = sides.iter().map(|side| side.latex()).collect::<Vec<_>>().join(" = ");
     let mathml = sides.iter().map(|side| side.mathml()).collect::<Vec<_>>().join("<mo>=</mo>");
     Equation { name, text, latex, mathml: format!("<math display=\"block\">{mathml}</math>") }
@@ -182,7 +172,7 @@ mod tests {
 
     #[test]
     fn analytic_jacobian_sledge_fills_zeros() {
-        assert_eq!(named("Jacobian of the position constraint").text, "C_q = [ 1  2  0 ]  rail\n");
+        assert_eq!(named("Jacobian of the position constraint").text, "C_q = [ 1  2  0 ]   rail\n");
     }
 
     #[test]

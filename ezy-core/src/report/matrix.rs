@@ -24,21 +24,18 @@ impl Cell for Formula {
     }
 }
 
-/// A matrix, if wanted with a name behind each row and multiplied by another one.
+/// A matrix, if wanted multiplied by another one.
 pub(super) struct Matrix {
     rows: Vec<Vec<Formula>>,
-    names: Vec<&'static str>,
     factor: Option<Box<Matrix>>,
 }
 
+/// Names to the right of the rows of an equation.
+pub(super) struct Names(pub Vec<&'static str>);
+
 impl Matrix {
     pub fn new(rows: impl IntoIterator<Item = Vec<Formula>>) -> Self {
-        Self { rows: rows.into_iter().collect(), names: Vec::new(), factor: None }
-    }
-
-    /// Writes a name behind each row of the text; the other renderings go without.
-    pub fn named(self, names: impl Iterator<Item = &'static str>) -> Self {
-        Self { names: names.collect(), ..self }
+        Self { rows: rows.into_iter().collect(), factor: None }
     }
 
     pub fn times(self, factor: Matrix) -> Self {
@@ -53,12 +50,7 @@ impl Matrix {
             let cells = row.iter().zip(&widths).map(|(entry, &width)| format!("{:<width$}", entry.text));
             format!("[ {} ]", cells.collect::<Vec<_>>().join("  "))
         };
-        let mut lines: Vec<String> = self.rows.iter().map(line).collect();
-        let longest = self.names.iter().map(|name| name.len()).max().unwrap_or(0);
-        for (line, name) in lines.iter_mut().zip(&self.names) {
-            *line += &format!("  {name:<longest$}");
-        }
-        lines
+        self.rows.iter().map(line).collect()
     }
 }
 
@@ -87,10 +79,11 @@ impl Cell for Matrix {
     }
 }
 
-/// The sides of an equation on one height, each centred, joined by `sign` in the middle line.
-pub(super) fn beside(sides: &[&dyn Cell], sign: &str) -> String {
+/// The sides of an equation on one height, joined by `=` in the middle line; names of rows to the right.
+pub(super) fn equation_lines(sides: &[&dyn Cell], names: &Names) -> String {
     let blocks: Vec<Vec<String>> = sides.iter().map(|side| side.lines()).collect();
-    let lines = side_by_side(&blocks, sign);
+    let names = names.0.iter().map(|name| (*name).to_owned()).collect();
+    let lines = side_by_side(&[side_by_side(&blocks, " = "), names], "   ");
     lines.iter().map(|line| line.trim_end().to_owned() + "\n").collect()
 }
 

@@ -1,0 +1,213 @@
+//! The commands, their arguments and their help.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use ezy_core::dynamics::{Metric, Projection};
+
+use super::value::{Assignment, parse_assignment, parse_number};
+
+/// Simulates planar mechanisms with wheels from equations that are derived when the program is compiled
+///
+/// Without a command, does the EzyRoller study: figures, tables and a page in out/ezyroller/.
+#[derive(Debug, Parser)]
+#[command(
+    name = "ezy",
+    version,
+    after_help = "\
+Examples:
+  ezy                                          the study; open out/ezyroller/index.html afterwards
+  ezy list                                     which models and scenes there are
+  ezy show ezyroller/driven                    its equations
+  ezy run ezyroller/driven --out driven.csv    its motion
+
+Exit status: 0 done; 1 stopped before the end (what was computed is kept); 2 wrong use."
+)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Lists models and scenes with their effects, sizes and freedom
+    List(ListArguments),
+    /// Prints the derived equations of a model or scene
+    Show(ShowArguments),
+    /// Runs a scene and prints where it ends
+    Run(RunArguments),
+    /// Checks the generated equations of a model or scene against independent computations
+    Check(CheckArguments),
+    /// Does the EzyRoller study: equations, figures, numbers and a page
+    Study(StudyArguments),
+}
+
+#[derive(Debug, Args)]
+pub struct ListArguments {
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Prints the derived equations of a model or scene
+///
+/// Shows the constraints, their Jacobians and convective terms, the mass matrix, the forces and the equations of
+/// motion, all printed from the expressions that are compiled; then the sparsity of the Jacobian, the order of
+/// elimination and the operations of one evaluation.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  ezy show ezyroller                           every scene
+  ezy show ezyroller/coast --format latex      to paste into a document")]
+pub struct ShowArguments {
+    /// Which one; case and underscores do not matter
+    #[arg(value_name = "MODEL[/SCENE]")]
+    pub path: String,
+    /// How the equations are written
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum Format {
+    /// Plain text in the names of the model file
+    #[default]
+    Text,
+    /// LaTeX displays
+    Latex,
+    /// One JSON object with every expression as text, LaTeX and MathML
+    Json,
+}
+
+/// Runs a scene and prints where it ends
+///
+/// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  ezy run ezyroller/driven                                         as the scene says
+  ezy run ezyroller/driven --until 600 --set m0=3                  longer, with more torque
+  ezy run ezyroller/coast --start bar.phi=pi/3 --start seat.vx=2   from another start
+  ezy run ezyroller/driven --out driven.csv --every 0.01           all of the motion, as CSV
+  ezy run ezyroller/driven --step 1e-4 --json                      the end, for another program")]
+pub struct RunArguments {
+    /// Which one; case and underscores do not matter
+    #[arg(value_name = "MODEL/SCENE")]
+    pub path: String,
+    /// End of the run in seconds [default: what the scene says]
+    #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true)]
+    pub until: Option<f64>,
+    /// Integration method
+    #[arg(long, value_enum, default_value_t)]
+    pub method: MethodName,
+    /// Step in seconds
+    #[arg(long, value_name = "H", value_parser = parse_number, allow_negative_numbers = true, default_value = "1e-3")]
+    pub step: f64,
+    /// What is put back onto the constraints after each step
+    #[arg(long, value_enum, default_value_t)]
+    pub project: ProjectName,
+    /// In which metric that correction is smallest
+    #[arg(long, value_enum, default_value_t)]
+    pub metric: MetricName,
+    /// Change a parameter; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub set: Vec<Assignment>,
+    /// Hold a start value: seat.x, seat.y, seat.phi, seat.vx, seat.vy, seat.omega, …; may be repeated
+    ///
+    /// What is given replaces the value of the scene and is held; what neither gives follows from the constraints.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub start: Vec<Assignment>,
+    /// Seconds between the rows of --out [default: a thousandth of the run]
+    #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
+    pub every: Option<f64>,
+    /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, work, energies, residuals
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Print one JSON object with 17 significant digits
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum MethodName {
+    /// Classical Runge-Kutta method of order 4 with a fixed step
+    #[default]
+    Rk4,
+}
+
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum ProjectName {
+    /// Positions, then velocities at the projected positions
+    #[default]
+    Both,
+    /// Positions only
+    Positions,
+    /// Velocities only
+    Velocities,
+    /// Nothing: the constraints may drift
+    None,
+}
+
+impl From<ProjectName> for Projection {
+    fn from(name: ProjectName) -> Self {
+        match name {
+            ProjectName::Both => Self::Both,
+            ProjectName::Positions => Self::Positions,
+            ProjectName::Velocities => Self::Velocities,
+            ProjectName::None => Self::None,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum MetricName {
+    /// Weighted by the masses: never adds kinetic energy
+    #[default]
+    Mass,
+    /// Unweighted: adds metres to radians; for comparison
+    Euclidean,
+}
+
+impl From<MetricName> for Metric {
+    fn from(name: MetricName) -> Self {
+        match name {
+            MetricName::Mass => Self::Mass,
+            MetricName::Euclidean => Self::Euclidean,
+        }
+    }
+}
+
+/// Checks the generated equations of a model or scene against independent computations
+///
+/// At a thousand random states: Jacobians and convective terms against finite differences, the generated
+/// elimination against the dense and the sparse solver, the power of the effects against force times velocity; then
+/// the rank of the constraints at the start and the energy balance of a short run. Exit status 1 when a check fails.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  ezy check ezyroller
+  ezy check ezyroller/driven")]
+pub struct CheckArguments {
+    /// Which one; case and underscores do not matter
+    #[arg(value_name = "MODEL[/SCENE]")]
+    pub path: String,
+}
+
+/// Does the EzyRoller study: equations, figures, numbers and a page
+///
+/// Writes index.html, which needs nothing else, each figure as SVG and PNG, and the numbers behind it as CSV.
+/// Every number that the page states is measured in this run.
+#[derive(Debug, Args)]
+pub struct StudyArguments {
+    /// Directory to write into; made if it does not exist
+    #[arg(long, value_name = "DIR", default_value = DEFAULT_STUDY_DIRECTORY)]
+    pub out: PathBuf,
+}
+
+const DEFAULT_STUDY_DIRECTORY: &str = "out/ezyroller";
+
+impl Default for StudyArguments {
+    fn default() -> Self {
+        Self { out: PathBuf::from(DEFAULT_STUDY_DIRECTORY) }
+    }
+}

@@ -1,0 +1,75 @@
+//! `ezy list`.
+
+use ezy_core::model::{ModelInfo, SceneInfo};
+use ezy_core::report::table::Table;
+use ezy_models::registry::{MODELS, typed};
+
+use super::arguments::ListArguments;
+use super::failure::Failure;
+use super::json::Json;
+use super::output::print;
+
+pub fn list(arguments: &ListArguments) -> Result<(), Failure> {
+    if arguments.json {
+        let models = Json::list(MODELS.iter().map(|model| model_json(model)));
+        return print(&format!("{}\n", Json::object([("models", models)])));
+    }
+    print(&MODELS.iter().map(|model| model_text(model) + "\n").collect::<String>())
+}
+
+/// Independent velocities: coordinates less rows, which are independent in a sound scene.
+fn freedom(info: &SceneInfo) -> usize {
+    info.n_coordinates().saturating_sub(info.n_rows())
+}
+
+fn model_text(model: &ModelInfo) -> String {
+    let mut table =
+        Table::new(["scene", "effects", "bodies", "position rows", "velocity rows", "freedom", "until [s]"]);
+    for scene in model.scenes {
+        let info = scene.info;
+        let effects = info.effects.iter().map(|effect| effect.name).collect::<Vec<_>>().join(", ");
+        table.push([
+            format!("{}/{}", typed(model.name), info.name),
+            if effects.is_empty() { "-".to_owned() } else { effects },
+            info.bodies.len().to_string(),
+            info.n_position_rows.to_string(),
+            (info.n_rows() - info.n_position_rows).to_string(),
+            freedom(info).to_string(),
+            info.until_s.to_string(),
+        ]);
+    }
+    format!("{}: {}\n\n{table}", model.name, model.documentation.trim())
+}
+
+fn model_json(model: &ModelInfo) -> Json {
+    let names =
+        |effects: &[ezy_core::model::EffectInfo]| Json::list(effects.iter().map(|effect| Json::text(effect.name)));
+    let scene = |info: &SceneInfo| {
+        let parameter = |p: &ezy_core::model::ParameterInfo| {
+            Json::object([
+                ("name", Json::text(p.name)),
+                ("unit", Json::text(p.unit)),
+                ("default", Json::Number(p.default)),
+                ("effect", p.effect.map_or(Json::Null, Json::text)),
+            ])
+        };
+        Json::object([
+            ("name", Json::text(info.name)),
+            ("documentation", Json::text(info.documentation.trim())),
+            ("effects", names(info.effects)),
+            ("bodies", Json::list(info.bodies.iter().map(|body| Json::text(*body)))),
+            ("parameters", Json::list(info.parameters.iter().map(parameter))),
+            ("coordinates", Json::Count(info.n_coordinates() as u64)),
+            ("position_rows", Json::Count(info.n_position_rows as u64)),
+            ("velocity_rows", Json::Count((info.n_rows() - info.n_position_rows) as u64)),
+            ("freedom", Json::Count(freedom(info) as u64)),
+            ("until", Json::Number(info.until_s)),
+        ])
+    };
+    Json::object([
+        ("name", Json::text(model.name)),
+        ("documentation", Json::text(model.documentation.trim())),
+        ("effects", names(model.effects)),
+        ("scenes", Json::list(model.scenes.iter().map(|entry| scene(entry.info)))),
+    ])
+}

@@ -1,0 +1,88 @@
+//! Numbers and assignments as typed on the command line.
+
+use std::f64::consts::PI;
+
+/// `NAME=VALUE`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assignment {
+    pub name: String,
+    pub value: f64,
+}
+
+/// Reads `NAME=VALUE`.
+pub fn parse_assignment(text: &str) -> Result<Assignment, String> {
+    let (name, value) = text.split_once('=').ok_or("it has no `=`; write NAME=VALUE, such as m0=3")?;
+    if name.trim().is_empty() {
+        return Err("it has no name before `=`; write NAME=VALUE, such as m0=3".to_owned());
+    }
+    Ok(Assignment { name: name.trim().to_owned(), value: parse_number(value)? })
+}
+
+/// Reads a finite number: a sign, factors that are numbers or `pi` between `*` and `/`.
+pub fn parse_number(text: &str) -> Result<f64, String> {
+    evaluate(text.trim())
+        .filter(|value| value.is_finite())
+        .ok_or_else(|| format!("`{text}` is not a finite number; write 2, -0.5, 1e-3, pi, -pi/2 or 2*pi"))
+}
+
+fn evaluate(text: &str) -> Option<f64> {
+    let (sign, magnitude) = match text.strip_prefix('-') {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let mut value = sign;
+    let mut rest = magnitude;
+    let mut divide = false;
+    loop {
+        let end = rest.find(['*', '/']).unwrap_or(rest.len());
+        let factor = factor(rest[..end].trim())?;
+        value = if divide { value / factor } else { value * factor };
+        if end == rest.len() {
+            return Some(value);
+        }
+        divide = rest[end..].starts_with('/');
+        rest = &rest[end + 1..];
+    }
+}
+
+fn factor(text: &str) -> Option<f64> {
+    match text {
+        "pi" => Some(PI),
+        _ if text.starts_with(|c: char| c.is_ascii_digit() || c == '.') => text.parse().ok(),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_numbers_with_pi_are_products_from_left_to_right() {
+        let cases = [
+            ("2", 2.0),
+            (" -0.5", -0.5),
+            ("1e-3", 1e-3),
+            ("pi", PI),
+            ("-pi/2", -PI / 2.0),
+            ("2*pi", 2.0 * PI),
+            ("3*pi/4", 3.0 * PI / 4.0),
+        ];
+        for (text, value) in cases {
+            assert_eq!(parse_number(text), Ok(value), "{text}");
+        }
+    }
+
+    #[test]
+    fn invariant_what_is_no_finite_number_is_refused() {
+        for text in ["", "nan", "inf", "-", "1/0", "1e999", "--1", "2**3", "pi pi", "m0"] {
+            assert!(parse_number(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn invariant_assignment_needs_a_name_and_an_equals_sign() {
+        assert_eq!(parse_assignment("bar.phi=pi"), Ok(Assignment { name: "bar.phi".to_owned(), value: PI }));
+        assert!(parse_assignment("bar.phi").is_err() && parse_assignment("=2").is_err());
+    }
+}

@@ -25,9 +25,8 @@ figcaption, caption { color: #444; font-size: .95rem; text-align: left; }
 .scroll { overflow-x: auto; }
 math[display=block] { margin: .9rem 0; }
 table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .8rem; border-bottom: 1px solid #ddd; text-align: right; vertical-align: top; }
-th:first-child, td:first-child { text-align: left; }
-.claims td { text-align: left; }
+th, td { padding: .25rem .8rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top; }
+.number { text-align: right; }
 @media print { body { max-width: none; margin: 0; font-size: 10pt; } nav { display: none; } h2 { break-after: avoid; } }
 ";
 
@@ -103,6 +102,7 @@ fn inline_svg(svg: &str, number: usize, alternative: &str) -> String {
         (None, Some(width), Some(height)) => format!(" viewBox=\"0 0 {width} {height}\""),
         _ => String::new(),
     };
+    let open = open.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
     let rest = rest
         .replace("id=\"clip", &format!("id=\"figure{number}-clip"))
         .replace("url(#clip", &format!("url(#figure{number}-clip"));
@@ -115,13 +115,13 @@ mod tests {
 
     #[test]
     fn invariant_page_with_two_figures_has_distinct_identifiers() {
-        let svg = "<?xml version=\"1.0\"?>\n<svg width=\"9\" height=\"5\"><clipPath id=\"clip1\"/><g clip-path=\"url(#clip1)\"/></svg>";
+        let svg = "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"5\"><clipPath id=\"clip1\"/><g clip-path=\"url(#clip1)\"/></svg>";
         let mut page = Page::new("A < B");
         page.section("s", "One").figure(svg, "first", "a \"curve\"", &["a.svg"]).figure(svg, "second", "b", &[]);
         let html = page.finish();
         for expected in ["id=\"figure1-clip1\"", "url(#figure2-clip1)", "viewBox=\"0 0 9 5\"", "a &quot;curve&quot;"] {
             assert!(html.contains(expected), "{expected} in {html}");
         }
-        assert!(html.contains("<title>A &lt; B</title>") && !html.contains("<?xml"));
+        assert!(html.contains("<title>A &lt; B</title>") && !html.contains("<?xml") && !html.contains("http:"));
     }
 }

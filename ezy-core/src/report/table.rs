@@ -4,13 +4,13 @@ use std::fmt;
 
 use super::page::escape;
 
-/// A table with a head; the first column is text, the others are flushed right.
+/// A table with a head. Columns that hold numbers in most of their cells are flushed right.
 ///
 /// ```
 /// use ezy_core::report::table::Table;
 ///
 /// let table = Table::new(["step [s]", "gap [J]"]).row(["0.01", "2.8e-1"]).row(["0.001", "2.7e-2"]);
-/// assert!(table.to_string().starts_with("step [s]  gap [J]\n--------  -------\n0.01       2.8e-1\n"));
+/// assert!(table.to_string().starts_with("step [s]  gap [J]\n--------  -------\n    0.01   2.8e-1\n"));
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Table {
@@ -38,14 +38,21 @@ impl Table {
 
     /// The table as one HTML element, with its head marked as such; `caption` says what it holds.
     pub fn html(&self, caption: &str) -> String {
-        let row = |tag: &str, cells: &[String]| {
-            cells.iter().fold("<tr>".to_owned(), |row, cell| row + &format!("<{tag}>{}</{tag}>", escape(cell)))
-                + "</tr>\n"
+        let class = |i: usize| if self.is_numeric(i) { " class=\"number\"" } else { "" };
+        let row = |tag: &str, cells: &[String]| -> String {
+            let name = tag.split(' ').next().unwrap_or(tag);
+            let cell = |(i, cell): (usize, &String)| format!("<{tag}{}>{}</{name}>", class(i), escape(cell));
+            format!("<tr>{}</tr>\n", cells.iter().enumerate().map(cell).collect::<String>())
         };
-        let head = row("th scope=\"col\"", &self.head).replace("</th scope=\"col\">", "</th>");
+        let head = row("th scope=\"col\"", &self.head);
         let body: String = self.rows.iter().map(|cells| row("td", cells)).collect();
         let caption = escape(caption);
         format!("<table>\n<caption>{caption}</caption>\n<thead>{head}</thead>\n<tbody>\n{body}</tbody>\n</table>\n")
+    }
+
+    fn is_numeric(&self, column: usize) -> bool {
+        let numbers = self.rows.iter().filter(|row| row.get(column).is_some_and(|cell| cell.parse::<f64>().is_ok()));
+        2 * numbers.count() > self.rows.len()
     }
 
     fn widths(&self) -> Vec<usize> {
@@ -59,14 +66,29 @@ impl Table {
     }
 }
 
+/// A number with `digits` decimals; what rounds to zero has no sign.
+///
+/// ```
+/// assert_eq!(ezy_core::report::table::fixed(-1e-9, 3), "0.000");
+/// ```
+pub fn fixed(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(magnitude) if magnitude.chars().all(|c| matches!(c, '0' | '.')) => magnitude.to_owned(),
+        _ => text,
+    }
+}
+
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let widths = self.widths();
+        let numeric: Vec<bool> = (0..widths.len()).map(|i| self.is_numeric(i)).collect();
         let rule: Vec<String> = widths.iter().map(|w| "-".repeat(*w)).collect();
         for cells in [&self.head, &rule].into_iter().chain(&self.rows) {
             let mut line = String::new();
             for (i, (cell, &width)) in cells.iter().zip(&widths).enumerate() {
-                line += &if i == 0 { format!("{cell:<width$}") } else { format!("  {cell:>width$}") };
+                line += if i > 0 { "  " } else { "" };
+                line += &if numeric[i] { format!("{cell:>width$}") } else { format!("{cell:<width$}") };
             }
             writeln!(f, "{}", line.trim_end())?;
         }
@@ -81,6 +103,10 @@ mod tests {
     #[test]
     fn invariant_html_table_escapes_cells_and_marks_its_head() {
         let html = Table::new(["a < b", "c"]).row(["1 & 2", "3"]).html("numbers");
-        assert!(html.contains("<th scope=\"col\">a &lt; b</th>") && html.contains("<td>1 &amp; 2</td>"), "{html}");
+        assert!(
+            html.contains("<th scope=\"col\">a &lt; b</th>")
+                && html.contains("<td>1 &amp; 2</td><td class=\"number\">3</td>"),
+            "{html}"
+        );
     }
 }

@@ -5,7 +5,7 @@ use std::fs::File;
 use ezy_core::integrate::Method;
 use ezy_core::model::{Scene, SceneEntry};
 use ezy_core::record::{CsvWriter, Sample, find_name};
-use ezy_core::report::table::Table;
+use ezy_core::report::table::{Table, fixed};
 use ezy_core::simulate::{Outcome, Run, SetupError, Simulation};
 use ezy_models::registry::{find, typed};
 
@@ -141,18 +141,18 @@ fn run_text(run: &Run) -> String {
     if info.n_rows() > 0 {
         let mut table = Table::new(["row", "multiplier", "unit"]);
         for (row, lambda) in info.rows.iter().zip(last.multipliers) {
-            table.push([row.name.to_owned(), format!("{lambda:.12}"), row.multiplier_unit.to_owned()]);
+            table.push([row.name.to_owned(), fixed(*lambda, 12), row.multiplier_unit.to_owned()]);
         }
         text += &format!("\n{table}");
     }
     let energy = last.energy;
     text += &format!(
-        "\nkinetic energy {:.12} J, potential energy {:.12} J, work {:.12} J, balance {:.1e} J\n\
+        "\nkinetic energy {} J, potential energy {} J, work {} J, balance {:.1e} J\n\
          largest constraint residual: positions {:.1e}, velocities {:.1e}\n\
          {} steps, {} evaluations of the accelerations, {:.3} s\n",
-        energy.kinetic,
-        energy.potential,
-        energy.work,
+        fixed(energy.kinetic, 12),
+        fixed(energy.potential, 12),
+        fixed(energy.work, 12),
         energy.balance,
         last.position_residual,
         last.velocity_residual,
@@ -170,7 +170,7 @@ fn outcome_word(outcome: &Outcome) -> &'static str {
 fn motion_table(last: &Sample<'_>) -> Table {
     let mut table = Table::new(["coordinate", "value", "velocity", "acceleration", "unit"]);
     for (i, coordinate) in last.info.coordinates.iter().enumerate() {
-        let [q, v, a] = [last.coordinates[i], last.velocities[i], last.accelerations[i]].map(|x| format!("{x:.12}"));
+        let [q, v, a] = [last.coordinates[i], last.velocities[i], last.accelerations[i]].map(|x| fixed(x, 12));
         table.push([coordinate.name, &q, &v, &a, coordinate.unit]);
     }
     table

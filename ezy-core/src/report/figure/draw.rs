@@ -16,7 +16,9 @@ const RING_PT: f32 = 6.0;
 /// Share of the span left free around the data.
 const MARGIN: f64 = 0.04;
 /// Height over width that a figure with equal axes has at least and at most: flat paths keep room for texts.
-const EQUAL_SHAPE: [f64; 2] = [0.25, 1.0];
+const EQUAL_SHAPE: [f64; 2] = [0.25, 0.75];
+/// Letters that fit into one row of the legend.
+const LEGEND_LETTERS: usize = 62;
 /// Inches across, and what title, axis labels and legend take of the height.
 const WIDTH_IN: f32 = 9.0;
 const FRAME_IN: f32 = 1.9;
@@ -59,8 +61,19 @@ fn plot(figure: &Figure) -> Result<Plot, FigureError> {
     for note in &figure.notes {
         plot = add_note(plot, note);
     }
-    let named = figure.curves.iter().filter(|c| !c.name.is_empty()).count();
-    Ok(if named > 0 { plot.legend(LegendPosition::OutsideLower).legend_columns(named.min(3)) } else { plot })
+    Ok(match legend_columns(figure) {
+        0 => plot,
+        columns => plot.legend(LegendPosition::OutsideLower).legend_columns(columns),
+    })
+}
+
+/// Columns of the legend: none for a single curve, which the title names; all columns are as wide as the longest name.
+fn legend_columns(figure: &Figure) -> usize {
+    let names: Vec<usize> = figure.curves.iter().map(|c| c.name.chars().count()).filter(|n| *n > 0).collect();
+    match names.iter().max() {
+        Some(longest) if names.len() > 1 => (LEGEND_LETTERS / longest).clamp(1, 3.min(names.len())),
+        _ => 0,
+    }
 }
 
 fn add_curve(plot: Plot, curve: &Curve, axes: Axes) -> Plot {
@@ -99,19 +112,21 @@ fn marker_style(marker: Marker) -> Option<MarkerStyle> {
 }
 
 fn add_note(plot: Plot, note: &Note) -> Plot {
-    let style = TextStyle { font_size: FONT_PT - 2.0, ..TextStyle::default() };
+    let background = Some(Color::from_rgb(255, 255, 255));
+    let style = TextStyle { font_size: FONT_PT - 2.0, background, ..TextStyle::default() };
     plot.text_styled(note.x, note.y, note.text.as_str(), style)
 }
 
 /// Limits of both axes around everything that can be drawn.
 fn limits(figure: &Figure) -> Result<([f64; 2], [f64; 2]), FigureError> {
     let log = figure.axes == Axes::LogLog;
-    let range = |pick: fn(&Curve) -> &Vec<f64>| {
-        let shown = figure.curves.iter().flat_map(pick).copied().filter(|v| v.is_finite() && (!log || *v > 0.0));
+    let range = |pick: fn(&Curve) -> &Vec<f64>, place: fn(&Note) -> f64| {
+        let all = figure.curves.iter().flat_map(pick).copied().chain(figure.notes.iter().map(place));
+        let shown = all.filter(|v| v.is_finite() && (!log || *v > 0.0));
         let scaled = shown.map(|v| if log { v.log10() } else { v });
         scaled.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| [lo.min(v), hi.max(v)])
     };
-    let (x, y) = (range(|c| &c.x), range(|c| &c.y));
+    let (x, y) = (range(|c| &c.x, |n| n.x), range(|c| &c.y, |n| n.y));
     if !(x[0].is_finite() && y[0].is_finite()) {
         let positive = if log { " above zero, as its logarithmic axes need" } else { "" };
         return Err(FigureError::Empty { title: figure.title.clone(), positive });

@@ -39,6 +39,10 @@ impl Look {
         Self { marker: LINE_MARKERS[index % LINE_MARKERS.len()], ..self }
     }
 
+    pub fn band() -> Self {
+        Self { color: [170, 205, 235], dash: &[], width_pt: 6.0, marker: Marker::None }
+    }
+
     pub fn guide() -> Self {
         Self { color: [110, 110, 110], dash: &[1.5, 3.0], width_pt: 1.4, marker: Marker::None }
     }

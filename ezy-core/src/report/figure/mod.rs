@@ -139,6 +139,12 @@ impl Figure {
         self.push(name, x, y, look)
     }
 
+    /// A broad light line, to lie under a line that may cover it.
+    #[must_use]
+    pub fn band(self, name: &str, x: Vec<f64>, y: Vec<f64>) -> Self {
+        self.push(name, x, y, Look::band())
+    }
+
     /// A thin grey dotted line to compare with: a law, a slope.
     #[must_use]
     pub fn guide(self, name: &str, x: Vec<f64>, y: Vec<f64>) -> Self {

@@ -1,0 +1,66 @@
+//! Parts (a) to (c): the derived equations, and the parameters in them.
+
+use ezy_core::model::{Scene, SceneInfo};
+use ezy_core::report::equations::{Equation, equations};
+use ezy_core::report::page::{Page, escape};
+use ezy_core::report::table::Table;
+
+use crate::ezy_roller::Driven;
+
+/// Puts parameters and equations on the page.
+pub fn write(page: &mut Page, scene: &Driven) {
+    let info = scene.info();
+    page.section("model", "The vehicle and its parameters");
+    page.paragraph(
+        "Two rigid bodies in the plane: body 1, the seat, rolls on the rear wheel A; body 2, the bar, on the front wheel C; the hinge B joins \
+         them. A wheel moves along its body only, like a skate. Coordinates are the centres of mass and the absolute angles of both bodies.",
+    );
+    page.html(&parameters(scene, info).html("Parameters"));
+    let all = equations(info);
+    let put = |page: &mut Page, names: &[&str]| {
+        for equation in all.iter().filter(|equation| names.contains(&equation.name)) {
+            one(page, equation);
+        }
+    };
+    put(page, &["coordinates", "velocities"]);
+    page.section("a", "(a) Hinge: constraint, Jacobian, convective term");
+    put(
+        page,
+        &["position constraint", "Jacobian of the position constraint", "convective term of the position constraint"],
+    );
+    page.section("b", "(b) Wheels: constraint, Jacobian, convective term");
+    put(
+        page,
+        &["velocity constraint", "Jacobian of the velocity constraint", "convective term of the velocity constraint"],
+    );
+    page.section("c", "(c) Equations of motion");
+    page.paragraph(
+        "Differentiating the constraints until accelerations appear, C_q a + h = 0 and S a + s = 0, and adding their reactions -C_q^T lambda_C - S^T lambda_S \
+         to the applied force F gives one linear system for accelerations and multipliers.",
+    );
+    put(page, &["equations of motion", "mass matrix", "applied force"]);
+    page.paragraph(&format!(
+        "The program solves it by an elimination that is written out when it is compiled, in {} multiplications, {} additions and {} division \
+         with {} sines and cosines a time. All of these equations are printed from the expressions that are compiled.",
+        info.acceleration_operations.mul,
+        info.acceleration_operations.add,
+        info.acceleration_operations.div,
+        info.acceleration_operations.trig
+    ));
+}
+
+fn one(page: &mut Page, equation: &Equation) {
+    page.paragraph(&format!("{}{}:", equation.name[..1].to_uppercase(), &equation.name[1..]))
+        .equation(&equation.mathml);
+    let (text, latex) = (escape(&equation.text), escape(&equation.latex));
+    page.html(&format!("<details><summary>as text and LaTeX</summary><pre>{text}\n{latex}</pre></details>"));
+}
+
+fn parameters(scene: &Driven, info: &SceneInfo) -> Table {
+    let mut table = Table::new(["name", "value", "unit", "what it is", "belongs to"]);
+    for (i, p) in info.parameters.iter().enumerate() {
+        let value = format!("{}", scene.parameter(i));
+        table.push([p.name, &value, p.unit, p.documentation.trim(), p.effect.unwrap_or("model")]);
+    }
+    table
+}

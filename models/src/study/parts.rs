@@ -1,0 +1,39 @@
+//! Small measures that several parts take.
+
+/// Largest magnitude.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().map(f64::abs).fold(0.0, f64::max)
+}
+
+/// Half of the difference between the largest and the smallest value.
+pub fn half_swing(values: &[f64]) -> f64 {
+    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    0.5 * (high - low)
+}
+
+/// Slope of the least-squares line through (ln x, ln y).
+pub fn log_slope(x: &[f64], y: &[f64]) -> f64 {
+    let n = x.len() as f64;
+    let (x, y): (Vec<f64>, Vec<f64>) = x.iter().zip(y).map(|(x, y)| (x.ln(), y.ln())).unzip();
+    let (mean_x, mean_y) = (x.iter().sum::<f64>() / n, y.iter().sum::<f64>() / n);
+    let covariance: f64 = x.iter().zip(&y).map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
+    let variance: f64 = x.iter().map(|x| (x - mean_x).powi(2)).sum();
+    covariance / variance
+}
+
+/// Values in one, `factor`, `factor²`, … times `first`, `n` of them.
+pub fn geometric(first: f64, factor: f64, n: usize) -> Vec<f64> {
+    std::iter::successors(Some(first), |x| Some(x * factor)).take(n).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_slope_of_a_power_law_is_its_exponent() {
+        let x = geometric(0.1, 2.0, 5);
+        let y: Vec<f64> = x.iter().map(|x| 3.0 * x.powi(4)).collect();
+        assert!((log_slope(&x, &y) - 4.0).abs() < 1e-12);
+    }
+}

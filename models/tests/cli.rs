@@ -1,0 +1,198 @@
+//! The `ezy` command line, run as its users run it.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn ezy(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ezy")).args(arguments).output().expect("the program starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("output is UTF-8")
+}
+
+/// Standard output of a command that succeeds.
+fn output(arguments: &[&str]) -> String {
+    let done = ezy(arguments);
+    assert_eq!(done.status.code(), Some(0), "{arguments:?}: {}", text(&done.stderr));
+    text(&done.stdout)
+}
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&output(arguments)).expect("output is JSON")
+}
+
+fn keys(value: &Value) -> Vec<&str> {
+    value.as_object().expect("an object").keys().map(String::as_str).collect()
+}
+
+/// A fresh place for the files of one test.
+fn directory(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).expect("a directory for the test");
+    path
+}
+
+const COORDINATES: [&str; 6] = ["bar.phi", "bar.x", "bar.y", "seat.phi", "seat.x", "seat.y"];
+
+#[test]
+fn invariant_list_names_every_scene_as_it_is_typed() {
+    let list = output(&["list"]);
+    for path in ["ezyroller/coast", "ezyroller/driven", "ezyroller/driven_on_tarmac"] {
+        assert!(list.contains(path), "{list}");
+    }
+}
+
+#[test]
+fn invariant_list_json_tells_effects_sizes_and_freedom() {
+    let scene = &json(&["list", "--json"])["models"][0]["scenes"][1];
+    assert_eq!(scene["name"], "driven");
+    assert_eq!(scene["effects"], serde_json::json!(["pump"]));
+    assert_eq!((&scene["coordinates"], &scene["position_rows"], &scene["freedom"]), (&6.into(), &2.into(), &2.into()));
+}
+
+#[test]
+fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
+    let show = output(&["show", "ezyroller/driven"]);
+    for part in ["C_q = [", "S v + s_t = [", "m0*cos(omega*t)", "sparsity", "order of elimination", "arithmetic in all"]
+    {
+        assert!(show.contains(part), "{part} in {show}");
+    }
+}
+
+#[test]
+fn invariant_show_latex_of_a_model_holds_every_scene() {
+    let show = output(&["show", "ezyroller", "--format", "latex"]);
+    assert_eq!(show.matches("% equations of motion").count(), 3);
+    assert!(show.contains("\\begin{bmatrix} M & C_q^T & S^T"), "{show}");
+}
+
+#[test]
+fn invariant_show_json_counts_at_most_a_hundred_operations() {
+    let operations = &json(&["show", "ezyroller/driven", "--format", "json"])["operations"]["accelerations"];
+    let arithmetic: u64 = ["mul", "add", "div"].iter().map(|kind| operations[kind].as_u64().unwrap()).sum();
+    assert!(arithmetic <= 100, "{arithmetic}");
+}
+
+#[test]
+fn invariant_run_json_has_exactly_the_documented_keys() {
+    let run = json(&["run", "ezyroller/driven", "--until", "0.1", "--json"]);
+    let top = [
+        "acceleration",
+        "cost",
+        "energy",
+        "method",
+        "model",
+        "multipliers",
+        "outcome",
+        "rate",
+        "residual",
+        "scene",
+        "state",
+        "t",
+    ];
+    assert_eq!(keys(&run), top);
+    for motion in ["state", "rate", "acceleration"] {
+        assert_eq!(keys(&run[motion]), COORDINATES);
+    }
+    assert_eq!(keys(&run["multipliers"]), ["B.x", "B.y", "front", "rear"]);
+    assert_eq!(keys(&run["energy"]), ["balance", "kinetic", "potential", "work"]);
+    assert_eq!(keys(&run["residual"]), ["position", "velocity"]);
+    assert_eq!(keys(&run["cost"]), ["evaluations", "factorizations", "rejected", "seconds", "steps"]);
+}
+
+/// x1 of the coasting run at 1 s, from a solution with 36 digits.
+const COAST_END_X: f64 = 1.194_608_983_605_537_4;
+/// RK4 at h = 1e-3 leaves 3e-12 there.
+const COAST_TOLERANCE: f64 = 1e-11;
+
+#[test]
+fn reference_run_coast_ends_where_it_should() {
+    let run = json(&["run", "EZY_Roller/Coast", "--json"]);
+    let x = run["state"]["seat.x"].as_f64().unwrap();
+    assert!((x - COAST_END_X).abs() < COAST_TOLERANCE, "{x}");
+}
+
+#[test]
+fn invariant_run_holds_given_start_and_parameters() {
+    let until = ["--until", "0", "--json"];
+    let given = ["run", "ezyroller/driven", "--set", "d=0.3", "--start", "bar.phi=pi/2", "--start", "seat.vx=2"];
+    let run = json(&[&given[..], &until[..]].concat());
+    assert_eq!(run["state"]["bar.phi"].as_f64(), Some(std::f64::consts::FRAC_PI_2));
+    assert_eq!(run["rate"]["seat.x"].as_f64(), Some(2.0));
+    // hinge: y of the bar is d above the seat's axis
+    assert!((run["state"]["bar.y"].as_f64().unwrap() - 0.3).abs() < 1e-12);
+}
+
+#[test]
+fn invariant_run_csv_has_units_a_thousand_rows_and_the_end() {
+    let file = directory("csv").join("motion.csv");
+    output(&["run", "ezyroller/coast", "--out", file.to_str().unwrap()]);
+    let text = std::fs::read_to_string(file).unwrap();
+    assert!(text.starts_with("t [s],seat.x [m],seat.y [m],seat.phi [rad]"), "{}", &text[..80]);
+    assert_eq!(text.lines().count(), 1 + 1001);
+    assert!(text.lines().last().unwrap().starts_with("1.0000000000000000e0,"));
+}
+
+#[test]
+fn invariant_run_every_sets_the_rows() {
+    let file = directory("every").join("motion.csv");
+    output(&["run", "ezyroller/coast", "--every", "0.25", "--out", file.to_str().unwrap()]);
+    assert_eq!(std::fs::read_to_string(file).unwrap().lines().count(), 1 + 5);
+}
+
+#[test]
+fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
+    let cases: [(&[&str], &str); 15] = [
+        (&["run", "ezyroler/coast"], "did you mean `ezyroller`?"),
+        (&["run", "ezyroller/cost"], "did you mean `coast`?"),
+        (&["run", "ezyroller"], "run one of: ezyroller/coast"),
+        (&["run", "ezyroller/coast", "--set", "m3=1"], "known: a, b, c, d, m1"),
+        (&["run", "ezyroller/coast", "--set", "m1=nan"], "is not a finite number"),
+        (&["run", "ezyroller/coast", "--set", "m1=-1"], "mass of body `seat` is -1"),
+        (&["run", "ezyroller/coast", "--start", "seat.z=1"], "did you mean `seat."),
+        (&["run", "ezyroller/coast", "--start", "seat.vy=1"], "contradicts the constraints"),
+        (&["run", "ezyroller/coast", "--step", "-1"], "give a positive step"),
+        (&["run", "ezyroller/coast", "--step", "0"], "give a positive step"),
+        (&["run", "ezyroller/coast", "--until", "nan"], "is not a finite number"),
+        (&["run", "ezyroller/coast", "--method", "euler"], "[possible values: rk4]"),
+        (&["run", "ezyroller/coast", "--frobnicate"], "unexpected argument"),
+        (&["run", "ezyroller/coast", "--out", "/no/such/directory/x.csv"], "in a directory that exists"),
+        (&["shwo"], "'show'"),
+    ];
+    for (arguments, message) in cases {
+        let done = ezy(arguments);
+        let stderr = text(&done.stderr);
+        assert_eq!(done.status.code(), Some(2), "{arguments:?}: {stderr}");
+        assert!(stderr.contains(message), "{arguments:?}: {stderr}");
+        assert!(done.stdout.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn invariant_run_at_a_singular_position_exits_with_1_and_names_the_rows() {
+    let singular = ["run", "ezyroller/coast", "--set", "b=-0.2", "--set", "d=-0.1", "--start", "bar.phi=0", "--json"];
+    let done = ezy(&singular);
+    assert_eq!(done.status.code(), Some(1));
+    let object: Value = serde_json::from_str(&text(&done.stdout)).unwrap();
+    let outcome = object["outcome"].as_str().unwrap();
+    assert!(outcome.contains("rear") && outcome.contains("front"), "{outcome}");
+    assert!(object.get("state").is_none(), "nothing was computed");
+}
+
+#[test]
+fn invariant_check_passes_on_every_scene() {
+    let check = output(&["check", "ezyroller"]);
+    assert!(check.contains("EzyRoller/driven_on_tarmac") && !check.contains("FAILED"), "{check}");
+}
+
+#[test]
+fn invariant_help_of_every_command_has_its_usage() {
+    for command in ["list", "show", "run", "check", "study"] {
+        let help = output(&[command, "--help"]);
+        assert!(help.contains(&format!("Usage: ezy {command}")), "{help}");
+    }
+}

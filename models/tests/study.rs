@@ -1,0 +1,79 @@
+//! The study, done once: what it prints and what it writes.
+
+use std::path::Path;
+use std::process::Command;
+
+/// Figures, each as SVG, PNG and CSV.
+const FIGURES: [&str; 10] = [
+    "coast_motion",
+    "driven_paths",
+    "driven_paths_beginning",
+    "driven_speed",
+    "driven_energy",
+    "driven_hinge",
+    "driven_work",
+    "work_gap",
+    "long_run",
+    "order",
+];
+
+/// The last row of a CSV file.
+fn last_row(text: &str) -> Vec<f64> {
+    text.lines().last().unwrap().split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()
+}
+
+#[test]
+fn reference_study_writes_what_the_equations_say() {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("study");
+    _ = std::fs::remove_dir_all(&directory);
+    let done = Command::new(env!("CARGO_BIN_EXE_ezy")).args(["study", "--out"]).arg(&directory).output().unwrap();
+    let (stdout, stderr) = (String::from_utf8(done.stdout).unwrap(), String::from_utf8(done.stderr).unwrap());
+    assert_eq!(done.status.code(), Some(0), "{stderr}");
+    // speed and kinetic energy after ten minutes, from a solution with 36 digits
+    assert!(stdout.contains("2.0786 m/s, 101.555 J") && stdout.contains("index.html"), "{stdout}");
+
+    let read = |name: &str| std::fs::read(directory.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let read_text = |name: &str| String::from_utf8(read(name)).unwrap();
+    for figure in FIGURES {
+        assert!(read_text(&format!("{figure}.svg")).contains("<svg"), "{figure}");
+        assert!(read(&format!("{figure}.png")).starts_with(b"\x89PNG"), "{figure}");
+        assert!(read_text(&format!("{figure}.csv")).lines().count() > 4, "{figure}");
+    }
+    check_page(&read_text("index.html"));
+
+    // t, A.x, A.y, C.x, C.y at 60 s; RK4 at h = 1e-3 leaves 6e-11
+    let end = last_row(&read_text("driven_paths.csv"));
+    let expected = [60.0, 12.419_757_809_423_2, -21.903_636_915_969_9, 12.701_748_468_322_6, -22.433_578_240_236_2];
+    for (value, expected) in end.iter().zip(expected) {
+        assert!((value - expected).abs() < 2e-10, "{value} {expected}");
+    }
+    // t, kinetic energy
+    let end = last_row(&read_text("driven_energy.csv"));
+    assert!((end[1] - 12.965_177_349_343_9).abs() < 1e-9, "{end:?}");
+}
+
+/// The page stands alone and says what is seen in each figure.
+fn check_page(page: &str) {
+    assert!(page.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
+    for elsewhere in ["http:", "https:", "<script", "<img", "<link", "url(h"] {
+        assert!(!page.contains(elsewhere), "{elsewhere}");
+    }
+    assert_eq!(page.matches("<svg").count(), FIGURES.len());
+    assert_eq!(page.matches("role=\"img\" aria-label=").count(), FIGURES.len());
+    assert!(page.matches("<math display=\"block\">").count() >= 11);
+    for part in
+        ["(a) Hinge", "(b) Wheels", "(c) Equations", "(d) Proj", "(e) Coast", "(f) Driven", "(g)", "(h)", "(i)", "(j)"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("NaN") && !page.contains("inf "), "a number is missing");
+}
+
+#[test]
+fn invariant_study_into_a_file_exits_with_2() {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("not_a_directory");
+    std::fs::write(&file, "").unwrap();
+    let done = Command::new(env!("CARGO_BIN_EXE_ezy")).args(["study", "--out"]).arg(&file).output().unwrap();
+    assert_eq!(done.status.code(), Some(2));
+    assert!(String::from_utf8(done.stderr).unwrap().contains("choose another directory"));
+}

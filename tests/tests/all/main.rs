@@ -4,6 +4,8 @@ mod scenes;
 
 mod backends;
 mod exact_start;
+mod hand_and_generated;
+mod layers;
 mod massless;
 mod order;
 mod other_mechanisms;

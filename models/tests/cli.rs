@@ -184,6 +184,23 @@ fn invariant_run_at_a_singular_position_exits_with_1_and_names_the_rows() {
 }
 
 #[test]
+fn invariant_run_that_stops_early_exits_with_1_and_keeps_what_it_has() {
+    let file = directory("stopped").join("motion.csv");
+    // a step as long as the period of the torque: the run blows up after a few steps
+    let arguments =
+        ["run", "ezyroller/driven", "--step", "2", "--every", "2", "--json", "--out", file.to_str().unwrap()];
+    let done = ezy(&arguments);
+    assert_eq!(done.status.code(), Some(1));
+    let object: Value = serde_json::from_str(&text(&done.stdout)).unwrap();
+    let t = object["t"].as_f64().unwrap();
+    assert!(object["outcome"].as_str().unwrap().starts_with(&format!("stopped at t = {t} s")), "{object}");
+    assert_eq!(keys(&object["state"]), COORDINATES);
+    let csv = std::fs::read_to_string(file).unwrap();
+    assert!(csv.lines().last().unwrap().starts_with(&format!("{t:.16e},")), "{csv}");
+    assert!(text(&done.stderr).contains("smaller step"), "{}", text(&done.stderr));
+}
+
+#[test]
 fn invariant_check_passes_on_every_scene() {
     let check = output(&["check", "ezyroller"]);
     assert!(check.contains("EzyRoller/driven_on_tarmac") && !check.contains("FAILED"), "{check}");

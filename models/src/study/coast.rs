@@ -26,8 +26,6 @@ pub struct Coasting {
     pub start: Vec<(&'static str, f64)>,
     /// Heading of the seat at the end, rad.
     pub end_heading: f64,
-    /// Speed of the seat at the end, m/s.
-    pub end_speed: f64,
     /// Kinetic energy at the start, J.
     pub kinetic_energy: f64,
     /// Largest change of the kinetic energy, J.
@@ -44,7 +42,6 @@ impl Coasting {
         let found = Self {
             start: names.zip(first.velocities.iter().copied()).collect(),
             end_heading: last.get("seat.phi")?,
-            end_speed: motion.speed()?.last().copied().unwrap_or(f64::NAN),
             kinetic_energy: first.energy.kinetic,
             energy_drift: largest(motion.run.samples().map(|s| s.energy.balance)),
         };

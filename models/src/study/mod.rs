@@ -2,6 +2,7 @@
 //!
 //! Everything that the page states is measured while it is written.
 
+mod averaged;
 mod claims;
 mod coast;
 mod driven;

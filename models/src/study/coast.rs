@@ -47,13 +47,14 @@ impl Coasting {
         };
         page.section("e", "(e) Coasting");
         page.paragraph(
-            "The bar stands across the seat, the seat moves at 1 m/s without turning, nothing drives or brakes. The positions and the \
-             three velocities of the seat follow from what is given; the bar's velocities are assembled from the constraints.",
+            "The bar stands across the seat, the seat moves at 1 m/s without turning, nothing drives or brakes. Given are the seat's position, \
+             both angles, the forward velocity of the seat and its rate; the bar's position and all other velocities are assembled from the \
+             constraints.",
         );
         page.html(&found.start_table(&motion).html("Start and end of the coasting run"));
         output.plate(page, found.plate(&motion)?)?;
         page.paragraph(&format!(
-            "The front wheel swings behind the hinge within a fraction of a second, which turns the seat by {:.3} degrees for good. \
+            "The front wheel swings behind the hinge within a fraction of a second, and the seat has turned by {:.3} degrees when the second is over. \
              Nothing does work: the kinetic energy stays at {:.4} J to {:.0e} J.",
             found.end_heading.to_degrees(),
             found.kinetic_energy,

@@ -41,7 +41,7 @@ pub fn write(page: &mut Page, scene: &Driven) {
     put(page, &["equations of motion", "mass matrix", "applied force"]);
     page.paragraph(&format!(
         "The program solves it by an elimination that is written out when it is compiled, in {} multiplications, {} additions and {} division \
-         with {} sines and cosines a time. All of these equations are printed from the expressions that are compiled.",
+         with {} evaluations of sine and cosine a time. All of these equations are printed from the expressions that are compiled.",
         info.acceleration_operations.mul,
         info.acceleration_operations.add,
         info.acceleration_operations.div,

@@ -26,4 +26,5 @@ pub mod prelude {
     pub use crate::model::Scene;
     pub use crate::record::{CsvWriter, Sample};
     pub use crate::simulate::{Outcome, Run, Simulation};
+    pub use ezy_derive::model;
 }

@@ -4,4 +4,6 @@ pub mod chain;
 pub mod crank;
 pub mod hand_roller;
 mod leaked;
+#[cfg(doctest)]
+pub mod readme;
 pub mod reference;

@@ -2,6 +2,7 @@
 
 mod scenes;
 
+mod architecture;
 mod backends;
 mod exact_start;
 mod hand_and_generated;

@@ -12,12 +12,13 @@ impl Writer<'_> {
     pub fn position(&mut self, place: &Place) -> Vector {
         let local = [self.write(&place.x), self.write(&place.y)];
         let Some(body) = place.body else { return local };
+        // the centre comes first, so that equations print it first
+        let centre = [Component::X, Component::Y].map(|component| {
+            let symbol = self.symbols.coordinate(body, component);
+            self.algebra.symbol(symbol)
+        });
         let arm = self.turned(local, Some(body));
-        [Component::X, Component::Y].map(|component| {
-            let centre = self.symbols.coordinate(body, component);
-            let centre = self.algebra.symbol(centre);
-            self.algebra.add(centre, arm[component as usize])
-        })
+        std::array::from_fn(|i| self.algebra.add(centre[i], arm[i]))
     }
 
     /// Velocity of a place, m/s.

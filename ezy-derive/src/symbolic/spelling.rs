@@ -41,9 +41,11 @@ pub fn name(name: &str) -> Printed {
     if index.is_empty() || stem.is_empty() {
         return Printed::atom(name, latex, mathml);
     }
+    let digits = index.chars().all(|c| c.is_ascii_digit());
+    let latex_index = if digits { index.clone() } else { format!("\\mathrm{{{index}}}") };
     Printed::atom(
         name,
-        format!("{latex}_{{\\mathrm{{{index}}}}}"),
+        format!("{latex}_{{{latex_index}}}"),
         format!("<msub>{mathml}<mtext>{index}</mtext></msub>"),
     )
 }
@@ -83,7 +85,7 @@ mod tests {
 
     #[test]
     fn analytic_names_get_indices_and_greek_letters() {
-        assert_eq!(name("m0").latex, "m_{\\mathrm{0}}");
+        assert_eq!(name("m0").latex, "m_{0}");
         assert_eq!(name("omega").latex, "\\omega");
         assert_eq!(name("wheel_base").mathml, "<msub><mi>wheel</mi><mtext>base</mtext></msub>");
         assert_eq!(of_body("seat.vx", "x", "seat", true).latex, "\\dot{x}_{\\mathrm{seat}}");

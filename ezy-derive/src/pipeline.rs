@@ -1,4 +1,5 @@
-//! The stages in order; errors are flushed after each. The file to read first.
+//! The stages in order; what they found wrong is flushed before equations are derived, and before they are emitted.
+//! The file to read first.
 
 use proc_macro2::TokenStream;
 
@@ -9,10 +10,8 @@ use crate::{emit, mechanics, model, parse};
 /// A model file as Rust items, or as compile errors on the words to change.
 pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut diag = Diagnostics::default();
+    // names are resolved after faults of syntax too, so that both are seen at once
     let syntax = parse::parse(tokens, &mut diag);
-    if !diag.is_empty() {
-        return diag.into_compile_errors();
-    }
     let Some(model) = model::resolve(syntax, &mut diag).filter(|_| diag.is_empty()) else {
         return diag.into_compile_errors();
     };

@@ -61,11 +61,7 @@ impl Fingerprint {
 
     /// Reciprocal; zero has none and yields zero.
     pub fn inverse(self) -> Self {
-        let mut out = Self::ZERO;
-        for i in 0..2 {
-            out.0[i] = self.power(PRIMES[i] - 2).0[i];
-        }
-        out
+        Self(std::array::from_fn(|i| self.power(PRIMES[i] - 2).0[i]))
     }
 
     fn power(self, mut exponent: u64) -> Self {

@@ -43,11 +43,7 @@ pub fn name(name: &str) -> Printed {
     }
     let digits = index.chars().all(|c| c.is_ascii_digit());
     let latex_index = if digits { index.clone() } else { format!("\\mathrm{{{index}}}") };
-    Printed::atom(
-        name,
-        format!("{latex}_{{{latex_index}}}"),
-        format!("<msub>{mathml}<mtext>{index}</mtext></msub>"),
-    )
+    Printed::atom(name, format!("{latex}_{{{latex_index}}}"), format!("<msub>{mathml}<mtext>{index}</mtext></msub>"))
 }
 
 /// `letter` with the name of a body as index and a dot when it is a velocity.

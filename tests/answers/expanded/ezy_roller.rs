@@ -191,9 +191,9 @@ pub mod ezy_roller {
                     kind: "hinge",
                     multiplier_unit: "N",
                     constraint: ::ezy_core::model::Formula {
-                        text: "b*cos(seat.phi) + seat.x + d*cos(bar.phi) - bar.x",
-                        latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}} + x_{\\mathrm{seat}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}} - x_{\\mathrm{bar}}",
-                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub></mrow>",
+                        text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
+                        latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
@@ -206,9 +206,9 @@ pub mod ezy_roller {
                     kind: "hinge",
                     multiplier_unit: "N",
                     constraint: ::ezy_core::model::Formula {
-                        text: "b*sin(seat.phi) + seat.y + d*sin(bar.phi) - bar.y",
-                        latex: "b \\, \\sin{\\varphi_{\\mathrm{seat}}} + y_{\\mathrm{seat}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}} - y_{\\mathrm{bar}}",
-                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub></mrow>",
+                        text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
+                        latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
@@ -310,7 +310,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "m1",
-                        latex: "m_{\\mathrm{1}}",
+                        latex: "m_{1}",
                         mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
                     },
                 },
@@ -323,7 +323,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "i1",
-                        latex: "i_{\\mathrm{1}}",
+                        latex: "i_{1}",
                         mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
                     },
                 },
@@ -336,7 +336,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "m2",
-                        latex: "m_{\\mathrm{2}}",
+                        latex: "m_{2}",
                         mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
                     },
                 },
@@ -349,7 +349,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "i2",
-                        latex: "i_{\\mathrm{2}}",
+                        latex: "i_{2}",
                         mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
                     },
                 },
@@ -439,32 +439,32 @@ pub mod ezy_roller {
             mass_entries: &[
                 ::ezy_core::model::Formula {
                     text: "m1",
-                    latex: "m_{\\mathrm{1}}",
+                    latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m1",
-                    latex: "m_{\\mathrm{1}}",
+                    latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "i1",
-                    latex: "i_{\\mathrm{1}}",
+                    latex: "i_{1}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m2",
-                    latex: "m_{\\mathrm{2}}",
+                    latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m2",
-                    latex: "m_{\\mathrm{2}}",
+                    latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "i2",
-                    latex: "i_{\\mathrm{2}}",
+                    latex: "i_{2}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
                 },
             ],
@@ -666,26 +666,26 @@ pub mod ezy_roller {
             let c = ::ezy_core::kernel::array::<28usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = c[4usize] * cos_seat_phi;
-            let seat_x = q[0usize];
-            let sum_7 = product_5 + seat_x;
+            let product_6 = c[4usize] * cos_seat_phi;
+            let sum_7 = seat_x + product_6;
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_11 = c[5usize] * cos_bar_phi;
-            let sum_12 = sum_7 + product_11;
-            let bar_x = q[3usize];
-            let difference_14 = sum_12 - bar_x;
-            let product_16 = c[4usize] * sin_seat_phi;
+            let product_13 = c[5usize] * cos_bar_phi;
+            let sum_14 = difference_9 + product_13;
             let seat_y = q[1usize];
-            let sum_18 = product_16 + seat_y;
-            let product_20 = c[5usize] * sin_bar_phi;
-            let sum_21 = sum_18 + product_20;
+            let product_17 = c[4usize] * sin_seat_phi;
+            let sum_18 = seat_y + product_17;
             let bar_y = q[4usize];
-            let difference_23 = sum_21 - bar_y;
-            out[0usize] = difference_14;
-            out[1usize] = difference_23;
+            let difference_20 = sum_18 - bar_y;
+            let product_22 = c[5usize] * sin_bar_phi;
+            let sum_23 = difference_20 + product_22;
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
         }
         fn velocity_constraint(
             &self,
@@ -847,22 +847,22 @@ pub mod ezy_roller {
             let c = ::ezy_core::kernel::array::<28usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = c[25usize] * cos_seat_phi;
-            let seat_x = q[0usize];
-            let difference_7 = seat_x - product_5;
-            let product_9 = c[25usize] * sin_seat_phi;
+            let product_6 = c[25usize] * cos_seat_phi;
+            let difference_7 = seat_x - product_6;
             let seat_y = q[1usize];
-            let difference_11 = seat_y - product_9;
+            let product_10 = c[25usize] * sin_seat_phi;
+            let difference_11 = seat_y - product_10;
+            let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = c[26usize] * cos_bar_phi;
-            let bar_x = q[3usize];
-            let sum_17 = product_15 + bar_x;
-            let product_19 = c[26usize] * sin_bar_phi;
+            let product_16 = c[26usize] * cos_bar_phi;
+            let sum_17 = bar_x + product_16;
             let bar_y = q[4usize];
-            let sum_21 = product_19 + bar_y;
+            let product_20 = c[26usize] * sin_bar_phi;
+            let sum_21 = bar_y + product_20;
             let product_23 = cos_seat_phi * c[4usize];
             let sum_24 = seat_x + product_23;
             let product_25 = sin_seat_phi * c[4usize];
@@ -1271,9 +1271,9 @@ pub mod ezy_roller {
                     kind: "hinge",
                     multiplier_unit: "N",
                     constraint: ::ezy_core::model::Formula {
-                        text: "b*cos(seat.phi) + seat.x + d*cos(bar.phi) - bar.x",
-                        latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}} + x_{\\mathrm{seat}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}} - x_{\\mathrm{bar}}",
-                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub></mrow>",
+                        text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
+                        latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
@@ -1286,9 +1286,9 @@ pub mod ezy_roller {
                     kind: "hinge",
                     multiplier_unit: "N",
                     constraint: ::ezy_core::model::Formula {
-                        text: "b*sin(seat.phi) + seat.y + d*sin(bar.phi) - bar.y",
-                        latex: "b \\, \\sin{\\varphi_{\\mathrm{seat}}} + y_{\\mathrm{seat}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}} - y_{\\mathrm{bar}}",
-                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub></mrow>",
+                        text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
+                        latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
@@ -1390,7 +1390,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "m1",
-                        latex: "m_{\\mathrm{1}}",
+                        latex: "m_{1}",
                         mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
                     },
                 },
@@ -1403,7 +1403,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "i1",
-                        latex: "i_{\\mathrm{1}}",
+                        latex: "i_{1}",
                         mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
                     },
                 },
@@ -1416,7 +1416,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "m2",
-                        latex: "m_{\\mathrm{2}}",
+                        latex: "m_{2}",
                         mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
                     },
                 },
@@ -1429,7 +1429,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "i2",
-                        latex: "i_{\\mathrm{2}}",
+                        latex: "i_{2}",
                         mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
                     },
                 },
@@ -1442,7 +1442,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::Some("pump"),
                     symbol: ::ezy_core::model::Formula {
                         text: "m0",
-                        latex: "m_{\\mathrm{0}}",
+                        latex: "m_{0}",
                         mathml: "<msub><mi>m</mi><mtext>0</mtext></msub>",
                     },
                 },
@@ -1550,32 +1550,32 @@ pub mod ezy_roller {
             mass_entries: &[
                 ::ezy_core::model::Formula {
                     text: "m1",
-                    latex: "m_{\\mathrm{1}}",
+                    latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m1",
-                    latex: "m_{\\mathrm{1}}",
+                    latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "i1",
-                    latex: "i_{\\mathrm{1}}",
+                    latex: "i_{1}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m2",
-                    latex: "m_{\\mathrm{2}}",
+                    latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m2",
-                    latex: "m_{\\mathrm{2}}",
+                    latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "i2",
-                    latex: "i_{\\mathrm{2}}",
+                    latex: "i_{2}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
                 },
             ],
@@ -1592,7 +1592,7 @@ pub mod ezy_roller {
                 },
                 ::ezy_core::model::Formula {
                     text: "m0*cos(omega*t)",
-                    latex: "m_{\\mathrm{0}} \\, \\cos\\left(\\omega \\, t\\right)",
+                    latex: "m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
                     mathml: "<mrow><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
@@ -1607,7 +1607,7 @@ pub mod ezy_roller {
                 },
                 ::ezy_core::model::Formula {
                     text: "-m0*cos(omega*t)",
-                    latex: "-m_{\\mathrm{0}} \\, \\cos\\left(\\omega \\, t\\right)",
+                    latex: "-m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
                     mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
             ],
@@ -1799,26 +1799,26 @@ pub mod ezy_roller {
             let c = ::ezy_core::kernel::array::<36usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = c[11usize] * cos_seat_phi;
-            let seat_x = q[0usize];
-            let sum_7 = product_5 + seat_x;
+            let product_6 = c[11usize] * cos_seat_phi;
+            let sum_7 = seat_x + product_6;
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_11 = c[12usize] * cos_bar_phi;
-            let sum_12 = sum_7 + product_11;
-            let bar_x = q[3usize];
-            let difference_14 = sum_12 - bar_x;
-            let product_16 = c[11usize] * sin_seat_phi;
+            let product_13 = c[12usize] * cos_bar_phi;
+            let sum_14 = difference_9 + product_13;
             let seat_y = q[1usize];
-            let sum_18 = product_16 + seat_y;
-            let product_20 = c[12usize] * sin_bar_phi;
-            let sum_21 = sum_18 + product_20;
+            let product_17 = c[11usize] * sin_seat_phi;
+            let sum_18 = seat_y + product_17;
             let bar_y = q[4usize];
-            let difference_23 = sum_21 - bar_y;
-            out[0usize] = difference_14;
-            out[1usize] = difference_23;
+            let difference_20 = sum_18 - bar_y;
+            let product_22 = c[12usize] * sin_bar_phi;
+            let sum_23 = difference_20 + product_22;
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
         }
         fn velocity_constraint(
             &self,
@@ -1992,22 +1992,22 @@ pub mod ezy_roller {
             let c = ::ezy_core::kernel::array::<36usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = c[32usize] * cos_seat_phi;
-            let seat_x = q[0usize];
-            let difference_7 = seat_x - product_5;
-            let product_9 = c[32usize] * sin_seat_phi;
+            let product_6 = c[32usize] * cos_seat_phi;
+            let difference_7 = seat_x - product_6;
             let seat_y = q[1usize];
-            let difference_11 = seat_y - product_9;
+            let product_10 = c[32usize] * sin_seat_phi;
+            let difference_11 = seat_y - product_10;
+            let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = c[33usize] * cos_bar_phi;
-            let bar_x = q[3usize];
-            let sum_17 = product_15 + bar_x;
-            let product_19 = c[33usize] * sin_bar_phi;
+            let product_16 = c[33usize] * cos_bar_phi;
+            let sum_17 = bar_x + product_16;
             let bar_y = q[4usize];
-            let sum_21 = product_19 + bar_y;
+            let product_20 = c[33usize] * sin_bar_phi;
+            let sum_21 = bar_y + product_20;
             let product_23 = cos_seat_phi * c[11usize];
             let sum_24 = seat_x + product_23;
             let product_25 = sin_seat_phi * c[11usize];
@@ -2431,9 +2431,9 @@ pub mod ezy_roller {
                     kind: "hinge",
                     multiplier_unit: "N",
                     constraint: ::ezy_core::model::Formula {
-                        text: "b*cos(seat.phi) + seat.x + d*cos(bar.phi) - bar.x",
-                        latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}} + x_{\\mathrm{seat}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}} - x_{\\mathrm{bar}}",
-                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub></mrow>",
+                        text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
+                        latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
@@ -2446,9 +2446,9 @@ pub mod ezy_roller {
                     kind: "hinge",
                     multiplier_unit: "N",
                     constraint: ::ezy_core::model::Formula {
-                        text: "b*sin(seat.phi) + seat.y + d*sin(bar.phi) - bar.y",
-                        latex: "b \\, \\sin{\\varphi_{\\mathrm{seat}}} + y_{\\mathrm{seat}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}} - y_{\\mathrm{bar}}",
-                        mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub></mrow>",
+                        text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
+                        latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
@@ -2550,7 +2550,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "m1",
-                        latex: "m_{\\mathrm{1}}",
+                        latex: "m_{1}",
                         mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
                     },
                 },
@@ -2563,7 +2563,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "i1",
-                        latex: "i_{\\mathrm{1}}",
+                        latex: "i_{1}",
                         mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
                     },
                 },
@@ -2576,7 +2576,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "m2",
-                        latex: "m_{\\mathrm{2}}",
+                        latex: "m_{2}",
                         mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
                     },
                 },
@@ -2589,7 +2589,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::None,
                     symbol: ::ezy_core::model::Formula {
                         text: "i2",
-                        latex: "i_{\\mathrm{2}}",
+                        latex: "i_{2}",
                         mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
                     },
                 },
@@ -2602,7 +2602,7 @@ pub mod ezy_roller {
                     effect: ::core::option::Option::Some("pump"),
                     symbol: ::ezy_core::model::Formula {
                         text: "m0",
-                        latex: "m_{\\mathrm{0}}",
+                        latex: "m_{0}",
                         mathml: "<msub><mi>m</mi><mtext>0</mtext></msub>",
                     },
                 },
@@ -2727,32 +2727,32 @@ pub mod ezy_roller {
             mass_entries: &[
                 ::ezy_core::model::Formula {
                     text: "m1",
-                    latex: "m_{\\mathrm{1}}",
+                    latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m1",
-                    latex: "m_{\\mathrm{1}}",
+                    latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "i1",
-                    latex: "i_{\\mathrm{1}}",
+                    latex: "i_{1}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m2",
-                    latex: "m_{\\mathrm{2}}",
+                    latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "m2",
-                    latex: "m_{\\mathrm{2}}",
+                    latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "i2",
-                    latex: "i_{\\mathrm{2}}",
+                    latex: "i_{2}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
                 },
             ],
@@ -2769,7 +2769,7 @@ pub mod ezy_roller {
                 },
                 ::ezy_core::model::Formula {
                     text: "-k*a*a*seat.omega - k*a*seat.vx*sin(seat.phi) + k*a*seat.vy*cos(seat.phi) + m0*cos(omega*t)",
-                    latex: "-k \\, a \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + m_{\\mathrm{0}} \\, \\cos\\left(\\omega \\, t\\right)",
+                    latex: "-k \\, a \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
                     mathml: "<mrow><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
@@ -2784,7 +2784,7 @@ pub mod ezy_roller {
                 },
                 ::ezy_core::model::Formula {
                     text: "-m0*cos(omega*t)",
-                    latex: "-m_{\\mathrm{0}} \\, \\cos\\left(\\omega \\, t\\right)",
+                    latex: "-m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
                     mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
             ],
@@ -2979,26 +2979,26 @@ pub mod ezy_roller {
             let c = ::ezy_core::kernel::array::<38usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = c[16usize] * cos_seat_phi;
-            let seat_x = q[0usize];
-            let sum_7 = product_5 + seat_x;
+            let product_6 = c[16usize] * cos_seat_phi;
+            let sum_7 = seat_x + product_6;
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_11 = c[17usize] * cos_bar_phi;
-            let sum_12 = sum_7 + product_11;
-            let bar_x = q[3usize];
-            let difference_14 = sum_12 - bar_x;
-            let product_16 = c[16usize] * sin_seat_phi;
+            let product_13 = c[17usize] * cos_bar_phi;
+            let sum_14 = difference_9 + product_13;
             let seat_y = q[1usize];
-            let sum_18 = product_16 + seat_y;
-            let product_20 = c[17usize] * sin_bar_phi;
-            let sum_21 = sum_18 + product_20;
+            let product_17 = c[16usize] * sin_seat_phi;
+            let sum_18 = seat_y + product_17;
             let bar_y = q[4usize];
-            let difference_23 = sum_21 - bar_y;
-            out[0usize] = difference_14;
-            out[1usize] = difference_23;
+            let difference_20 = sum_18 - bar_y;
+            let product_22 = c[17usize] * sin_bar_phi;
+            let sum_23 = difference_20 + product_22;
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
         }
         fn velocity_constraint(
             &self,
@@ -3209,22 +3209,22 @@ pub mod ezy_roller {
             let c = ::ezy_core::kernel::array::<38usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = c[34usize] * cos_seat_phi;
-            let seat_x = q[0usize];
-            let difference_7 = seat_x - product_5;
-            let product_9 = c[34usize] * sin_seat_phi;
+            let product_6 = c[34usize] * cos_seat_phi;
+            let difference_7 = seat_x - product_6;
             let seat_y = q[1usize];
-            let difference_11 = seat_y - product_9;
+            let product_10 = c[34usize] * sin_seat_phi;
+            let difference_11 = seat_y - product_10;
+            let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = c[35usize] * cos_bar_phi;
-            let bar_x = q[3usize];
-            let sum_17 = product_15 + bar_x;
-            let product_19 = c[35usize] * sin_bar_phi;
+            let product_16 = c[35usize] * cos_bar_phi;
+            let sum_17 = bar_x + product_16;
             let bar_y = q[4usize];
-            let sum_21 = product_19 + bar_y;
+            let product_20 = c[35usize] * sin_bar_phi;
+            let sum_21 = bar_y + product_20;
             let product_23 = cos_seat_phi * c[16usize];
             let sum_24 = seat_x + product_23;
             let product_25 = sin_seat_phi * c[16usize];

@@ -2,8 +2,8 @@
 
 use super::system::Solver;
 use super::{Metric, MotionError, System};
-use crate::linalg::diagnose;
-use crate::model::Scene;
+use crate::linalg::{DenseKkt, KktFactorization, diagnose};
+use crate::model::{Scene, SceneInfo};
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Accelerations and multipliers at one state: solves `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`.
@@ -18,7 +18,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// [`MotionError`] when K is singular, with the rows or coordinates to blame; `a` and `lambda` are then
     /// unspecified.
     /// # Cost
-    /// One factorisation and one solve; no allocation unless it fails.
+    /// One factorisation and one solve. Where a pivot of the generated elimination vanishes, a pivoted factorisation
+    /// besides, which decides. No allocation but for the first of those.
     pub fn accelerations(
         &mut self,
         t: f64,
@@ -29,27 +30,44 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ) -> Result<(), MotionError> {
         self.counters.evaluations += 1;
         self.counters.factorizations += 1;
-        let (scene, c) = (self.scene, &self.constants);
-        let regular = match &mut self.solver {
-            Solver::Generated => scene.accelerations(c, t, q, v, a, lambda).none(),
-            Solver::Factored(kkt) => {
-                let buffers = &mut self.buffers;
-                scene.velocity_jacobian(c, t, q, &mut buffers.jacobian);
-                let regular = kkt.factor(&self.mass, &buffers.jacobian).is_ok();
-                if regular {
-                    let (F, gamma) = buffers.right_side.split_at_mut(q.len());
-                    scene.applied_force(c, t, q, v, F);
-                    scene.convective_term(c, t, q, v, gamma);
-                    gamma.iter_mut().for_each(|h| *h = -*h);
-                    kkt.solve(&mut buffers.right_side);
-                    let (solved_a, solved_lambda) = buffers.right_side.split_at(q.len());
-                    a.copy_from_slice(solved_a);
-                    lambda.copy_from_slice(solved_lambda);
-                }
-                regular
+        let regular = match self.solver {
+            Solver::Generated => {
+                self.scene.accelerations(&self.constants, t, q, v, a, lambda).none()
+                    || self.factored_accelerations(t, q, v, a, lambda)
             }
+            Solver::Factored(_) => self.factored_accelerations(t, q, v, a, lambda),
         };
         if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
+    }
+
+    /// By a factorisation of K; false when it is singular.
+    fn factored_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> bool {
+        let regular = self.factor(t, q);
+        if regular {
+            let (scene, c) = (self.scene, &self.constants);
+            let (F, gamma) = self.buffers.right_side.split_at_mut(q.len());
+            scene.applied_force(c, t, q, v, F);
+            scene.convective_term(c, t, q, v, gamma);
+            gamma.iter_mut().for_each(|h| *h = -*h);
+            factored(&mut self.solver, &mut self.second_opinion, self.info).solve(&mut self.buffers.right_side);
+            let (solved_a, solved_lambda) = self.buffers.right_side.split_at(q.len());
+            a.copy_from_slice(solved_a);
+            lambda.copy_from_slice(solved_lambda);
+        }
+        regular
+    }
+
+    /// As [`System::correction`], by a factorisation of K; false when it is singular.
+    fn factored_correction(&mut self, t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> bool {
+        let regular = self.factor(t, q);
+        if regular {
+            let right_side = &mut self.buffers.right_side;
+            right_side[..q.len()].fill(0.0);
+            right_side[q.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
+            factored(&mut self.solver, &mut self.second_opinion, self.info).solve(right_side);
+            delta.copy_from_slice(&self.buffers.right_side[..q.len()]);
+        }
+        regular
     }
 
     /// The smallest `delta` (`n_q`) with `G(q, t) delta = −residual` (`n_c`), smallest in the mass matrix or, with
@@ -68,23 +86,14 @@ impl<S: Scene + ?Sized> System<'_, S> {
         delta: &mut [f64],
     ) -> Result<(), MotionError> {
         self.counters.factorizations += 1;
-        let (scene, c) = (self.scene, &self.constants);
-        let regular = match (&mut self.solver, metric) {
-            (Solver::Generated, Metric::Mass) => scene.correction(c, t, q, residual, delta).none(),
-            (Solver::Factored(kkt), Metric::Mass) => {
-                let buffers = &mut self.buffers;
-                scene.velocity_jacobian(c, t, q, &mut buffers.jacobian);
-                let regular = kkt.factor(&self.mass, &buffers.jacobian).is_ok();
-                if regular {
-                    buffers.right_side[..q.len()].fill(0.0);
-                    buffers.right_side[q.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-                    kkt.solve(&mut buffers.right_side);
-                    delta.copy_from_slice(&buffers.right_side[..q.len()]);
-                }
-                regular
+        let regular = match (&self.solver, metric) {
+            (Solver::Generated, Metric::Mass) => {
+                self.scene.correction(&self.constants, t, q, residual, delta).none()
+                    || self.factored_correction(t, q, residual, delta)
             }
+            (Solver::Factored(_), Metric::Mass) => self.factored_correction(t, q, residual, delta),
             (_, Metric::Euclidean) => {
-                scene.velocity_jacobian(c, t, q, &mut self.buffers.jacobian);
+                self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
                 let euclidean =
                     self.euclidean.get_or_insert_with(|| Box::new(super::projection::Euclidean::new(self.info)));
                 euclidean.velocity_correction(&self.buffers.jacobian, residual, delta)
@@ -119,6 +128,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
         outcome
     }
 
+    /// Factors K; false when it is singular.
+    fn factor(&mut self, t: f64, q: &[f64]) -> bool {
+        self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+        let kkt = factored(&mut self.solver, &mut self.second_opinion, self.info);
+        kkt.factor(&self.mass, &self.buffers.jacobian).is_ok()
+    }
+
     /// Names what makes K singular. Slow; only for reports.
     #[cold]
     pub(super) fn why_singular(&mut self, t: f64, q: &[f64]) -> MotionError {
@@ -136,5 +152,19 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 smallest_singular_value: found.smallest_singular_value,
             },
         }
+    }
+}
+
+/// The factorisation of a run that has one; else the dense one that decides when a generated pivot vanished.
+fn factored<'k>(
+    solver: &'k mut Solver,
+    second_opinion: &'k mut Option<Box<DenseKkt>>,
+    info: &SceneInfo,
+) -> &'k mut dyn KktFactorization {
+    match solver {
+        Solver::Factored(kkt) => kkt.as_mut(),
+        Solver::Generated => second_opinion
+            .get_or_insert_with(|| Box::new(DenseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())))
+            .as_mut(),
     }
 }

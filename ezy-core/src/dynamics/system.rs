@@ -18,6 +18,8 @@ pub struct System<'s, S: Scene + ?Sized> {
     pub(super) constants: Vec<f64>,
     pub(super) mass: Vec<f64>,
     pub(super) solver: Solver,
+    /// Made when a pivot of the generated elimination vanishes for the first time.
+    pub(super) second_opinion: Option<Box<DenseKkt>>,
     /// Made at the first Euclidean correction.
     pub(super) euclidean: Option<Box<Euclidean>>,
     pub(super) buffers: Buffers,
@@ -75,6 +77,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             scene,
             info,
             solver: solver(info, &mass, backend)?,
+            second_opinion: None,
             constants,
             mass,
             euclidean: None,

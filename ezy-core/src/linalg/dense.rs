@@ -13,6 +13,7 @@ pub struct DenseKkt {
     entries: Vec<Entry>,
     factors: DMatrix<f64>,
     scale: Vec<f64>,
+    largest: Vec<f64>,
     pivot_rows: Vec<usize>,
 }
 
@@ -24,6 +25,7 @@ impl DenseKkt {
             entries: pattern.entries().filter(|(_, row, _)| *row < n_rows).collect(),
             factors: DMatrix::zeros(n, n),
             scale: vec![1.0; n],
+            largest: vec![0.0; n],
             pivot_rows: vec![0; n],
         }
     }
@@ -31,7 +33,7 @@ impl DenseKkt {
 
 impl KktFactorization for DenseKkt {
     fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
-        scale(&self.entries, mass, jacobian, &mut self.scale);
+        scale(&self.entries, mass, jacobian, &mut self.scale, &mut self.largest);
         assemble(&self.entries, mass, jacobian, &self.scale, &mut self.factors);
         let n = self.scale.len();
         for i in 0..n {

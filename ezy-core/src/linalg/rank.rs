@@ -34,7 +34,7 @@ pub fn diagnose(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Op
     let (n_q, n_c) = (mass.len(), pattern.n_rows());
     let entries: Vec<_> = pattern.entries().collect();
     let mut d = vec![1.0; n_q + n_c];
-    scale(&entries, mass, jacobian, &mut d);
+    scale(&entries, mass, jacobian, &mut d, &mut vec![0.0; n_q + n_c]);
     let mut K = DMatrix::zeros(n_q + n_c, n_q + n_c);
     assemble(&entries, mass, jacobian, &d, &mut K);
     let svd = K.try_svd(false, true, f64::EPSILON, 0)?;

@@ -19,27 +19,31 @@ pub fn assemble(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &[f64], K:
     }
 }
 
-/// D such that D K D has entries near one: `1/√m` for a coordinate with mass; `1/√(g M⁻¹ gᵀ)` for a row g, over
-/// the coordinates with mass (without any, `1/|g|`); `1/|D Gᵀ|` for a coordinate without mass.
-pub fn scale(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &mut [f64]) {
-    let (d_q, d_rows) = d.split_at_mut(mass.len());
-    for (d, m) in d_q.iter_mut().zip(mass) {
-        *d = if *m > 0.0 { 1.0 / m.sqrt() } else { 0.0 };
-    }
-    d_rows.fill(0.0);
-    for &(k, row, column) in entries {
-        d_rows[row] += (jacobian[k] * d_q[column]).powi(2);
-    }
-    for (row, d) in d_rows.iter_mut().enumerate() {
-        if *d == 0.0 {
-            *d = entries.iter().filter(|e| e.1 == row).map(|e| jacobian[e.0].powi(2)).sum();
+/// Passes of the equilibration: each takes the root of the exponent that is left, so that ratios of 1e10 end at 4.
+const PASSES: usize = 4;
+
+/// D such that the largest entry of each row and column of D K D is near one. Only entries decide, never
+/// reciprocals of masses: a body of negligible inertia is scaled like one without.
+///
+/// # Source
+/// Ruiz, A scaling algorithm to equilibrate both rows and columns norms in matrices (2001), in the maximum norm.
+pub fn scale(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &mut [f64], largest: &mut [f64]) {
+    let n_q = mass.len();
+    d.fill(1.0);
+    for _ in 0..PASSES {
+        largest.fill(0.0);
+        for (i, m) in mass.iter().enumerate() {
+            largest[i] = d[i] * m * d[i];
         }
-        *d = if *d == 0.0 { 1.0 } else { 1.0 / d.sqrt() };
-    }
-    if d_q.contains(&0.0) {
-        for (column, d) in d_q.iter_mut().enumerate().filter(|(_, d)| **d == 0.0) {
-            let s: f64 = entries.iter().filter(|e| e.2 == column).map(|e| (jacobian[e.0] * d_rows[e.1]).powi(2)).sum();
-            *d = if s == 0.0 { 1.0 } else { 1.0 / s.sqrt() };
+        for &(k, row, column) in entries {
+            let g = (d[n_q + row] * jacobian[k] * d[column]).abs();
+            largest[column] = largest[column].max(g);
+            largest[n_q + row] = largest[n_q + row].max(g);
+        }
+        for (d, largest) in d.iter_mut().zip(&*largest) {
+            if *largest > 0.0 {
+                *d /= largest.sqrt();
+            }
         }
     }
 }

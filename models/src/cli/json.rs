@@ -1,6 +1,8 @@
 //! JSON text with numbers of 17 significant digits, which give back the same `f64`, in the order they were put in.
 
-use std::fmt;
+use std::{fmt, io};
+
+use serde::{Serialize, Serializer};
 
 /// A JSON value.
 #[derive(Debug, Clone)]
@@ -34,45 +36,35 @@ impl Json {
     }
 }
 
-impl fmt::Display for Json {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Serialize for Json {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Number(value) if value.is_finite() => write!(f, "{value:.16e}"),
-            Self::Number(_) | Self::Null => f.write_str("null"),
-            Self::Count(count) => write!(f, "{count}"),
-            Self::Bool(value) => write!(f, "{value}"),
-            Self::Text(text) => write_text(f, text),
-            Self::List(items) => {
-                f.write_str("[")?;
-                for (i, item) in items.iter().enumerate() {
-                    write!(f, "{}{item}", if i > 0 { "," } else { "" })?;
-                }
-                f.write_str("]")
-            }
-            Self::Object(members) => {
-                f.write_str("{")?;
-                for (i, (key, value)) in members.iter().enumerate() {
-                    f.write_str(if i > 0 { "," } else { "" })?;
-                    write_text(f, key)?;
-                    write!(f, ":{value}")?;
-                }
-                f.write_str("}")
-            }
+            Self::Number(value) => serializer.serialize_f64(*value),
+            Self::Count(count) => serializer.serialize_u64(*count),
+            Self::Bool(value) => serializer.serialize_bool(*value),
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::List(items) => serializer.collect_seq(items),
+            Self::Object(members) => serializer.collect_map(members.iter().map(|(key, value)| (key, value))),
+            Self::Null => serializer.serialize_unit(),
         }
     }
 }
 
-fn write_text(f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
-    f.write_str("\"")?;
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => write!(f, "\\{c}")?,
-            '\n' => f.write_str("\\n")?,
-            c if c.is_control() => write!(f, "\\u{:04x}", c as u32)?,
-            c => write!(f, "{c}")?,
-        }
+impl fmt::Display for Json {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = Vec::new();
+        self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Digits)).map_err(|_| fmt::Error)?;
+        f.write_str(&String::from_utf8_lossy(&text))
     }
-    f.write_str("\"")
+}
+
+/// Writes numbers with 17 significant digits.
+struct Digits;
+
+impl serde_json::ser::Formatter for Digits {
+    fn write_f64<W: ?Sized + io::Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
+        write!(writer, "{value:.16e}")
+    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ mod architecture;
 mod backends;
 mod exact_start;
 mod hand_and_generated;
-mod layers;
 mod massless;
 mod order;
 mod other_mechanisms;

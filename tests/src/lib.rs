@@ -7,3 +7,4 @@ mod leaked;
 #[cfg(doctest)]
 pub mod readme;
 pub mod reference;
+pub mod shapes;

@@ -2,11 +2,21 @@
 
 use crate::scenes::{Case, all};
 use ezy_core::testing::check_scene;
-use ezy_models::ezy_roller;
+use ezy_models::registry::MODELS;
+use ezy_tests::shapes;
 
 #[test]
-fn fd_every_scene_of_the_model_passes_its_checks() {
-    for entry in ezy_roller::MODEL.scenes {
+fn fd_every_scene_of_the_registry_passes_its_checks() {
+    for entry in MODELS.iter().flat_map(|model| model.scenes) {
+        if let Err(error) = check_scene(&*(entry.new)()) {
+            panic!("{error}");
+        }
+    }
+}
+
+#[test]
+fn fd_models_of_other_shapes_pass_their_checks() {
+    for entry in shapes::MODELS.iter().flat_map(|model| model.scenes) {
         if let Err(error) = check_scene(&*(entry.new)()) {
             panic!("{error}");
         }

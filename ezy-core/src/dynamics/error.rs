@@ -109,6 +109,16 @@ pub enum StartError {
         /// Its value.
         value: f64,
     },
+    /// A start value leaves no digits for the geometry.
+    #[error("start value `{name}` is {value:e}, beyond {largest:e}, where rounding hides the geometry; start nearer")]
+    TooLarge {
+        /// Name of the coordinate or velocity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// Largest magnitude that is accepted.
+        largest: f64,
+    },
     /// The given values and the constraints contradict each other.
     #[error(
         "the start contradicts the constraints: {} of {} cannot be met, the best start leaves {residual:.3e} \

@@ -49,12 +49,15 @@ const POSITION_TOLERANCE: f64 = 1e-12;
 /// from 500 m on, where [`POSITION_TOLERANCE`] is out of reach.
 pub(super) const ROUNDING_OF_ROWS: f64 = 8.0 * f64::EPSILON;
 
+/// However large the coordinates, a residual above this is not rounding: the motion has run away.
+const LARGEST_TOLERANCE: f64 = 1e-6;
+
 /// Gauss–Newton passes; from the drift of one step two are plenty.
 const MAX_PASSES: usize = 10;
 
 /// |C| that counts as zero at `q`.
 pub(super) fn position_tolerance(q: &[f64]) -> f64 {
-    POSITION_TOLERANCE.max(ROUNDING_OF_ROWS * max_abs(q))
+    POSITION_TOLERANCE.max((ROUNDING_OF_ROWS * max_abs(q)).min(LARGEST_TOLERANCE))
 }
 
 impl<S: Scene + ?Sized> System<'_, S> {
@@ -72,10 +75,10 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Moves `q` onto C = 0 by Gauss–Newton, each pass at the corrected point, and returns the number of passes.
-    /// A `q` that fulfils the rows to 1e-12 is left as it is.
+    /// A `q` that fulfils the rows to 1e-12 m, or to the rounding of coordinates beyond 500 m, is left as it is.
     ///
     /// # Errors
-    /// [`MotionError::ProjectionStalled`] when 1e-12 is not reached in 10 passes, and those of
+    /// [`MotionError::ProjectionStalled`] when that is not reached in 10 passes, and those of
     /// [`System::accelerations`].
     pub fn project_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<usize, MotionError> {
         let n_h = self.info.n_position_rows;

@@ -14,6 +14,9 @@ const MAX_HALVINGS: usize = 20;
 /// Directions whose singular value is below this fraction of the largest are left alone.
 const RANK_TOLERANCE: f64 = 1e-10;
 
+/// Beyond this a coordinate keeps less than a micrometre, and the geometry of a body drowns in its rounding.
+const LARGEST_VALUE: f64 = 1e9;
+
 /// Residual of the velocity rows that counts as zero at moderate speeds, m/s and rad/s.
 const VELOCITY_TOLERANCE: f64 = 1e-12;
 
@@ -49,10 +52,15 @@ impl<S: Scene + ?Sized> System<'_, S> {
     fn check_finite(&self, start: &Start) -> Result<(), StartError> {
         let positions = self.info.coordinates.iter().map(|c| c.name).zip(&start.q);
         let velocities = self.info.coordinates.iter().map(|c| c.velocity_name).zip(&start.v);
-        match positions.chain(velocities).find(|(_, value)| !value.is_finite()) {
-            Some((name, &value)) => Err(StartError::NotFinite { name, value }),
-            None => Ok(()),
+        for (name, &value) in positions.chain(velocities) {
+            if !value.is_finite() {
+                return Err(StartError::NotFinite { name, value });
+            }
+            if value.abs() > LARGEST_VALUE {
+                return Err(StartError::TooLarge { name, value, largest: LARGEST_VALUE });
+            }
         }
+        Ok(())
     }
 
     fn assemble_positions(&mut self, start: &Start, q: &mut [f64]) -> Result<(), StartError> {

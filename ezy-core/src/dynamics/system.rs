@@ -117,6 +117,10 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     }
 }
 
+/// The generated elimination divides by masses: of an entry of M this much below the largest, the accelerations keep
+/// nine digits. Below it the pivoted solver is chosen, which keeps all of them.
+const LIGHTEST: f64 = 1e-7;
+
 fn solver(info: &'static SceneInfo, mass: &[f64], backend: Backend) -> Result<Solver, SystemError> {
     let massless = mass.iter().position(|m| *m == 0.0);
     let needs_mass = |backend| match massless {
@@ -127,11 +131,11 @@ fn solver(info: &'static SceneInfo, mass: &[f64], backend: Backend) -> Result<So
         }
     };
     let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+    let heaviest = mass.iter().copied().fold(0.0, f64::max);
+    let light = massless.is_some() || mass.iter().any(|m| *m < LIGHTEST * heaviest);
     Ok(match (backend, massless) {
-        (Backend::Auto, None) => Solver::Generated,
-        (Backend::Auto, Some(_)) | (Backend::Dense, _) => {
-            Solver::Factored(Box::new(DenseKkt::new(n_q, &info.jacobian, n_c)))
-        }
+        (Backend::Auto, _) if !light => Solver::Generated,
+        (Backend::Auto | Backend::Dense, _) => Solver::Factored(Box::new(DenseKkt::new(n_q, &info.jacobian, n_c))),
         (Backend::Generated, _) => needs_mass("generated").map(|()| Solver::Generated)?,
         (Backend::Sparse, _) => {
             needs_mass("sparse")?;

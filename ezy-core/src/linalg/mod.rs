@@ -21,7 +21,8 @@ pub use sparse::{SparseKkt, SparseKktError};
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Backend {
-    /// [`Backend::Generated`] when every mass and inertia is positive, [`Backend::Dense`] otherwise.
+    /// [`Backend::Generated`] unless a mass or inertia is zero or less than 1e-7 of the largest; then
+    /// [`Backend::Dense`].
     #[default]
     Auto,
     /// Straight-line elimination of the scene; needs positive masses and inertias.

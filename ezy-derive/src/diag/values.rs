@@ -83,6 +83,10 @@ pub fn constant_not_finite(at: Extent, of: &str, value: f64) -> syn::Error {
     fault_with_help(at, format_args!("{of} is {value}"), "write a finite number")
 }
 
+pub fn division_by_zero(at: Span) -> syn::Error {
+    fault_with_help(at, "`/` divides by zero", "divide by something that is not zero")
+}
+
 pub fn cyclic_let(at: &Ident, name: &Ident) -> syn::Error {
     let error = fault_with_help(
         at,

@@ -46,7 +46,7 @@ fn collect(coefficients: &Coefficients, id: CoefficientId, needed: &mut BTreeSet
 
 fn value(model: &Model, coefficients: &Coefficients, id: CoefficientId) -> TokenStream {
     match coefficients.node(id) {
-        CoefficientNode::Number(x) => quote!(#x),
+        CoefficientNode::Number(x) => kernel::number(*x),
         CoefficientNode::Pi => quote!(::core::f64::consts::PI),
         CoefficientNode::Parameter(index) => {
             let field = &model.parameters[*index].name;

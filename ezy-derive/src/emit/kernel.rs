@@ -122,10 +122,7 @@ impl Writer<'_> {
     fn operand(&self, id: NodeId) -> TokenStream {
         match self.program.node(id) {
             Node::Constant(i) => quote!(c[#i]),
-            Node::Literal(bits) => {
-                let x = f64::from_bits(*bits);
-                quote!(#x)
-            }
+            Node::Literal(bits) => number(f64::from_bits(*bits)),
             _ => {
                 let name = self.names.get(&id);
                 quote!(#name)
@@ -141,6 +138,17 @@ impl Writer<'_> {
 
 /// Arguments of kernels, which temporaries must not shadow.
 const RESERVED: [&str; 10] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out"];
+
+/// A number; what overflowed while numbers were folded has no literal.
+pub fn number(x: f64) -> TokenStream {
+    if x.is_nan() {
+        quote!(f64::NAN)
+    } else if x.is_infinite() {
+        quote!(f64::INFINITY)
+    } else {
+        quote!(#x)
+    }
+}
 
 /// A call of a function of the model language.
 pub fn call(function: Function, arguments: &[TokenStream]) -> TokenStream {

@@ -51,13 +51,16 @@ fn dependent_rows(equations: &Equations, seed: u64) -> Vec<(usize, Vec<usize>)> 
     let state = RandomState { symbols: &equations.symbols, seed };
     let constraints = &equations.constraints;
     let n_q = equations.mass.len();
-    let mut basis: Vec<BasisRow> = Vec::new();
-    let mut dependent = Vec::new();
-    for (i, entries) in constraints.jacobian.iter().enumerate() {
-        let mut row = vec![0.0; n_q];
+    let mut rows = vec![vec![0.0; n_q]; constraints.rows.len()];
+    for (row, entries) in rows.iter_mut().zip(&constraints.jacobian) {
         for &(column, entry) in entries {
             row[column] = equations.algebra.evaluate(entry, &state);
         }
+    }
+    scale_columns(&mut rows);
+    let mut basis: Vec<BasisRow> = Vec::new();
+    let mut dependent = Vec::new();
+    for (i, mut row) in rows.into_iter().enumerate() {
         let size = largest(&row).1;
         let mut used = vec![0.0; i];
         for reduced in &basis {
@@ -76,6 +79,16 @@ fn dependent_rows(equations: &Equations, seed: u64) -> Vec<(usize, Vec<usize>)> 
         basis.push(BasisRow { row, column, combination });
     }
     dependent
+}
+
+/// Makes the largest entry of each column one, so that long arms do not hide short ones.
+fn scale_columns(rows: &mut [Vec<f64>]) {
+    for column in 0..rows.first().map_or(0, Vec::len) {
+        let largest = rows.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
+        if largest > 0.0 {
+            rows.iter_mut().for_each(|row| row[column] /= largest);
+        }
+    }
 }
 
 /// A row after elimination, its largest column, and which declared rows it combines.

@@ -10,8 +10,24 @@ use crate::parse::ast;
 use proc_macro2::Ident;
 
 impl Context<'_> {
-    /// The value of an expression; `None` when faults were reported.
+    /// The value of an expression; `None` when faults were reported. Numbers that overflow or are undefined are faults
+    /// of the smallest expression that makes them.
     pub fn value(&mut self, expr: &ast::Expr, purpose: &Purpose) -> Option<Value> {
+        let value = self.unchecked_value(expr, purpose)?;
+        let components = match &value.form {
+            Form::Scalar(x) => [literal(x), None],
+            Form::Vector(x, y) => [literal(x), literal(y)],
+        };
+        match components.into_iter().flatten().find(|x| !x.is_finite()) {
+            Some(number) => {
+                self.diag.error(values::constant_not_finite(expr.extent(), "this expression", number));
+                None
+            }
+            None => Some(value),
+        }
+    }
+
+    fn unchecked_value(&mut self, expr: &ast::Expr, purpose: &Purpose) -> Option<Value> {
         match expr {
             ast::Expr::Number { value, .. } => Some(Value::scalar(Expr::Number(*value), Measure::Unknown)),
             ast::Expr::Name(name) => self.name(name, purpose),
@@ -21,6 +37,11 @@ impl Context<'_> {
             ast::Expr::Negative { operand, .. } => self.value(operand, purpose).map(Value::negative),
             ast::Expr::Binary { operator, span, left, right } => {
                 let (left, right) = (self.value(left, purpose), self.value(right, purpose));
+                let by_zero = |value: &Value| matches!(&value.form, Form::Scalar(x) if literal(x) == Some(0.0));
+                if *operator == ast::Operator::Divide && right.as_ref().is_some_and(by_zero) {
+                    self.diag.error(values::division_by_zero(*span));
+                    return None;
+                }
                 let result = left?.binary(*operator, *span, right?);
                 self.diag.keep(result)
             }
@@ -171,4 +192,9 @@ impl Context<'_> {
         }
         Some(Direction { body, x, y })
     }
+}
+
+/// The value of an expression of numbers alone.
+fn literal(expr: &Expr) -> Option<f64> {
+    super::constant::at_defaults(expr, &[])
 }

@@ -22,6 +22,12 @@ impl Algebra {
     /// `a / b`
     pub fn div(&mut self, a: SumId, b: SumId) -> SumId {
         if let Some(k) = self.as_coefficient(b) {
+            if k.is_zero() {
+                // kept, so that it shows at run time: 0/0 is not 0
+                let top = self.as_coefficient(a).unwrap_or(Coefficient::ONE);
+                let undefined = self.coefficients.div(top, k);
+                return self.constant(undefined);
+            }
             let inverse = self.coefficients.div(Coefficient::ONE, k);
             let mut terms = self.terms(a).clone();
             for (_, factor) in &mut terms {

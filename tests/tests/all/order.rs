@@ -3,7 +3,9 @@
 use crate::scenes::{Case, coast, distance, driven};
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
+use ezy_models::registry::MODELS;
 use ezy_tests::reference::load;
+use ezy_tests::shapes;
 
 const STEPS: [f64; 5] = [0.04, 0.02, 0.01, 0.005, 0.0025];
 const ORDER: f64 = 4.0;
@@ -62,4 +64,44 @@ fn order_is_kept_by_every_projection() {
             assert_order(route, what, order_at_end(&*scene, "ezyroller_driven", 10.0, change));
         }
     }
+}
+
+/// The step is halved from here until the end no longer changes by more than rounding lets see.
+const FIRST_STEP: f64 = 0.01;
+const N_HALVINGS: usize = 5;
+const SEEN_CHANGE: f64 = 1e-11;
+const SELF_HORIZON: f64 = 1.0;
+/// The last halving that is seen, where the next term of the error is a few per cent.
+const SELF_TOLERANCE: f64 = 0.3;
+
+/// Without projections, whose own fourth-order errors take longer to settle; their order is measured above.
+#[test]
+fn order_rk4_is_four_in_every_scene() {
+    let mut n_measured = 0;
+    for entry in MODELS.iter().chain(&shapes::MODELS).flat_map(|model| model.scenes) {
+        let scene = (entry.new)();
+        let end = |h: f64| {
+            let order = Simulation::new(&*scene).until(SELF_HORIZON).method(Method::rk4(h)).project(Projection::None);
+            order.run().unwrap().last().coordinates.to_vec()
+        };
+        let mut changes = Vec::new();
+        let (mut h, mut coarse) = (FIRST_STEP, end(FIRST_STEP));
+        for _ in 0..N_HALVINGS {
+            h /= 2.0;
+            let fine = end(h);
+            let change = distance(&coarse, &fine);
+            coarse = fine;
+            if change < SEEN_CHANGE {
+                break;
+            }
+            changes.push(change);
+        }
+        // a scene that RK4 integrates exactly, or nearly so, shows no order
+        let [.., before, last] = changes[..] else { continue };
+        let order = (before / last).log2();
+        let name = format!("{}/{}", entry.info.model, entry.info.name);
+        assert!((order - ORDER).abs() <= SELF_TOLERANCE, "{name}: order {order:.3}, changes {changes:?}");
+        n_measured += 1;
+    }
+    assert!(n_measured >= 6, "only {n_measured} scenes show an order");
 }

@@ -79,7 +79,11 @@ fn invariant_show_json_counts_at_most_a_hundred_operations() {
 
 #[test]
 fn invariant_run_json_has_exactly_the_documented_keys() {
-    let run = json(&["run", "ezyroller/driven", "--until", "0.1", "--json"]);
+    check_keys(&json(&["run", "ezyroller/driven", "--until", "0.1", "--json"]));
+}
+
+/// The keys of the object that `run --json` prints.
+fn check_keys(run: &Value) {
     let top = [
         "acceleration",
         "cost",
@@ -94,7 +98,7 @@ fn invariant_run_json_has_exactly_the_documented_keys() {
         "state",
         "t",
     ];
-    assert_eq!(keys(&run), top);
+    assert_eq!(keys(run), top);
     for motion in ["state", "rate", "acceleration"] {
         assert_eq!(keys(&run[motion]), COORDINATES);
     }
@@ -146,7 +150,7 @@ fn invariant_run_every_sets_the_rows() {
 
 #[test]
 fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
-    let cases: [(&[&str], &str); 15] = [
+    let cases: [(&[&str], &str); 20] = [
         (&["run", "ezyroler/coast"], "did you mean `ezyroller`?"),
         (&["run", "ezyroller/cost"], "did you mean `coast`?"),
         (&["run", "ezyroller"], "run one of: ezyroller/coast"),
@@ -161,6 +165,11 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["run", "ezyroller/coast", "--method", "euler"], "[possible values: rk4]"),
         (&["run", "ezyroller/coast", "--frobnicate"], "unexpected argument"),
         (&["run", "ezyroller/coast", "--out", "/no/such/directory/x.csv"], "in a directory that exists"),
+        (&["run", "ezyroller/coast", "--every", "0"], "give a positive interval"),
+        (&["run", "ezyroller/coast", "--set", "a=1", "--set", "b=1", "--set", "a=2"], "`--set a` is given twice"),
+        (&["run", "ezyroller/coast", "--start", "seat.x=1", "--start", "seat.x=1"], "`--start seat.x` is given twice"),
+        (&["run", "ezyroller/coast", "--set", "m0=1"], "`m0` belongs to effect `pump`"),
+        (&["run", "ezyroller/coast", "--set", "k=1"], "run one that does: ezyroller/driven_on_tarmac"),
         (&["shwo"], "'show'"),
     ];
     for (arguments, message) in cases {
@@ -180,7 +189,8 @@ fn invariant_run_at_a_singular_position_exits_with_1_and_names_the_rows() {
     let object: Value = serde_json::from_str(&text(&done.stdout)).unwrap();
     let outcome = object["outcome"].as_str().unwrap();
     assert!(outcome.contains("rear") && outcome.contains("front"), "{outcome}");
-    assert!(object.get("state").is_none(), "nothing was computed");
+    check_keys(&object);
+    assert!(object["t"].is_null() && object["state"]["seat.x"].is_null() && object["cost"]["steps"].is_null());
 }
 
 #[test]
@@ -198,6 +208,50 @@ fn invariant_run_that_stops_early_exits_with_1_and_keeps_what_it_has() {
     let csv = std::fs::read_to_string(file).unwrap();
     assert!(csv.lines().last().unwrap().starts_with(&format!("{t:.16e},")), "{csv}");
     assert!(text(&done.stderr).contains("smaller step"), "{}", text(&done.stderr));
+}
+
+#[test]
+fn invariant_run_that_is_refused_leaves_the_file_of_out_as_it_was() {
+    let place = directory("refused");
+    let (old, new) = (place.join("old.csv"), place.join("new.csv"));
+    std::fs::write(&old, "rows of an earlier run").unwrap();
+    for file in [&old, &new] {
+        let done = ezy(&["run", "ezyroller/coast", "--step", "-1", "--out", file.to_str().unwrap()]);
+        assert_eq!(done.status.code(), Some(2));
+    }
+    assert_eq!(std::fs::read_to_string(&old).unwrap(), "rows of an earlier run");
+    assert!(!new.exists(), "a file without rows");
+}
+
+#[test]
+fn invariant_run_replaces_a_longer_file() {
+    let file = directory("replaced").join("motion.csv");
+    std::fs::write(&file, "x".repeat(100_000)).unwrap();
+    output(&["run", "ezyroller/coast", "--every", "0.25", "--out", file.to_str().unwrap()]);
+    let text = std::fs::read_to_string(file).unwrap();
+    assert!(text.starts_with("t [s],") && text.lines().count() == 1 + 5, "{} bytes", text.len());
+}
+
+#[test]
+fn invariant_run_with_too_large_a_step_says_so() {
+    let coarse = output(&["run", "ezyroller/driven", "--step", "0.5"]);
+    assert!(coarse.contains("step of 0.5 s is too large"), "{coarse}");
+    let fine = output(&["run", "ezyroller/coast"]);
+    assert!(!fine.contains("remark"), "{fine}");
+}
+
+/// A device that is always full.
+#[cfg(target_os = "linux")]
+#[test]
+fn invariant_run_onto_a_full_device_exits_with_1_and_says_so() {
+    let full = || std::fs::OpenOptions::new().write(true).open("/dev/full").expect("the device is there");
+    let singular = ["run", "ezyroller/coast", "--set", "b=-0.2", "--set", "d=-0.1", "--start", "bar.phi=0", "--json"];
+    for arguments in [&singular[..], &["run", "ezyroller/coast", "--json"]] {
+        let done = Command::new(env!("CARGO_BIN_EXE_ezy")).args(arguments).stdout(full()).output().unwrap();
+        let stderr = text(&done.stderr);
+        assert_eq!(done.status.code(), Some(1), "{stderr}");
+        assert!(stderr.contains("standard output cannot be written"), "{stderr}");
+    }
 }
 
 #[test]

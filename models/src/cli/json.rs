@@ -29,11 +29,6 @@ impl Json {
     pub fn list(items: impl IntoIterator<Item = Json>) -> Self {
         Self::List(items.into_iter().collect())
     }
-
-    /// Numbers by name.
-    pub fn numbers<'n>(names: impl IntoIterator<Item = &'n str>, values: &[f64]) -> Self {
-        Self::object(names.into_iter().zip(values.iter().map(|v| Self::Number(*v))))
-    }
 }
 
 impl Serialize for Json {

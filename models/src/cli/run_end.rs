@@ -1,0 +1,119 @@
+//! Where a run ends, as JSON and as text.
+
+use ezy_core::integrate::Method;
+use ezy_core::model::SceneInfo;
+use ezy_core::record::{EnergyState, Sample};
+use ezy_core::report::table::{Table, fixed};
+use ezy_core::simulate::{Cost, Outcome, Run};
+
+use super::json::Json;
+
+/// The end as JSON. A run that could not start has the same keys, all `null` where there is nothing to tell.
+pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
+    let last = run.map(Run::last);
+    let number = |pick: &dyn Fn(&Sample<'_>) -> f64| last.as_ref().map_or(Json::Null, |last| Json::Number(pick(last)));
+    let count = |pick: fn(&Cost) -> u64| run.map_or(Json::Null, |run| Json::Count(pick(&run.cost)));
+    let by_coordinate = |pick: fn(&Sample<'_>, usize) -> f64| {
+        Json::object(info.coordinates.iter().enumerate().map(|(i, c)| (c.name, number(&|last| pick(last, i)))))
+    };
+    let multipliers = info.rows.iter().enumerate().map(|(i, row)| (row.name, number(&|last| last.multipliers[i])));
+    Json::object([
+        ("model", Json::text(info.model)),
+        ("scene", Json::text(info.name)),
+        ("method", Json::text(method.name())),
+        ("t", number(&|last| last.t)),
+        ("state", by_coordinate(|last, i| last.coordinates[i])),
+        ("rate", by_coordinate(|last, i| last.velocities[i])),
+        ("acceleration", by_coordinate(|last, i| last.accelerations[i])),
+        ("multipliers", Json::object(multipliers)),
+        (
+            "energy",
+            Json::object([
+                ("kinetic", number(&|last| last.energy.kinetic)),
+                ("potential", number(&|last| last.energy.potential)),
+                ("work", number(&|last| last.energy.work)),
+                ("balance", number(&|last| last.energy.balance)),
+            ]),
+        ),
+        (
+            "residual",
+            Json::object([
+                ("position", number(&|last| last.position_residual)),
+                ("velocity", number(&|last| last.velocity_residual)),
+            ]),
+        ),
+        (
+            "cost",
+            Json::object([
+                ("steps", count(|cost| cost.steps)),
+                ("rejected", count(|cost| cost.rejected)),
+                ("evaluations", count(|cost| cost.evaluations)),
+                ("factorizations", count(|cost| cost.factorizations)),
+                ("seconds", run.map_or(Json::Null, |run| Json::Number(run.cost.seconds))),
+            ]),
+        ),
+        ("outcome", Json::text(outcome)),
+    ])
+}
+
+/// The end as text.
+pub fn run_text(run: &Run, method: Method) -> String {
+    let (info, last, cost) = (run.info(), run.last(), run.cost);
+    let mut text = format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_word(&run.outcome), last.t);
+    text += &motion_table(&last).to_string();
+    if info.n_rows() > 0 {
+        let mut table = Table::new(["row", "multiplier", "unit"]);
+        for (row, lambda) in info.rows.iter().zip(last.multipliers) {
+            table.push([row.name.to_owned(), fixed(*lambda, 12), row.multiplier_unit.to_owned()]);
+        }
+        text += &format!("\n{table}");
+    }
+    let energy = last.energy;
+    text += &format!(
+        "\nkinetic energy {} J, potential energy {} J, work {} J, balance {:.1e} J\n\
+         largest constraint residual: positions {:.1e}, velocities {:.1e}\n\
+         {} steps, {} evaluations of the accelerations, {:.3} s\n",
+        fixed(energy.kinetic, 12),
+        fixed(energy.potential, 12),
+        fixed(energy.work, 12),
+        energy.balance,
+        last.position_residual,
+        last.velocity_residual,
+        cost.steps,
+        cost.evaluations,
+        cost.seconds
+    );
+    text + &remark(&last.energy, method)
+}
+
+/// Share of the energy turned over that may be missing at the end before the step is said to be too large.
+const LARGEST_IMBALANCE: f64 = 1e-3;
+
+/// What there is to say about a run whose energy and work do not fit.
+fn remark(energy: &EnergyState, method: Method) -> String {
+    let share = energy.balance.abs() / (energy.kinetic + energy.work.abs());
+    if share > LARGEST_IMBALANCE {
+        let Method::Rk4 { step_s } = method;
+        format!(
+            "remark: energy and work differ by {:.1e} of the energy turned over: the step of {step_s} s is too large for \
+             this motion; try --step {:.0e}\n",
+            share,
+            step_s / 10.0
+        )
+    } else {
+        String::new()
+    }
+}
+
+fn outcome_word(outcome: &Outcome) -> &'static str {
+    if outcome.reached_end() { "reached the end" } else { "stopped" }
+}
+
+fn motion_table(last: &Sample<'_>) -> Table {
+    let mut table = Table::new(["coordinate", "value", "velocity", "acceleration", "unit"]);
+    for (i, coordinate) in last.info.coordinates.iter().enumerate() {
+        let [q, v, a] = [last.coordinates[i], last.velocities[i], last.accelerations[i]].map(|x| fixed(x, 12));
+        table.push([coordinate.name, &q, &v, &a, coordinate.unit]);
+    }
+    table
+}

@@ -5,6 +5,7 @@
 
 use crate::model::{Formula, SceneInfo};
 
+pub use super::matrix::bracketed;
 use super::matrix::{Cell, Matrix, Names, equation_lines};
 
 /// One equation in the three renderings.
@@ -43,8 +44,8 @@ const LAMBDA_C: Formula =
     Formula { text: "lambda_C", latex: "\\lambda_C", mathml: "<msub><mi>λ</mi><mi>C</mi></msub>" };
 const LAMBDA_S: Formula =
     Formula { text: "lambda_S", latex: "\\lambda_S", mathml: "<msub><mi>λ</mi><mi>S</mi></msub>" };
-const MINUS_H: Formula = Formula { text: "-h", latex: "-h", mathml: "<mrow><mo>-</mo><mi>h</mi></mrow>" };
-const MINUS_S: Formula = Formula { text: "-s", latex: "-s", mathml: "<mrow><mo>-</mo><mi>s</mi></mrow>" };
+const MINUS_H: Formula = Formula { text: "-h", latex: "-h", mathml: "<mrow><mo>−</mo><mi>h</mi></mrow>" };
+const MINUS_S: Formula = Formula { text: "-s", latex: "-s", mathml: "<mrow><mo>−</mo><mi>s</mi></mrow>" };
 
 /// Every equation of a scene, from the coordinates to the equations of motion in matrix form; what a scene
 /// does not have (position rows, velocity rows) is left out.

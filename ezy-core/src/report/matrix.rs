@@ -30,6 +30,20 @@ pub(super) struct Matrix {
     factor: Option<Box<Matrix>>,
 }
 
+/// Brackets drawn as borders with ticks at their ends: a fence grows with its rows only where a font for
+/// mathematics is installed.
+const BRACKETS: &str = "border-left: .08em solid; border-right: .08em solid; padding: .15em .2em; \
+    print-color-adjust: exact; background: \
+    linear-gradient(currentColor, currentColor) left top / .35em .08em no-repeat, \
+    linear-gradient(currentColor, currentColor) left bottom / .35em .08em no-repeat, \
+    linear-gradient(currentColor, currentColor) right top / .35em .08em no-repeat, \
+    linear-gradient(currentColor, currentColor) right bottom / .35em .08em no-repeat";
+
+/// A matrix in MathML from its rows, `<mtr>` elements, in brackets that are right with any font.
+pub fn bracketed(rows: &str) -> String {
+    format!("<mspace width=\"0.15em\"/><mtable style=\"{BRACKETS}\">{rows}</mtable><mspace width=\"0.15em\"/>")
+}
+
 /// Names to the right of the rows of an equation.
 pub(super) struct Names(pub Vec<&'static str>);
 
@@ -75,7 +89,7 @@ impl Cell for Matrix {
         };
         let rows: String = self.rows.iter().map(row).collect();
         let factor = self.factor.as_ref().map(|factor| factor.mathml()).unwrap_or_default();
-        format!("<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>{factor}")
+        bracketed(&rows) + &factor
     }
 }
 

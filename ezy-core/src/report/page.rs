@@ -21,13 +21,21 @@ nav ol { columns: 2; }
 a { color: #00509e; }
 figure { margin: 1.4rem 0; break-inside: avoid; }
 figure svg { width: 100%; height: auto; }
-figcaption, caption { color: #444; font-size: .95rem; text-align: left; }
+figcaption, caption { color: #444; font-size: .95em; text-align: left; }
 .scroll { overflow-x: auto; }
 math[display=block] { margin: .9rem 0; }
 table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
 th, td { padding: .25rem .8rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top; }
 .number { text-align: right; }
-@media print { body { max-width: none; margin: 0; font-size: 10pt; } nav { display: none; } h2 { break-after: avoid; } }
+@media print {
+  body { max-width: none; margin: 0; font-size: 10pt; }
+  nav, details { display: none; }
+  h2, h3, caption, p:has(+ .scroll) { break-after: avoid; }
+  tr, .scroll > math { break-inside: avoid; }
+  .scroll { overflow: visible; }
+  figure svg { max-height: 9cm; }
+  th, td { padding: .15rem .4rem; }
+}
 ";
 
 impl Page {

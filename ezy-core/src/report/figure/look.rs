@@ -26,8 +26,8 @@ pub(super) struct Look {
 const LINE_COLORS: [[u8; 3]; 4] = [[0, 45, 98], [213, 84, 0], [86, 180, 233], [0, 110, 80]];
 const LINE_DASHES: [&[f32]; 4] = [&[], &[9.0, 4.0], &[9.0, 3.0, 2.0, 3.0], &[4.0, 2.5]];
 const LINE_MARKERS: [Marker; 4] = [Marker::Circle, Marker::Square, Marker::Triangle, Marker::Diamond];
-/// Grey of the lightest body, of 255.
-const LIGHTEST_BODY: f64 = 200.0;
+/// Grey of the lightest body, of 255; the lines of the grid are lighter.
+const LIGHTEST_BODY: f64 = 130.0;
 
 impl Look {
     pub fn line(index: usize) -> Self {

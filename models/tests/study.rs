@@ -66,6 +66,8 @@ fn check_page(page: &str) {
     {
         assert!(page.contains(part), "{part}");
     }
+    // the right-endpoint sum with the step of the report, run with that step
+    assert!(page.contains("at the report's step of 1e-4 s it is 2.733e-3 J"), "the gap of the summed work");
     assert!(!page.contains("NaN") && !page.contains("inf "), "a number is missing");
 }
 

@@ -110,7 +110,9 @@ impl Coasting {
                 ("seat.phi [rad]", phi_1),
                 ("bar.phi [rad]", phi_2),
             ],
-            caption: "Seat (triangle) and bar at five instants, from light to dark, with the paths of A, B and C."
+            caption: "The bodies at five instants, light at the start and dark at the end, with the paths of A, B and C. The triangle is the seat, from its \
+                      rear axle to the hinge (ring); the line with the short crossbar is the bar with its axle; thick strokes are wheels. Both axles \
+                      are drawn to look like a vehicle: the equations have one wheel in the middle of each."
                 .to_owned(),
             alternative:
                 "The seat moves to the right by one metre; the bar, at first across, swings behind the hinge; \

@@ -1,5 +1,7 @@
 //! Parts (f) to (i): driven for one minute.
 
+use std::f64::consts::PI;
+
 use ezy_core::model::Scene;
 use ezy_core::report::figure::Figure;
 use ezy_core::report::page::Page;
@@ -31,6 +33,8 @@ pub struct Drive {
     pub energy_gap: f64,
     /// Largest constraint residuals on the way: positions, velocities.
     pub residuals: [f64; 2],
+    /// Time between sign changes of the torque, s.
+    pub torque_half_period: f64,
     /// Mean time between sign changes of the relative rate in the first and the last 20 s, s.
     pub half_periods: [f64; 2],
     /// Largest relative rate in the first and the last 20 s, rad/s.
@@ -58,6 +62,7 @@ impl Drive {
                 largest(motion.run.samples().map(|s| s.position_residual)),
                 largest(motion.run.samples().map(|s| s.velocity_residual)),
             ],
+            torque_half_period: PI / scene.omega,
             half_periods: [mean_half_period(&t, &rate, &early), mean_half_period(&t, &rate, &late)],
             rate_swings: [largest(early.iter().map(|i| rate[*i])), largest(late.iter().map(|i| rate[*i]))],
             work_of_opposite_rate: (1..t.len()).map(trapezoid).sum(),
@@ -70,7 +75,7 @@ impl Drive {
         let (a, c, t) = (self.motion.path("A")?, self.motion.path("C")?, self.motion.column("t")?);
         page.section("f", "(f) Driven: paths of the wheels");
         page.paragraph(
-            "From rest, with the bar folded back over the seat, a torque M0 cos(omega t) acts on the seat and its reaction on the bar. \
+            "From rest, with the bar folded back over the seat, a torque M₀ cos ωt acts on the seat and its reaction on the bar. \
              The roller turns once, away from its first heading, and then moves along a line about which it sways.",
         );
         output.plate(page, path_plate("driven_paths", "Driven for one minute", &a, &c, &t))?;
@@ -123,21 +128,22 @@ impl Drive {
         let figure = Figure::time_series(
             "Torque and relative angular velocity at hinge B",
             "time [s]",
-            "torque [N m], rate [rad/s]",
+            "torque [N·m], rate [rad/s]",
         )
         .line("torque on the seat", t.clone(), torque.clone())
         .line("seat rate minus bar rate", t.clone(), rate.clone());
         output.plate(page, Plate {
             name: "driven_hinge",
             figure,
-            columns: vec![("t [s]", t), ("torque on seat [N m]", torque), ("seat.omega - bar.omega [rad/s]", rate)],
+            columns: vec![("t [s]", t), ("torque on the seat [N*m]", torque), ("seat.omega - bar.omega [rad/s]", rate)],
             caption: "Torque on body 1 and the rate of body 1 relative to body 2: with these signs torque times rate is the power that drives.".to_owned(),
-            alternative: "The torque swings evenly between plus and minus 2 N m; the relative rate swings with it, less and less.".to_owned(),
+            alternative: "The torque swings evenly between plus and minus 2 N·m; the relative rate swings with it, less and less.".to_owned(),
         })?;
         page.paragraph(&format!(
-            "The relative rate changes its sign every {:.4} s on the average of the first {STRETCH_S:.0} s and every {:.4} s on that of the last \
-             {STRETCH_S:.0} s: it keeps the frequency of the torque. Its largest value falls from {:.3} to {:.3} rad/s while the roller gains speed.",
-            self.half_periods[0], self.half_periods[1], self.rate_swings[0], self.rate_swings[1]
+            "The torque changes its sign every {:.3} s. The relative rate does so every {:.3} s on the average of the first {STRETCH_S:.0} s and \
+             every {:.3} s on that of the last {STRETCH_S:.0} s. It follows the frequency of the torque; the small difference is its phase, which \
+             slides against that of the torque while the speed grows, ever more slowly. Its largest value falls from {:.3} to {:.3} rad/s.",
+            self.torque_half_period, self.half_periods[0], self.half_periods[1], self.rate_swings[0], self.rate_swings[1]
         ));
         Ok(())
     }

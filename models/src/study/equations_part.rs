@@ -5,6 +5,7 @@ use ezy_core::report::equations::{Equation, equations};
 use ezy_core::report::page::{Page, escape};
 use ezy_core::report::table::Table;
 
+use super::parts::typeset_unit;
 use crate::ezy_roller::Driven;
 
 /// Puts parameters and equations on the page.
@@ -15,7 +16,7 @@ pub fn write(page: &mut Page, scene: &Driven) {
         "Two rigid bodies in the plane: body 1, the seat, rolls on the rear wheel A; body 2, the bar, on the front wheel C; the hinge B joins \
          them. A wheel moves along its body only, like a skate. Coordinates are the centres of mass and the absolute angles of both bodies.",
     );
-    page.html(&parameters(scene, info).html("Parameters"));
+    page.html(&parameters(info).html("Parameters"));
     let all = equations(info);
     let put = |page: &mut Page, names: &[&str]| {
         for equation in all.iter().filter(|equation| names.contains(&equation.name)) {
@@ -34,9 +35,10 @@ pub fn write(page: &mut Page, scene: &Driven) {
         &["velocity constraint", "Jacobian of the velocity constraint", "convective term of the velocity constraint"],
     );
     page.section("c", "(c) Equations of motion");
-    page.paragraph(
-        "Differentiating the constraints until accelerations appear, C_q a + h = 0 and S a + s = 0, and adding their reactions -C_q^T lambda_C - S^T lambda_S \
-         to the applied force F gives one linear system for accelerations and multipliers.",
+    page.html(
+        "<p>Differentiating the constraints until accelerations appear, <i>C<sub>q</sub>a</i> + <i>h</i> = 0 and <i>Sa</i> + <i>s</i> = 0, and adding \
+         their reactions −<i>C<sub>q</sub></i><sup>T</sup><i>λ<sub>C</sub></i> − <i>S</i><sup>T</sup><i>λ<sub>S</sub></i> to the applied force <i>F</i> gives \
+         one linear system for accelerations and multipliers.</p>",
     );
     put(page, &["equations of motion", "mass matrix", "applied force"]);
     page.paragraph(&format!(
@@ -56,11 +58,11 @@ fn one(page: &mut Page, equation: &Equation) {
     page.html(&format!("<details><summary>as text and LaTeX</summary><pre>{text}\n{latex}</pre></details>"));
 }
 
-fn parameters(scene: &Driven, info: &SceneInfo) -> Table {
+fn parameters(info: &SceneInfo) -> Table {
     let mut table = Table::new(["name", "value", "unit", "what it is", "belongs to"]);
-    for (i, p) in info.parameters.iter().enumerate() {
-        let value = format!("{}", scene.parameter(i));
-        table.push([p.name, &value, p.unit, p.documentation.trim(), p.effect.unwrap_or("model")]);
+    for p in info.parameters {
+        let (value, unit) = (p.default_text.replace("pi", "π"), typeset_unit(p.unit));
+        table.push([p.name, &value, &unit, p.documentation.trim(), p.effect.unwrap_or("model")]);
     }
     table
 }

@@ -132,18 +132,18 @@ impl Growth {
         })?;
         page.paragraph(
             "The averaged equation follows from linearising about the straight, folded configuration at speed v: the mean power P(v) of \
-             the torque over a period, with (m1 + m2) v dv/dt = P(v). P is positive at every speed and falls like K/v cubed, so in the end v grows \
-             like the fifth root of 5 K t/(m1 + m2).",
+             the torque over a period, with (m₁ + m₂) v dv/dt = P(v). P is positive at every speed and falls like K/v³, so in the end v grows \
+             like the fifth root of 5 K t/(m₁ + m₂).",
         );
         page.equation(MEAN_POWER);
         page.paragraph(
-            "Here L = a + b, l = c + d, A = J1 l + J2 L^2/l, B = J1 + m1 a l + (L/l)(J2 + m2 c L), D = m1 a + m2 c L/l with the moments of \
-             inertia about the wheels J1 = i1 + m1 a^2, J2 = i2 + m2 c^2, and K = lim v^3 P(v) = (M0^2/2)((L - l)^2/l) B omega^2/D^2.",
+            "Here A = J₁ l + J₂ L²/l, B = J₁ + m₁ a l + (L/l)(J₂ + m₂ c L) and D = m₁ a + m₂ c L/l with the moments of inertia about the wheels \
+             J₁ = I₁ + m₁ a² and J₂ = I₂ + m₂ c², and K = lim v³ P(v) = (M₀²/2) ((L − l)²/l) B ω²/D².",
         );
         page.html(&self.speed_table().html("Speed and swing of the hinge in the long run"));
         page.html(&self.exponent_table().html("Growth of the kinetic energy: 2 is quadratic, 1 linear, 0.4 the limit law; an exponential would make the exponent grow with time"));
         page.paragraph(&format!(
-            "v^5/t tends to 5 K/(m1 + m2) = {:.4} m^5/s^6 by the averaged equation, very slowly: it is {ratio:.4} at {t_end:.0e} s. A bounded speed takes dissipation: with the \
+            "v⁵/t tends to 5 K/(m₁ + m₂) = {:.4} m⁵/s⁶ by the averaged equation, very slowly: it is {ratio:.4} at {t_end:.0e} s. A bounded speed takes dissipation: with the \
              rolling resistance of the scene driven_on_tarmac the mean speed is {:.4} m/s after 300 s and {:.4} m/s after 600 s.",
             self.limit, self.resisted[0], self.resisted[1]
         ));
@@ -156,7 +156,7 @@ impl Growth {
             "speed [m/s]",
             "kinetic energy [J]",
             "half swing of the hinge [rad]",
-            "v^5/t [m^5/s^6]",
+            "v⁵/t [m⁵/s⁶]",
         ]);
         for at in &self.instants {
             let ratio = at.speed.powi(5) / at.t;

@@ -13,6 +13,7 @@ mod motion;
 mod output;
 mod parts;
 mod projection;
+mod slips;
 mod steps;
 
 use std::path::{Path, PathBuf};

@@ -26,6 +26,11 @@ pub fn geometric(first: f64, factor: f64, n: usize) -> Vec<f64> {
     std::iter::successors(Some(first), |x| Some(x * factor)).take(n).collect()
 }
 
+/// A unit as it is printed: `kg*m^2` as kg·m².
+pub fn typeset_unit(unit: &str) -> String {
+    unit.replace('*', "·").replace("^2", "²").replace("^3", "³")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,6 +2,7 @@
 
 use ezy_core::dynamics::{Metric, State, System};
 use ezy_core::linalg::Backend;
+use ezy_core::report::equations::bracketed;
 use ezy_core::report::page::Page;
 use ezy_core::report::table::Table;
 
@@ -65,10 +66,10 @@ impl Projections {
         page.section("d", "(d) Projection onto the constraints");
         page.paragraph(
             "After each step the positions are put back onto the constraints, then the velocities at the corrected positions. \
-             Both corrections are the smallest ones in the metric of the masses. The positions take Gauss-Newton passes, each \
-             evaluated at the corrected point, until |C| is below 1e-12 m, ten at most; the velocities are linear and take one solve.",
+             Both corrections are the smallest ones in the metric of the masses. The positions take Gauss–Newton passes, each \
+             evaluated at the corrected point, until |C| is below 10⁻¹² m, ten at most; the velocities are linear and take one solve.",
         );
-        page.equation(POSITION_STEP).equation(VELOCITY_STEP);
+        page.equation(&position_step()).equation(&velocity_step());
         page.html(&self.table().html(
             "Largest residuals after the coasting start was put off by 1 to 3 mm, mrad, mm/s and mrad/s in each coordinate and velocity",
         ));
@@ -127,10 +128,21 @@ fn ten_passes_without_reevaluation(system: &mut System<'_, Coast>, state: &State
     Ok(residual / system.position_residual(*t, q))
 }
 
-const POSITION_STEP: &str = "<math display=\"block\"><mi>q</mi><mo>←</mo><mi>q</mi><mo>−</mo><msup><mi>M</mi><mrow><mo>−</mo><mn>1</mn></mrow></msup>\
-<msup><mi>G</mi><mi>T</mi></msup><msup><mrow><mo>(</mo><mi>G</mi><msup><mi>M</mi><mrow><mo>−</mo><mn>1</mn></mrow></msup><msup><mi>G</mi><mi>T</mi></msup><mo>)</mo></mrow>\
-<mrow><mo>−</mo><mn>1</mn></mrow></msup><mrow><mo>[</mo><mtable><mtr><mtd><mi>C</mi></mtd></mtr><mtr><mtd><mn>0</mn></mtd></mtr></mtable><mo>]</mo></mrow>\
-<mo>,</mo><mspace width=\"1em\"/><mi>G</mi><mo>=</mo><mrow><mo>[</mo><mtable><mtr><mtd><msub><mi>C</mi><mi>q</mi></msub></mtd></mtr><mtr><mtd><mi>S</mi></mtd></mtr></mtable><mo>]</mo></mrow></math>";
-const VELOCITY_STEP: &str = "<math display=\"block\"><mi>v</mi><mo>←</mo><mi>v</mi><mo>−</mo><msup><mi>M</mi><mrow><mo>−</mo><mn>1</mn></mrow></msup>\
-<msup><mi>G</mi><mi>T</mi></msup><msup><mrow><mo>(</mo><mi>G</mi><msup><mi>M</mi><mrow><mo>−</mo><mn>1</mn></mrow></msup><msup><mi>G</mi><mi>T</mi></msup><mo>)</mo></mrow>\
-<mrow><mo>−</mo><mn>1</mn></mrow></msup><mi>G</mi><mi>v</mi></math>";
+/// q − M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ (C, 0), and what G is.
+fn position_step() -> String {
+    let residual = bracketed("<mtr><mtd><mi>C</mi></mtd></mtr><mtr><mtd><mn>0</mn></mtd></mtr>");
+    let jacobian = bracketed("<mtr><mtd><msub><mi>C</mi><mi>q</mi></msub></mtd></mtr><mtr><mtd><mi>S</mi></mtd></mtr>");
+    format!(
+        "<math display=\"block\"><mi>q</mi><mo>←</mo><mi>q</mi>{CORRECTION}{residual}<mo>,</mo><mspace width=\"1em\"/>\
+         <mi>G</mi><mo>=</mo>{jacobian}</math>"
+    )
+}
+
+fn velocity_step() -> String {
+    format!("<math display=\"block\"><mi>v</mi><mo>←</mo><mi>v</mi>{CORRECTION}<mi>G</mi><mi>v</mi></math>")
+}
+
+/// − M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹
+const CORRECTION: &str = "<mo>−</mo><msup><mi>M</mi><mrow><mo>−</mo><mn>1</mn></mrow></msup><msup><mi>G</mi><mi>T</mi></msup>\
+<msup><mrow><mo>(</mo><mi>G</mi><msup><mi>M</mi><mrow><mo>−</mo><mn>1</mn></mrow></msup><msup><mi>G</mi><mi>T</mi></msup><mo>)</mo></mrow>\
+<mrow><mo>−</mo><mn>1</mn></mrow></msup>";

@@ -134,7 +134,11 @@ impl fmt::Display for Dimension {
         let power = |(unit, power): (&str, i32)| match power.abs() {
             ONE => unit.to_owned(),
             power if power % ONE == 0 => format!("{unit}^{}", power / ONE),
-            power => format!("{unit}^({power}/{ONE})"),
+            power => {
+                // sixths that are not whole are halves, thirds or sixths
+                let common = [3, 2, 1].into_iter().find(|n| power % n == 0).unwrap_or(1);
+                format!("{unit}^({}/{})", power / common, ONE / common)
+            }
         };
         let above: Vec<String> = units.into_iter().filter(|(_, power)| *power > 0).map(power).collect();
         let below = units.into_iter().filter(|(_, power)| *power < 0).map(power);

@@ -178,7 +178,7 @@ fn product(factors: Vec<Printed>) -> Printed {
         let factor = factor.at_least(Level::Power);
         out.text += &format!("*{}", factor.text);
         out.latex += &format!(" \\, {}", factor.latex);
-        out.mathml += &format!("<mo>&#x2062;</mo>{}", factor.mathml);
+        out.mathml += &format!("<mspace width=\"0.17em\"/>{}", factor.mathml);
     }
     out.level = Level::Product;
     out
@@ -222,7 +222,11 @@ fn call(function: Function, power: Option<i32>, arguments: Vec<Printed>) -> Prin
     }
     let bare = arguments.iter().all(|a| a.level == Level::Atom);
     let latex = if bare { format!("{{{latex}}}") } else { format!("\\left({latex}\\right)") };
-    let mathml = if bare { mathml } else { format!("<mrow><mo>(</mo>{mathml}<mo>)</mo></mrow>") };
+    let mathml = if bare {
+        format!("<mspace width=\"0.17em\"/>{mathml}")
+    } else {
+        format!("<mrow><mo>(</mo>{mathml}<mo>)</mo></mrow>")
+    };
     let latex_name = match function {
         Function::Sin
         | Function::Cos

@@ -53,7 +53,7 @@ pub fn of_body(text: &str, stem: &str, body: &str, dotted: bool) -> Printed {
         _ => letter(stem),
     };
     let (latex, mathml) = if dotted {
-        (format!("\\dot{{{latex}}}"), format!("<mover>{mathml}<mo>˙</mo></mover>"))
+        (format!("\\dot{{{latex}}}"), format!("<mover>{mathml}<mo>.</mo></mover>"))
     } else {
         (latex, mathml)
     };

@@ -92,7 +92,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.vx",
                         latex: "\\dot{x}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -107,7 +107,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.vy",
                         latex: "\\dot{y}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -122,7 +122,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -137,7 +137,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.vx",
                         latex: "\\dot{x}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -152,7 +152,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.vy",
                         latex: "\\dot{y}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -167,7 +167,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
             ],
@@ -193,12 +193,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
                         latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
                         latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -208,12 +208,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
                         latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
                         latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -223,12 +223,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
                         latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><mo>−</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
                         latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -238,12 +238,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
                         latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mi>c</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
                         latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
             ],
@@ -373,7 +373,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-b*sin(seat.phi)",
                     latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-1",
@@ -383,7 +383,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-d*sin(bar.phi)",
                     latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "1",
@@ -393,7 +393,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "b*cos(seat.phi)",
                     latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-1",
@@ -403,17 +403,17 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "d*cos(bar.phi)",
                     latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-sin(seat.phi)",
                     latex: "-\\sin{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "cos(seat.phi)",
                     latex: "\\cos{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-a",
@@ -423,12 +423,12 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-sin(bar.phi)",
                     latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "cos(bar.phi)",
                     latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "c",
@@ -1172,7 +1172,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.vx",
                         latex: "\\dot{x}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -1187,7 +1187,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.vy",
                         latex: "\\dot{y}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -1202,7 +1202,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -1217,7 +1217,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.vx",
                         latex: "\\dot{x}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -1232,7 +1232,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.vy",
                         latex: "\\dot{y}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -1247,7 +1247,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
             ],
@@ -1273,12 +1273,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
                         latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
                         latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -1288,12 +1288,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
                         latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
                         latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -1303,12 +1303,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
                         latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><mo>−</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
                         latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -1318,12 +1318,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
                         latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mi>c</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
                         latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
             ],
@@ -1484,7 +1484,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-b*sin(seat.phi)",
                     latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-1",
@@ -1494,7 +1494,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-d*sin(bar.phi)",
                     latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "1",
@@ -1504,7 +1504,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "b*cos(seat.phi)",
                     latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-1",
@@ -1514,17 +1514,17 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "d*cos(bar.phi)",
                     latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-sin(seat.phi)",
                     latex: "-\\sin{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "cos(seat.phi)",
                     latex: "\\cos{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-a",
@@ -1534,12 +1534,12 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-sin(bar.phi)",
                     latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "cos(bar.phi)",
                     latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "c",
@@ -1593,7 +1593,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "m0*cos(omega*t)",
                     latex: "m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
-                    mathml: "<mrow><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "0",
@@ -1608,7 +1608,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-m0*cos(omega*t)",
                     latex: "-m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
-                    mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
             ],
             elimination: &[
@@ -2332,7 +2332,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.vx",
                         latex: "\\dot{x}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -2347,7 +2347,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.vy",
                         latex: "\\dot{y}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -2362,7 +2362,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "seat.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -2377,7 +2377,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.vx",
                         latex: "\\dot{x}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -2392,7 +2392,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.vy",
                         latex: "\\dot{y}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
                 ::ezy_core::model::CoordinateInfo {
@@ -2407,7 +2407,7 @@ pub mod ezy_roller {
                     velocity_symbol: ::ezy_core::model::Formula {
                         text: "bar.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
             ],
@@ -2433,12 +2433,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
                         latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
                         latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -2448,12 +2448,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
                         latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
                         latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><msup><mrow><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -2463,12 +2463,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
                         latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><mo>−</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
                         latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -2478,12 +2478,12 @@ pub mod ezy_roller {
                     constraint: ::ezy_core::model::Formula {
                         text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
                         latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mi>c</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
                         latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>bar</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
             ],
@@ -2661,7 +2661,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-b*sin(seat.phi)",
                     latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mi>b</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-1",
@@ -2671,7 +2671,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-d*sin(bar.phi)",
                     latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><mi>d</mi><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "1",
@@ -2681,7 +2681,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "b*cos(seat.phi)",
                     latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mi>b</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-1",
@@ -2691,17 +2691,17 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "d*cos(bar.phi)",
                     latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mi>d</mi><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-sin(seat.phi)",
                     latex: "-\\sin{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "cos(seat.phi)",
                     latex: "\\cos{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-a",
@@ -2711,12 +2711,12 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-sin(bar.phi)",
                     latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "cos(bar.phi)",
                     latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "c",
@@ -2760,17 +2760,17 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-k*seat.vx - k*a*seat.omega*sin(seat.phi)",
                     latex: "-k \\, \\dot{x}_{\\mathrm{seat}} - k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-k*seat.vy + k*a*seat.omega*cos(seat.phi)",
                     latex: "-k \\, \\dot{y}_{\\mathrm{seat}} + k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>+</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "-k*a*a*seat.omega - k*a*seat.vx*sin(seat.phi) + k*a*seat.vy*cos(seat.phi) + m0*cos(omega*t)",
                     latex: "-k \\, a \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
-                    mathml: "<mrow><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>x</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mo>&#x2062;</mo><mi>a</mi><mo>&#x2062;</mo><msub><mover><mi>y</mi><mo>˙</mo></mover><mtext>seat</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "0",
@@ -2785,7 +2785,7 @@ pub mod ezy_roller {
                 ::ezy_core::model::Formula {
                     text: "-m0*cos(omega*t)",
                     latex: "-m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
-                    mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mo>&#x2062;</mo><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mo>&#x2062;</mo><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                    mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
             ],
             elimination: &[

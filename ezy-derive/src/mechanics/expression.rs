@@ -3,7 +3,7 @@
 use super::symbols::Symbols;
 use crate::model::{self, Component, Expr, Model, RowKind};
 use crate::symbolic::coefficient::Coefficient;
-use crate::symbolic::{Algebra, Function, SumId, Symbol};
+use crate::symbolic::{Algebra, SumId, Symbol};
 
 /// Writes expressions of one model.
 pub struct Writer<'a> {
@@ -52,9 +52,9 @@ impl Writer<'_> {
             Expr::Mul(a, b) => self.binary(a, b, Algebra::mul),
             Expr::Div(a, b) => self.binary(a, b, Algebra::div),
             Expr::Pow(a, b) => self.binary(a, b, Algebra::pow),
-            Expr::Call(called, arguments) => {
+            Expr::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|x| self.write(x)).collect();
-                self.algebra.call(function(*called), arguments)
+                self.algebra.call(*function, arguments)
             }
         }
     }
@@ -84,24 +84,5 @@ impl Writer<'_> {
             })
         });
         self.algebra.sub(b, a)
-    }
-}
-
-fn function(called: model::Function) -> Function {
-    match called {
-        model::Function::Sin => Function::Sin,
-        model::Function::Cos => Function::Cos,
-        model::Function::Tan => Function::Tan,
-        model::Function::Asin => Function::Asin,
-        model::Function::Acos => Function::Acos,
-        model::Function::Atan2 => Function::Atan2,
-        model::Function::Sqrt => Function::Sqrt,
-        model::Function::Exp => Function::Exp,
-        model::Function::Ln => Function::Ln,
-        model::Function::Tanh => Function::Tanh,
-        model::Function::Abs => Function::Abs,
-        model::Function::Min => Function::Min,
-        model::Function::Max => Function::Max,
-        model::Function::Sign => Function::Sign,
     }
 }

@@ -1,6 +1,6 @@
 //! Values of parameters and durations: numbers, `pi` and operators, computed when the model is compiled.
 
-use super::{Expr, Function};
+use super::Expr;
 use crate::diag::values;
 use crate::parse::ast::{self, Operator};
 use std::f64::consts::PI;
@@ -52,29 +52,8 @@ pub fn at_defaults(expr: &Expr, parameters: &[f64]) -> Option<f64> {
         Expr::Pow(a, b) => both(a, b).map(|(a, b)| a.powf(b))?,
         Expr::Call(function, arguments) => {
             let arguments: Option<Vec<f64>> = arguments.iter().map(value).collect();
-            call(*function, &arguments?)?
+            function.evaluate(&arguments?)
         }
         _ => return None,
-    })
-}
-
-fn call(function: Function, arguments: &[f64]) -> Option<f64> {
-    let a = *arguments.first()?;
-    let b = arguments.get(1).copied();
-    Some(match function {
-        Function::Sin => a.sin(),
-        Function::Cos => a.cos(),
-        Function::Tan => a.tan(),
-        Function::Asin => a.asin(),
-        Function::Acos => a.acos(),
-        Function::Atan2 => a.atan2(b?),
-        Function::Sqrt => a.sqrt(),
-        Function::Exp => a.exp(),
-        Function::Ln => a.ln(),
-        Function::Tanh => a.tanh(),
-        Function::Abs => a.abs(),
-        Function::Min => a.min(b?),
-        Function::Max => a.max(b?),
-        Function::Sign => f64::from(i8::from(a > 0.0) - i8::from(a < 0.0)),
     })
 }

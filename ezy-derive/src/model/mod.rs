@@ -21,6 +21,7 @@ mod tests;
 mod unit;
 mod value;
 
+pub use crate::function::Function;
 pub use resolve::resolve;
 
 use proc_macro2::Ident;
@@ -204,23 +205,4 @@ pub enum Expr {
     Div(Box<Expr>, Box<Expr>),
     Pow(Box<Expr>, Box<Expr>),
     Call(Function, Vec<Expr>),
-}
-
-/// Functions of the model language.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Function {
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan2,
-    Sqrt,
-    Exp,
-    Ln,
-    Tanh,
-    Abs,
-    Min,
-    Max,
-    Sign,
 }

@@ -1,8 +1,8 @@
 //! Function calls: what is constant becomes a coefficient, cosines of sums are split by angle.
 
 use super::coefficient::Coefficient;
-use super::function::Function;
 use super::sum::{Algebra, Atom, MonomialId, SumId, Symbol};
+use crate::function::Function;
 
 impl Algebra {
     pub fn call(&mut self, function: Function, arguments: Vec<SumId>) -> SumId {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::fingerprint::Fingerprint;
-use super::function::Function;
+use crate::function::Function;
 
 /// Index of a node of [`Coefficients`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

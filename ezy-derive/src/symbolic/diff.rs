@@ -1,7 +1,7 @@
 //! Partial derivatives.
 
-use super::function::Function;
 use super::sum::{Algebra, Atom, AtomId, Monomial, SumId, Symbol};
+use crate::function::Function;
 
 impl Algebra {
     /// ∂a/∂x, with every other symbol held.

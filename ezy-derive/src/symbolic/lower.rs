@@ -4,10 +4,10 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use super::coefficient::{Coefficient, CoefficientId};
-use super::function::Function;
 use super::plan::{Plan, Planner};
 use super::program::{Node, Program, Value};
 use super::sum::{Algebra, Atom, AtomId, Monomial, SumId, Symbol};
+use crate::function::Function;
 
 /// The coefficients that kernels read, in order of first use: the vector of constants of a scene.
 #[derive(Debug, Default)]

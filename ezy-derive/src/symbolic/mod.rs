@@ -12,7 +12,6 @@ pub mod coefficient;
 pub mod diff;
 pub mod evaluate;
 mod fingerprint;
-pub mod function;
 pub mod lower;
 pub mod plan;
 pub mod print;
@@ -23,5 +22,5 @@ pub mod sum;
 #[cfg(test)]
 mod tests;
 
-pub use function::Function;
+pub use crate::function::Function;
 pub use sum::{Algebra, SumId, Symbol};

@@ -1,8 +1,8 @@
 //! Expressions as text, LaTeX and MathML, built together from one expression.
 
 use super::coefficient::{Coefficient, CoefficientNode, unsigned};
-use super::function::Function;
 use super::sum::{Algebra, Atom, AtomId, MonomialId, SumId, Symbol};
+use crate::function::Function;
 
 /// One expression in three notations.
 #[derive(Debug, Clone, PartialEq, Eq)]

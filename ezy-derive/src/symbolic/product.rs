@@ -1,8 +1,8 @@
 //! Products, quotients and powers in normal form.
 
 use super::coefficient::Coefficient;
-use super::function::Function;
 use super::sum::{Algebra, Atom, AtomId, Monomial, MonomialId, SumId, Terms};
+use crate::function::Function;
 
 /// Whole exponents up to this size are multiplied out; larger ones call `pow`.
 const LARGEST_WHOLE_EXPONENT: f64 = 8.0;

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::function::Function;
 use super::sum::Symbol;
+use crate::function::Function;
 
 /// Index of a node; operands always come before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::coefficient::{Coefficient, Coefficients};
-use super::function::Function;
+use crate::function::Function;
 
 /// A variable of an expression; what it stands for is known to the caller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

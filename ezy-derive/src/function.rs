@@ -1,6 +1,6 @@
-//! Functions that an expression can call.
+//! Functions that an expression can call: of the model language, of the engine, and of the emitted code.
 
-/// A function of one or two arguments. Sine and cosine are atoms of their own: see [`super::sum::Atom`].
+/// A function of one or two scalars.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Function {
     Sin,
@@ -17,6 +17,7 @@ pub enum Function {
     Min,
     Max,
     Sign,
+    /// A power that is not a small whole number.
     Pow,
 }
 

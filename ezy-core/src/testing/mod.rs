@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! ezy_core::testing::check_scene(&scene)?;
+//! ezy_core::testing::check_model(&pendulum::MODEL)?;      // every scene of a model
 //! ```
 
 // matrices keep the capital letters of the notation
@@ -17,7 +18,7 @@ pub use report::{Check, CheckError, CheckReport};
 
 use crate::dynamics::System;
 use crate::linalg::Backend;
-use crate::model::Scene;
+use crate::model::{ModelInfo, Scene};
 use probe::Probe;
 
 /// Checks everything that a scene says about itself in more than one way.
@@ -49,4 +50,12 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
     }
     let report = CheckReport { model: info.model, scene: info.name, checks };
     if report.passed() { Ok(report) } else { Err(CheckError::Failed(report)) }
+}
+
+/// [`check_scene`] for every scene of a model, with the declared parameters; a report for each scene.
+///
+/// # Errors
+/// As [`check_scene`], at the first scene that has one.
+pub fn check_model(model: &ModelInfo) -> Result<Vec<CheckReport>, CheckError> {
+    model.scenes.iter().map(|entry| check_scene(&*(entry.new)())).collect()
 }

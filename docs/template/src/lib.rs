@@ -1,0 +1,5 @@
+//! A mechanism and its scenes.
+
+mod pendulum;
+
+pub use pendulum::pendulum::*;

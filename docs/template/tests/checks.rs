@@ -1,0 +1,10 @@
+//! The checks that every model can be given in one line.
+
+use ezy_core::testing::check_model;
+
+#[test]
+fn fd_every_scene_passes_its_checks() {
+    for report in check_model(&my_mechanism::MODEL).unwrap_or_else(|error| panic!("{error}")) {
+        println!("{report}");
+    }
+}

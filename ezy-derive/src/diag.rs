@@ -44,6 +44,11 @@ impl Diagnostics {
         result.map_err(|error| self.error(error)).ok()
     }
 
+    /// How many errors there are so far.
+    pub fn n_errors(&self) -> usize {
+        self.errors.len()
+    }
+
     /// Whether there is no error; warnings do not count.
     pub fn is_empty(&self) -> bool {
         self.errors.is_empty()

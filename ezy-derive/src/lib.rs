@@ -10,6 +10,7 @@ mod model;
 mod parse;
 mod pipeline;
 mod symbolic;
+mod words;
 
 /// Turns a model file into equations of motion.
 #[proc_macro]

@@ -14,40 +14,33 @@ pub fn negative_mass(at: Extent, what: &str, value: f64, unit: &str) -> syn::Err
 pub fn massless_and_free(at: Extent, body: &Ident, word: &str) -> syn::Error {
     fault_with_help(
         at,
-        format_args!("the {word} of body `{body}` is zero, and no hinge or skate holds the body"),
+        format_args!("the {word} of body `{body}` is zero, and no row holds the body"),
         format_args!("write a positive {word}, or hold `{body}` by a hinge"),
     )
 }
 
-pub fn hinge_within_body(at: &Ident, hinge: &Ident, ground: bool) -> syn::Error {
+/// `subject`: "hinge `B`", or "this spring".
+pub fn within_body(at: &Ident, subject: &str, ground: bool) -> syn::Error {
     let body = if ground { "the ground" } else { "a body" };
     fault_with_help(
         at,
-        format_args!("hinge `{hinge}` joins {body} to itself"),
-        "a hinge joins two bodies, or a body and the ground",
+        format_args!("{subject} joins {body} to itself"),
+        "its places need to be on two bodies, or on a body and the ground",
     )
 }
 
-pub fn skate_on_ground(at: &Ident, skate: &Ident) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("skate `{skate}` is on the ground, which does not move"),
-        "write a place on a body",
-    )
-}
-
-pub fn force_on_ground(at: &Ident) -> syn::Error {
-    fault_with_help(at, "this force acts on the ground, which does not move", "write a place on a body")
+pub fn on_ground(at: &Ident, subject: &str) -> syn::Error {
+    fault_with_help(at, format_args!("{subject} is on the ground, which does not move"), "write a place on a body")
 }
 
 pub fn ground_is_no_body(at: &Ident) -> syn::Error {
     fault_with_help(at, "this acts on the ground, which does not move", "write the name of a body")
 }
 
-pub fn torque_on_itself(at: &Ident) -> syn::Error {
+pub fn couple_of_one(at: &Ident, subject: &str) -> syn::Error {
     fault_with_help(
         at,
-        format_args!("this torque acts from `{at}` on itself"),
+        format_args!("{subject} acts from `{at}` on itself"),
         "write another body behind `~`, or `ground`",
     )
 }

@@ -1,6 +1,6 @@
 //! Messages about starts, effects and scenes.
 
-use super::nearest::quoted;
+use super::nearest::{quoted, suggestion};
 use super::{Extent, Warning, fault_at_two_places, fault_with_help};
 use proc_macro2::Ident;
 
@@ -61,6 +61,38 @@ pub fn shared_parameter(name: &Ident, scene: &Ident, first: &Ident, second: &Ide
         name,
         format_args!("scene `{scene}` calls for effects `{first}` and `{second}`, which both declare `{name}`"),
         format_args!("write another name in one of them, such as `{second}_{name}`"),
+    )
+}
+
+pub fn releases_no_row(name: &Ident, what: Option<&str>, rows: &[&str]) -> syn::Error {
+    let text = match what {
+        Some(what) => format!("`{name}` is {what}, not a row"),
+        None => format!("row `{name}` is not declared"),
+    };
+    fault_with_help(name, text, suggestion(&name.to_string(), rows, "declared rows"))
+}
+
+pub fn release_outside_effect(row: &Ident) -> syn::Error {
+    fault_with_help(
+        row,
+        format_args!("`{row}` is released outside of an effect, so that no scene could keep it"),
+        "move this into an effect, or remove the row",
+    )
+}
+
+pub fn released_twice(name: &Ident, first: &Ident) -> syn::Error {
+    fault_at_two_places(
+        fault_with_help(name, format_args!("row `{name}` is released twice"), "remove one of them"),
+        first,
+        "first released here",
+    )
+}
+
+pub fn released_by_two(scene: &Ident, row: &Ident, first: &Ident, second: &Ident) -> syn::Error {
+    fault_with_help(
+        scene,
+        format_args!("scene `{scene}` calls for effects `{first}` and `{second}`, which both release `{row}`"),
+        "two laws would replace one row; call for one of these effects",
     )
 }
 

@@ -109,6 +109,10 @@ pub fn field_missing(body: &Ident, field: &str) -> syn::Error {
     )
 }
 
+pub fn setting_missing(at: Span, setting: &str, place: &str) -> syn::Error {
+    fault(at, format_args!("{place} needs its `{setting}`"))
+}
+
 pub fn statement_twice(word: &Ident, first: &Ident, scene: &Ident) -> syn::Error {
     fault_at_two_places(
         fault_with_help(word, format_args!("scene `{scene}` says `{word}` twice"), "remove one of them"),

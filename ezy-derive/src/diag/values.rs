@@ -63,12 +63,18 @@ pub fn called_value(name: &Ident, what: &str) -> syn::Error {
     )
 }
 
-pub fn must_not_move(at: impl Into<Extent>, what: &str, on: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("{what} cannot depend on {on}"),
-        "write an expression of numbers, `pi` and parameters",
-    )
+/// `some`: whether it may move at all.
+pub fn must_not_move(at: impl Into<Extent>, what: &str, on: &str, some: bool) -> syn::Error {
+    let help = if some {
+        "a position row knows positions and `t`; write `velocity constraint` for a row of velocities"
+    } else {
+        "write an expression of numbers, `pi` and parameters"
+    };
+    fault_with_help(at, format_args!("{what} cannot depend on {on}"), help)
+}
+
+pub fn unlike_equation(at: Span, left: &dyn Display, right: &dyn Display) -> syn::Error {
+    fault_with_help(at, format_args!("`=` stands between {left} and {right}"), "both sides need the same unit")
 }
 
 pub fn name_in_constant(at: impl Into<Extent>, name: &str, of: &str) -> syn::Error {

@@ -108,7 +108,7 @@ fn rows(equations: &Equations) -> Vec<TokenStream> {
     let constraints = &equations.constraints;
     (constraints.rows.iter().enumerate())
         .map(|(i, row)| {
-            let (name, kind, unit) = (&row.name, row.kind, row.unit);
+            let (name, kind, unit) = (&row.name, row.kind, &row.unit);
             let constraint = constraints.position.get(i).copied().unwrap_or(constraints.velocity[i]);
             let constraint = formula_of(equations, constraint);
             let convective = formula_of(equations, constraints.convective[i]);

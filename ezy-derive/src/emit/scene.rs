@@ -49,9 +49,6 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> TokenStr
                 let c = ::ezy_core::kernel::array_mut::<#n_constants>(c);
                 #constants
             }
-            fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-                0.0
-            }
             #methods
         }
     }
@@ -85,6 +82,8 @@ fn methods(
         emitter.method("power", &["q", "v"], "out", &power),
         emitter.method("points", &["q"], "out", &points),
     ];
+    let Body { statements, outputs } = emitter.lowered(&[equations.potential]);
+    let potential = quote!(#statements #(#outputs)*);
     let start = emitter.start();
     let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
     let correction = emitter.solver(correction, &[("delta", n_q)], &other);
@@ -95,11 +94,16 @@ fn methods(
         quote!(#(#reads)* #(#writes)*)
     };
     let bodies = bodies.map(|method| method.finish(n_constants, n_q));
+    let potential_opening = opening(&[("c", n_constants), ("q", n_q)], &[]);
     let start_opening = opening(&[("c", n_constants)], &[]);
     let accelerations_opening = opening(&[("c", n_constants), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
     let correction_opening = opening(&[("c", n_constants), ("q", n_q), ("residual", n_c)], &[("delta", n_q)]);
     quote! {
         #(#bodies)*
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            #potential_opening
+            #potential
+        }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
             #start_opening
             #start

@@ -1,7 +1,7 @@
 //! Expressions of the model file as sums.
 
 use super::symbols::Symbols;
-use crate::model::{self, Component, Expr, Model, RowKind};
+use crate::model::{self, Arguments, BodyId, Component, Expr, Model};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -70,19 +70,38 @@ impl Writer<'_> {
         operation(self.algebra, a, b)
     }
 
-    /// φ_b − φ_a of a hinge, or its rate; the ground does not turn.
+    /// A setting of a row or force; zero where the law has no such part.
+    pub fn setting(&mut self, of: &Arguments, i: usize) -> SumId {
+        of.settings[i].as_ref().map_or(SumId::ZERO, |value| self.write(value))
+    }
+
+    /// Whether a value depends on parameters alone.
+    pub fn is_steady(&self, value: SumId) -> bool {
+        self.algebra.as_coefficient(value).is_some()
+    }
+
+    /// φ of a body; the ground does not turn.
+    pub fn angle(&mut self, body: Option<BodyId>) -> SumId {
+        body.map_or(SumId::ZERO, |body| {
+            let symbol = self.symbols.coordinate(body, Component::Phi);
+            self.algebra.symbol(symbol)
+        })
+    }
+
+    /// φ_b − φ_a − offset.
+    pub fn turned_by(&mut self, a: Option<BodyId>, b: Option<BodyId>, offset: Option<&Expr>) -> SumId {
+        let (a, b) = (self.angle(a), self.angle(b));
+        let turned = self.algebra.sub(b, a);
+        let Some(offset) = offset else { return turned };
+        let offset = self.write(offset);
+        self.algebra.sub(turned, offset)
+    }
+
+    /// φ_b − φ_a of a hinge, or its rate.
     fn hinge_difference(&mut self, row: model::RowId, rate: bool) -> SumId {
-        let RowKind::Hinge { a, b } = &self.model.rows[row.0].kind else { return SumId::ZERO };
-        let [a, b] = [a.body, b.body].map(|body| {
-            body.map_or(SumId::ZERO, |body| {
-                let symbol = if rate {
-                    self.symbols.velocity(body, Component::Phi)
-                } else {
-                    self.symbols.coordinate(body, Component::Phi)
-                };
-                self.algebra.symbol(symbol)
-            })
-        });
-        self.algebra.sub(b, a)
+        let places = &self.model.rows[row.0].arguments.places;
+        let (a, b) = (places[0].body, places[1].body);
+        let angle = self.turned_by(a, b, None);
+        if rate { self.time_derivative(angle) } else { angle }
     }
 }

@@ -26,12 +26,22 @@ impl Writer<'_> {
         self.position(place).map(|x| self.time_derivative(x))
     }
 
+    /// From the first place to the second one.
+    pub fn gap(&mut self, a: &Place, b: &Place) -> Vector {
+        let (a, b) = (self.position(a), self.position(b));
+        std::array::from_fn(|i| self.algebra.sub(b[i], a[i]))
+    }
+
+    pub fn length(&mut self, a: Vector) -> SumId {
+        let square = self.dot(a, a);
+        let half = self.algebra.number(0.5);
+        self.algebra.pow(square, half)
+    }
+
     /// A direction scaled to length one.
     pub fn unit_direction(&mut self, direction: &Direction) -> Vector {
         let local = [self.write(&direction.x), self.write(&direction.y)];
-        let square = self.dot(local, local);
-        let half = self.algebra.number(0.5);
-        let length = self.algebra.pow(square, half);
+        let length = self.length(local);
         let local = local.map(|x| self.algebra.div(x, length));
         self.turned(local, direction.body)
     }

@@ -2,9 +2,10 @@
 
 use super::constraints::Constraints;
 use super::expression::Writer;
+use super::forces::Load;
 use super::kinematics::Vector;
+use super::rows;
 use super::symbols::{Symbols, index};
-use super::{forces, rows};
 use crate::model::{BodyId, EffectId, Model, ParameterId, Scene};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId};
@@ -25,6 +26,8 @@ pub struct Equations {
     pub force: Vec<SumId>,
     /// Power of each group of forces; `None` names the forces outside any effect.
     pub power: Vec<(Option<EffectId>, SumId)>,
+    /// V(q, t).
+    pub potential: SumId,
     pub points: Vec<PointPosition>,
     pub start: Vec<GivenValue>,
 }
@@ -52,10 +55,9 @@ impl Equations {
         let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
 
         let mass = mass_matrix(&mut writer);
-        let scalar_rows =
-            model.rows.iter().enumerate().flat_map(|(i, row)| rows::scalar_rows(&mut writer, row, i)).collect();
+        let scalar_rows = model.rows_of(scene).flat_map(|(id, row)| rows::scalar_rows(&mut writer, row, id)).collect();
         let constraints = Constraints::derive(&mut writer, scalar_rows);
-        let (force, power) = applied_forces(&mut writer, scene);
+        let Applied { force, power, potential } = applied_forces(&mut writer, scene);
         let points = points(&mut writer);
         let start = start(&mut writer, scene);
         let parameters = (0..model.parameters.len())
@@ -63,7 +65,7 @@ impl Equations {
             .filter(|id| model.parameters[id.0].effect.is_none_or(|effect| scene.effects.contains(&effect)))
             .collect();
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
-        Self { algebra, symbols, parameters, mass, mass_entries, constraints, force, power, points, start }
+        Self { algebra, symbols, parameters, mass, mass_entries, constraints, force, power, potential, points, start }
     }
 }
 
@@ -77,33 +79,36 @@ fn mass_matrix(writer: &mut Writer<'_>) -> Vec<Coefficient> {
     diagonal
 }
 
-type Power = Vec<(Option<EffectId>, SumId)>;
+/// The forces that a scene calls for.
+struct Applied {
+    force: Vec<SumId>,
+    power: Vec<(Option<EffectId>, SumId)>,
+    potential: SumId,
+}
 
-/// F and the power of each group of forces that the scene calls for.
-fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> (Vec<SumId>, Power) {
+/// F, the power of each group of forces, and the potential energy of all.
+fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
     let model = writer.model;
     let n_q = writer.symbols.n_coordinates();
-    let mut total = vec![SumId::ZERO; n_q];
-    let mut power = Vec::new();
+    let mut applied = Applied { force: vec![SumId::ZERO; n_q], power: Vec::new(), potential: SumId::ZERO };
     let groups = std::iter::once(None).chain(scene.effects.iter().copied().map(Some));
     for group in groups {
         let forces: Vec<_> = model.forces.iter().filter(|force| force.effect == group).collect();
         if forces.is_empty() && group.is_none() {
             continue;
         }
-        let mut generalised = vec![SumId::ZERO; n_q];
+        let mut load = Load::new(n_q);
         for force in forces {
-            forces::add(writer, force, &mut generalised);
+            load.add(writer, force);
         }
-        let mut parts = Vec::new();
-        for (i, &q) in generalised.iter().enumerate() {
-            total[i] = writer.algebra.add(total[i], q);
-            let rate = writer.algebra.symbol(writer.symbols.velocity_at(i));
-            parts.push(writer.algebra.mul(q, rate));
+        let (generalised, power) = load.finish(writer);
+        for (total, part) in applied.force.iter_mut().zip(generalised) {
+            *total = writer.algebra.add(*total, part);
         }
-        power.push((group, writer.algebra.total(&parts)));
+        applied.potential = writer.algebra.add(applied.potential, load.potential);
+        applied.power.push((group, power));
     }
-    (total, power)
+    applied
 }
 
 fn points(writer: &mut Writer<'_>) -> Vec<PointPosition> {

@@ -6,6 +6,7 @@ use super::value::Value;
 use super::{Expr, Place};
 use crate::diag::Diagnostics;
 use crate::parse::ast;
+use proc_macro2::Ident;
 
 /// The tables of a model while its names are resolved.
 pub struct Context<'a> {
@@ -24,7 +25,8 @@ pub struct Context<'a> {
 #[derive(Clone, Copy)]
 pub enum PointSource<'a> {
     Point(&'a ast::Point),
-    Hinge(&'a ast::Hinge),
+    /// A hinge by its name and its first place.
+    Hinge(&'a Ident, &'a ast::Place),
 }
 
 /// Something that is resolved when it is first used.
@@ -50,35 +52,62 @@ pub enum State<T> {
     Faulty,
 }
 
+/// What an expression depends on at most.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Motion {
+    Parameters,
+    Time,
+    Position,
+    Velocity,
+}
+
+impl Motion {
+    /// In a sentence: "cannot depend on …".
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Parameters => "parameters",
+            Self::Time => "the time",
+            Self::Position => "the position",
+            Self::Velocity => "the velocity",
+        }
+    }
+}
+
 /// What an expression is for.
 #[derive(Clone)]
 pub struct Purpose {
     pub scope: Scope,
-    /// What must not move, when it must depend on parameters alone: `the mass of body `seat``.
-    pub fixed: Option<String>,
+    /// What must not move more than that: `the mass of body `seat``.
+    pub limit: Option<(String, Motion)>,
 }
 
 impl Purpose {
+    /// Anything may be used.
     pub const fn moving(scope: Scope) -> Self {
-        Self { scope, fixed: None }
+        Self { scope, limit: None }
     }
 
+    /// Depends on parameters alone.
     pub const fn fixed(scope: Scope, what: String) -> Self {
-        Self { scope, fixed: Some(what) }
+        Self::up_to(scope, what, Motion::Parameters)
+    }
+
+    pub const fn up_to(scope: Scope, what: String, motion: Motion) -> Self {
+        Self { scope, limit: Some((what, motion)) }
     }
 }
 
-/// Whether an expression depends on the time or the motion, and if so on what.
-pub fn motion(expr: &Expr) -> Option<&'static str> {
+/// What an expression depends on.
+pub fn motion(expr: &Expr) -> Motion {
     match expr {
-        Expr::Number(_) | Expr::Pi | Expr::Parameter(_) => None,
-        Expr::Time => Some("the time"),
-        Expr::Coordinate(..) | Expr::PointPosition(..) | Expr::HingeAngle(_) => Some("the position"),
-        Expr::Velocity(..) | Expr::PointVelocity(..) | Expr::HingeRate(_) => Some("the velocity"),
+        Expr::Number(_) | Expr::Pi | Expr::Parameter(_) => Motion::Parameters,
+        Expr::Time => Motion::Time,
+        Expr::Coordinate(..) | Expr::PointPosition(..) | Expr::HingeAngle(_) => Motion::Position,
+        Expr::Velocity(..) | Expr::PointVelocity(..) | Expr::HingeRate(_) => Motion::Velocity,
         Expr::Neg(a) => motion(a),
         Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Mul(a, b) | Expr::Div(a, b) | Expr::Pow(a, b) => {
-            motion(a).or_else(|| motion(b))
+            motion(a).max(motion(b))
         }
-        Expr::Call(_, arguments) => arguments.iter().find_map(motion),
+        Expr::Call(_, arguments) => arguments.iter().map(motion).max().unwrap_or(Motion::Parameters),
     }
 }

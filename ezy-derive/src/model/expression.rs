@@ -1,6 +1,6 @@
 //! Expressions: each name becomes an id, vectors become components.
 
-use super::context::{Context, Purpose, motion};
+use super::context::{Context, Motion, Purpose, motion};
 use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
 use super::value::{Form, Value};
@@ -126,7 +126,7 @@ impl Context<'_> {
             return Some(Value::scalar(Expr::Pi, Measure::Unknown));
         }
         if name == "t" {
-            self.forbid_motion(name, "the time", purpose)?;
+            self.forbid_motion(name, Motion::Time, purpose)?;
             return Some(Value::scalar(Expr::Time, Dimension::TIME));
         }
         match self.names.lookup(purpose.scope, name) {
@@ -140,11 +140,9 @@ impl Context<'_> {
                 let value = self.let_value(id, name)?;
                 let moves = match &value.form {
                     Form::Scalar(value) => motion(value),
-                    Form::Vector(x, y) => motion(x).or_else(|| motion(y)),
+                    Form::Vector(x, y) => motion(x).max(motion(y)),
                 };
-                if let Some(on) = moves {
-                    self.forbid_motion(name, on, purpose)?;
-                }
+                self.forbid_motion(name, moves, purpose)?;
                 Some(value)
             }
             Some(Symbol::Broken) => None,
@@ -165,14 +163,19 @@ impl Context<'_> {
         }
     }
 
-    /// Reports the use of something that moves where nothing may.
-    pub fn forbid_motion(&mut self, at: impl Into<crate::diag::Extent>, on: &str, purpose: &Purpose) -> Option<()> {
-        match &purpose.fixed {
-            None => Some(()),
-            Some(what) => {
-                self.diag.error(values::must_not_move(at, what, on));
+    /// Reports the use of something that moves more than the purpose allows.
+    pub fn forbid_motion(
+        &mut self,
+        at: impl Into<crate::diag::Extent>,
+        motion: Motion,
+        purpose: &Purpose,
+    ) -> Option<()> {
+        match &purpose.limit {
+            Some((what, limit)) if motion > *limit => {
+                self.diag.error(values::must_not_move(at, what, motion.text(), *limit > Motion::Parameters));
                 None
             }
+            _ => Some(()),
         }
     }
 

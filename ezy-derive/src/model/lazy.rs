@@ -89,7 +89,7 @@ impl Context<'_> {
         self.points[id.0].state = State::InWork;
         let place = match self.points[id.0].source {
             PointSource::Point(point) => self.on_body(&point.place, None),
-            PointSource::Hinge(hinge) => self.place(&hinge.a, None),
+            PointSource::Hinge(_, place) => self.place(place, None),
         };
         self.points[id.0].state = place.clone().map_or(State::Faulty, State::Done);
         place

@@ -1,9 +1,9 @@
-//! Bodies and rows.
+//! Bodies.
 
 use super::constant::at_defaults;
 use super::context::{Context, Purpose};
 use super::dimension::Dimension;
-use super::{Body, Row, RowId, RowKind};
+use super::{Body, Row};
 use crate::diag::{Extent, rules};
 use crate::parse::ast;
 
@@ -32,46 +32,10 @@ impl Context<'_> {
         Some(value)
     }
 
-    pub fn hinge(&mut self, hinge: &ast::Hinge, id: RowId) -> Option<Row> {
-        let point = match self.names.lookup(None, &hinge.name) {
-            Some(super::names::Symbol::Hinge(row, point)) if row == id => Some(point),
-            _ => None, // its name is taken, which has been reported
-        };
-        let a = match point {
-            Some(point) => self.point_place(point, &hinge.name),
-            None => self.place(&hinge.a, None),
-        };
-        let b = self.place(&hinge.b, None);
-        let (a, b) = (a?, b?);
-        if a.body == b.body {
-            let body = hinge.b.owner();
-            self.diag.error(rules::hinge_within_body(body, &hinge.name, a.body.is_none()));
-            return None;
-        }
-        Some(Row { name: hinge.name.clone(), kind: RowKind::Hinge { a, b } })
-    }
-
-    pub fn skate(&mut self, skate: &ast::Skate) -> Option<Row> {
-        let at = self.place(&skate.at, None);
-        let along = self.direction(&skate.along, None);
-        let (at, along) = (at?, along?);
-        if at.body.is_none() {
-            self.diag.error(rules::skate_on_ground(skate.at.owner(), &skate.name));
-            return None;
-        }
-        Some(Row { name: skate.name.clone(), kind: RowKind::Skate { at, along } })
-    }
-
     /// Bodies whose mass or inertia is written as zero need a row that holds them.
     pub fn check_massless(&mut self, bodies: &[(&ast::Body, Body)], rows: &[Row]) {
         for (i, (source, body)) in bodies.iter().enumerate() {
-            let held = rows.iter().any(|row| {
-                let touched = match &row.kind {
-                    RowKind::Hinge { a, b } => [a.body, b.body],
-                    RowKind::Skate { at, along } => [at.body, along.body],
-                };
-                touched.contains(&Some(super::BodyId(i)))
-            });
+            let held = rows.iter().any(|row| touches(row, super::BodyId(i)));
             if held {
                 continue;
             }
@@ -84,6 +48,11 @@ impl Context<'_> {
             }
         }
     }
+}
+
+/// Whether a row restricts a body: the bodies of an equation are not looked for.
+fn touches(row: &Row, body: super::BodyId) -> bool {
+    row.word.may_be_unnamed() || row.arguments.all_bodies().any(|other| other == body)
 }
 
 impl ast::Place {

@@ -1,6 +1,6 @@
 //! `owner.member`: coordinates and velocities of bodies, points and hinges.
 
-use super::context::{Context, Purpose};
+use super::context::{Context, Motion, Purpose};
 use super::dimension::Dimension;
 use super::names::Symbol;
 use super::value::Value;
@@ -8,9 +8,9 @@ use super::{BodyId, Component, Expr, PointId};
 use crate::diag::{Extent, names};
 use proc_macro2::Ident;
 
-const BODY: &[&str] = &["x", "y", "phi", "vx", "vy", "omega", "v"];
-const POINT: &[&str] = &["x", "y", "vx", "vy", "v"];
-const HINGE: &[&str] = &["x", "y", "vx", "vy", "v", "angle", "rate"];
+const BODY: &[&str] = &["x", "y", "phi", "vx", "vy", "omega", "r", "v"];
+const POINT: &[&str] = &["x", "y", "vx", "vy", "r", "v"];
+const HINGE: &[&str] = &["x", "y", "vx", "vy", "r", "v", "angle", "rate"];
 
 impl Context<'_> {
     /// What can stand behind the dot.
@@ -43,7 +43,7 @@ impl Context<'_> {
                 "rate" => Some(Value::scalar(Expr::HingeRate(row), Dimension::ANGULAR_VELOCITY)),
                 _ => point_member(point, &name),
             },
-            Symbol::Parameter(_) | Symbol::Let(_) | Symbol::Skate(_) => {
+            Symbol::Parameter(_) | Symbol::Let(_) | Symbol::Row(..) => {
                 self.diag.error(names::no_members(member, owner, symbol.what()));
                 return None;
             }
@@ -52,7 +52,8 @@ impl Context<'_> {
             self.diag.error(names::unknown_member(member, owner, symbol.what(), Self::members(symbol)));
             return None;
         };
-        let moving = if matches!(name.as_str(), "x" | "y" | "phi" | "angle") { "the position" } else { "the velocity" };
+        let position = matches!(name.as_str(), "x" | "y" | "phi" | "r" | "angle");
+        let moving = if position { Motion::Position } else { Motion::Velocity };
         self.forbid_motion(Extent { first: owner.span(), last: member.span() }, moving, purpose)?;
         Some(value)
     }
@@ -68,6 +69,7 @@ fn body_member(id: BodyId, member: &str) -> Option<Value> {
         "vx" => Value::scalar(velocity(Component::X), Dimension::VELOCITY),
         "vy" => Value::scalar(velocity(Component::Y), Dimension::VELOCITY),
         "omega" => Value::scalar(velocity(Component::Phi), Dimension::ANGULAR_VELOCITY),
+        "r" => Value::vector(coordinate(Component::X), coordinate(Component::Y), Dimension::LENGTH),
         "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Dimension::VELOCITY),
         _ => return None,
     })
@@ -81,6 +83,7 @@ fn point_member(id: PointId, member: &str) -> Option<Value> {
         "y" => Value::scalar(position(Component::Y), Dimension::LENGTH),
         "vx" => Value::scalar(velocity(Component::X), Dimension::VELOCITY),
         "vy" => Value::scalar(velocity(Component::Y), Dimension::VELOCITY),
+        "r" => Value::vector(position(Component::X), position(Component::Y), Dimension::LENGTH),
         "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Dimension::VELOCITY),
         _ => return None,
     })

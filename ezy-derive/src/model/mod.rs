@@ -7,7 +7,6 @@ mod constant;
 mod context;
 mod dimension;
 mod expression;
-mod force;
 mod function;
 mod lazy;
 mod mechanism;
@@ -16,6 +15,7 @@ mod names;
 mod resolve;
 mod scene;
 mod start;
+mod statement;
 #[cfg(test)]
 mod tests;
 mod unit;
@@ -24,6 +24,7 @@ mod value;
 pub use crate::function::Function;
 pub use resolve::resolve;
 
+use crate::words::Word;
 use proc_macro2::Ident;
 
 /// Index into [`Model::bodies`].
@@ -108,40 +109,44 @@ pub struct Direction {
 #[derive(Debug)]
 pub struct Row {
     pub name: Ident,
-    pub kind: RowKind,
-}
-
-#[derive(Debug)]
-pub enum RowKind {
-    /// `hinge B: a ~ b`: both places coincide; rows `B.x`, `B.y`, C = place(a) − place(b).
-    Hinge { a: Place, b: Place },
-    /// `skate S: at P along d`: no velocity of P across d (d turned by +90°); one row `S`.
-    Skate { at: Place, along: Direction },
+    pub word: &'static Word,
+    /// The effect that declares it; `None` when the model itself does.
+    pub effect: Option<EffectId>,
+    pub arguments: Arguments,
 }
 
 #[derive(Debug)]
 pub struct Force {
+    pub word: &'static Word,
     /// The effect that declares it; `None` when the model itself does.
     pub effect: Option<EffectId>,
-    pub kind: ForceKind,
+    pub arguments: Arguments,
 }
 
-#[derive(Debug)]
-pub enum ForceKind {
-    /// `torque body: value`
-    Torque { body: BodyId, value: Expr },
-    /// `torque a ~ b: value`, `+value` on a and `-value` on b (`None`: the ground).
-    TorquePair { a: Option<BodyId>, b: Option<BodyId>, value: Expr },
-    /// `force at P: vector`, and `force at P along/across d: scalar` after multiplying out.
-    ForceAt { at: Place, x: Expr, y: Expr },
-    /// `force at P along d: value`, `force at P across d: value` (d turned by +90°); d is scaled to length one.
-    ForceAlong { at: Place, direction: Direction, across: bool, value: Expr },
+/// What stands in a row or a force, by kind, in written order; how many of each is said by the form of the word.
+#[derive(Debug, Default)]
+pub struct Arguments {
+    pub places: Vec<Place>,
+    /// `None` is the ground.
+    pub bodies: Vec<Option<BodyId>>,
+    pub directions: Vec<Direction>,
+    /// Whether the direction was written behind `across`.
+    pub across: bool,
+    /// Scalars; of an equation, the left side minus the right side.
+    pub scalars: Vec<Expr>,
+    pub vector: Option<(Expr, Expr)>,
+    /// Unit of the multiplier of an equation; empty when it is not known.
+    pub multiplier_unit: String,
+    /// One for each setting of the form; `None` where a law lacks this part.
+    pub settings: Vec<Option<Expr>>,
 }
 
 #[derive(Debug)]
 pub struct Effect {
     pub name: Ident,
     pub documentation: String,
+    /// Rows that scenes with this effect leave out.
+    pub releases: Vec<RowId>,
 }
 
 /// A start: what is given; `at rest` gives nothing, since the guess of every velocity is zero.
@@ -168,6 +173,24 @@ pub struct Scene {
     pub start: StartId,
     pub until_s: f64,
     pub effects: Vec<EffectId>,
+}
+
+impl Arguments {
+    /// Every body that takes part.
+    pub fn all_bodies(&self) -> impl Iterator<Item = BodyId> {
+        let places = self.places.iter().filter_map(|place| place.body);
+        places.chain(self.bodies.iter().copied().flatten()).chain(self.directions.iter().filter_map(|d| d.body))
+    }
+}
+
+impl Model {
+    /// The rows of a scene: those of the model and of its effects, without what its effects release.
+    pub fn rows_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (RowId, &'a Row)> {
+        let called = |row: &Row| row.effect.is_none_or(|effect| scene.effects.contains(&effect));
+        let released = |id: RowId| scene.effects.iter().any(|effect| self.effects[effect.0].releases.contains(&id));
+        let rows = self.rows.iter().enumerate().map(|(i, row)| (RowId(i), row));
+        rows.filter(move |(id, row)| called(row) && !released(*id))
+    }
 }
 
 /// x, y or φ of a body.

@@ -15,7 +15,8 @@ pub enum Symbol {
     Let(usize),
     Point(PointId),
     Hinge(RowId, PointId),
-    Skate(RowId),
+    /// A row that is no point, and its word.
+    Row(RowId, &'static str),
     /// Its declaration could not be read; uses are no faults.
     Broken,
 }
@@ -29,7 +30,7 @@ impl Symbol {
             Self::Let(_) => "a value",
             Self::Point(_) => "a point",
             Self::Hinge(..) => "a hinge",
-            Self::Skate(_) => "a skate",
+            Self::Row(_, word) => a_row(word),
             Self::Broken => "not readable",
         }
     }
@@ -40,6 +41,14 @@ impl Symbol {
 
     const fn is_place(self) -> bool {
         matches!(self, Self::Point(_) | Self::Hinge(..))
+    }
+}
+
+const fn a_row(word: &str) -> &'static str {
+    match word.as_bytes() {
+        b"skate" => "a skate",
+        b"rod" => "a rod",
+        _ => "a row",
     }
 }
 
@@ -109,6 +118,12 @@ impl Names {
     pub fn values(&self, scope: Scope) -> Vec<&str> {
         let values = self.visible(scope).filter(|declared| declared.symbol.is_value());
         values.map(|declared| declared.name.as_str()).collect()
+    }
+
+    /// Everything that can be released.
+    pub fn rows(&self, scope: Scope) -> Vec<&str> {
+        let rows = self.visible(scope).filter(|d| matches!(d.symbol, Symbol::Hinge(..) | Symbol::Row(..)));
+        rows.map(|declared| declared.name.as_str()).collect()
     }
 
     /// Everything that can stand before a dot.

@@ -7,7 +7,7 @@ use super::scene::{Choice, parameters};
 use super::unit::Unit;
 use super::{BodyId, Effect, EffectId, Model, Parameter, ParameterId, Point, PointId, RowId};
 use crate::diag::{Diagnostics, names, rules, scenes};
-use crate::parse::ast::{self, Item, ItemKind};
+use crate::parse::ast::{self, Item, ItemKind, Phrase};
 use proc_macro2::Ident;
 
 /// The model, if there is no error, neither here nor before.
@@ -24,7 +24,7 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
         parameters: Vec::new(),
         effects: Vec::new(),
         n_bodies: 0,
-        n_rows: 0,
+        rows: Vec::new(),
     };
     resolver.declare_model(&ast);
     let model = resolver.resolve(&ast);
@@ -36,7 +36,8 @@ struct Resolver<'a> {
     parameters: Vec<Parameter>,
     effects: Vec<&'a ast::Effect>,
     n_bodies: usize,
-    n_rows: usize,
+    /// Rows of the model, then of its effects.
+    rows: Vec<(&'a ast::Statement, Scope)>,
 }
 
 impl<'a> Resolver<'a> {
@@ -79,15 +80,19 @@ impl<'a> Resolver<'a> {
                 context.points.push(Lazy::waiting(PointSource::Point(point)));
                 (&point.name, Symbol::Point(PointId(context.points.len() - 1)))
             }
-            ItemKind::Hinge(hinge) => {
-                self.n_rows += 1;
-                context.points.push(Lazy::waiting(PointSource::Hinge(hinge)));
-                let (row, point) = (RowId(self.n_rows - 1), PointId(context.points.len() - 1));
-                (&hinge.name, Symbol::Hinge(row, point))
-            }
-            ItemKind::Skate(skate) => {
-                self.n_rows += 1;
-                (&skate.name, Symbol::Skate(RowId(self.n_rows - 1)))
+            ItemKind::Statement(row) if row.word.is_row() => {
+                let id = RowId(self.rows.len());
+                self.rows.push((row, scope));
+                let Some(name) = &row.name else { return };
+                let first = row.phrases.first();
+                let symbol = match first {
+                    Some(Phrase::Pair(place, _)) if row.word.is_hinge() => {
+                        context.points.push(Lazy::waiting(PointSource::Hinge(name, place)));
+                        Symbol::Hinge(id, PointId(context.points.len() - 1))
+                    }
+                    _ => Symbol::Row(id, row.word.word),
+                };
+                (name, symbol)
             }
             _ => return,
         };
@@ -96,6 +101,7 @@ impl<'a> Resolver<'a> {
 
     fn resolve(&mut self, ast: &'a ast::Model) -> Model {
         let defaults: Vec<f64> = self.parameters.iter().map(|parameter| parameter.default).collect();
+        let row_names = self.row_names();
         let context = &mut self.context;
         for id in 0..context.lets.len() {
             let (_, source) = context.lets[id].source;
@@ -105,40 +111,42 @@ impl<'a> Resolver<'a> {
         for id in 0..context.points.len() {
             let name = match context.points[id].source {
                 PointSource::Point(point) => &point.name,
-                PointSource::Hinge(hinge) => &hinge.name,
+                PointSource::Hinge(name, _) => name,
             };
             let place = context.point_place(PointId(id), name);
             points.extend(place.map(|place| Point { name: name.clone(), place }));
         }
         let (mut bodies, mut rows, mut forces, mut effects) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (mut starts, mut start_names, mut scenes) = (Vec::new(), Vec::new(), Vec::new());
-        let mut i_row = 0..;
+        for (i, (&(statement, effect), name)) in self.rows.iter().zip(&row_names).enumerate() {
+            rows.extend(context.row(statement, name, RowId(i), effect));
+        }
         for item in &ast.items {
             match &item.kind {
-                ItemKind::Parameter(_) | ItemKind::Let(_) | ItemKind::Point(_) => {}
                 ItemKind::Body(body) => {
                     bodies.extend(context.body_item(body, &defaults).map(|resolved| (body, resolved)));
                 }
-                ItemKind::Hinge(hinge) => rows.extend(i_row.next().and_then(|i| context.hinge(hinge, RowId(i)))),
-                ItemKind::Skate(skate) => rows.extend(i_row.next().and_then(|_| context.skate(skate))),
-                ItemKind::Torque(torque) => forces.extend(context.torque(torque, None)),
-                ItemKind::Force(force) => forces.extend(context.force(force, None)),
+                ItemKind::Statement(force) if !force.word.is_row() => forces.extend(context.force(force, None)),
+                ItemKind::Release(row) => context.diag.error(scenes::release_outside_effect(row)),
                 ItemKind::Effect(effect) => {
                     let id = EffectId(effects.len());
-                    for item in &effect.items {
-                        match &item.kind {
-                            ItemKind::Torque(torque) => forces.extend(context.torque(torque, Some(id))),
-                            ItemKind::Force(force) => forces.extend(context.force(force, Some(id))),
-                            _ => {}
-                        }
-                    }
-                    effects.push(Effect { name: effect.name.clone(), documentation: item.documentation.clone() });
+                    let inner = effect.items.iter().filter_map(|item| match &item.kind {
+                        ItemKind::Statement(force) if !force.word.is_row() => Some(force),
+                        _ => None,
+                    });
+                    forces.extend(inner.filter_map(|force| context.force(force, Some(id))));
+                    effects.push(Effect {
+                        name: effect.name.clone(),
+                        documentation: item.documentation.clone(),
+                        releases: context.releases(effect, id),
+                    });
                 }
                 ItemKind::Start(start) => {
                     starts.push(context.start(start));
                     start_names.push(&start.name);
                 }
                 ItemKind::Scene(scene) => scenes.push((item, scene)),
+                _ => {}
             }
         }
         context.check_massless(&bodies, &rows);
@@ -155,6 +163,7 @@ impl<'a> Resolver<'a> {
             .into_iter()
             .filter_map(|(item, scene)| context.scene(scene, item.documentation.clone(), &choice))
             .collect();
+        context.check_releases(&scenes, &effects, &row_names);
         context.check_whole(ast, self.n_bodies, scene_items.len());
         if context.diag.is_empty() {
             context.warn_unused_parameters(&choice, &scene_items);
@@ -172,6 +181,21 @@ impl<'a> Resolver<'a> {
             starts,
             scenes,
         }
+    }
+}
+
+/// Names of rows that got none: `constraint_1`, `constraint_2`, …
+impl Resolver<'_> {
+    fn row_names(&self) -> Vec<Ident> {
+        let mut n_unnamed = 0;
+        let mut name = |statement: &ast::Statement| match &statement.name {
+            Some(name) => name.clone(),
+            None => {
+                n_unnamed += 1;
+                Ident::new(&format!("{}_{n_unnamed}", statement.word.word.replace(' ', "_")), statement.keyword.span())
+            }
+        };
+        self.rows.iter().map(|(statement, _)| name(statement)).collect()
     }
 }
 

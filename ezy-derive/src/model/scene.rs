@@ -3,8 +3,9 @@
 use super::case::camel_case;
 use super::constant::constant;
 use super::context::Context;
+use super::names::Symbol;
 use super::unit::Unit;
-use super::{EffectId, Scene, StartId};
+use super::{Effect, EffectId, RowId, Scene, StartId};
 use crate::diag::{names, scenes};
 use crate::parse::ast;
 use proc_macro2::Ident;
@@ -25,6 +26,44 @@ impl Context<'_> {
         self.check_shared_parameters(scene, &effects, choice);
         let name = scene.name.clone();
         Some(Scene { name, documentation, start: start?, until_s: until_s?, effects })
+    }
+
+    /// The rows that an effect releases.
+    pub fn releases(&mut self, effect: &ast::Effect, id: EffectId) -> Vec<RowId> {
+        let mut released: Vec<(RowId, &Ident)> = Vec::new();
+        for item in &effect.items {
+            let ast::ItemKind::Release(name) = &item.kind else { continue };
+            let symbol = self.names.lookup(Some(id), name);
+            match symbol {
+                Some(Symbol::Hinge(row, _) | Symbol::Row(row, _)) => {
+                    match released.iter().find(|(other, _)| *other == row) {
+                        Some((_, first)) => self.diag.error(scenes::released_twice(name, first)),
+                        None => released.push((row, name)),
+                    }
+                }
+                Some(Symbol::Broken) => {}
+                _ => {
+                    let error = scenes::releases_no_row(name, symbol.map(Symbol::what), &self.names.rows(None));
+                    self.diag.error(error);
+                }
+            }
+        }
+        released.into_iter().map(|(row, _)| row).collect()
+    }
+
+    /// A row cannot be replaced by two laws at once.
+    pub fn check_releases(&mut self, scenes: &[Scene], effects: &[Effect], rows: &[Ident]) {
+        for scene in scenes {
+            for (i, second) in scene.effects.iter().enumerate() {
+                for first in &scene.effects[..i] {
+                    let (first, second) = (&effects[first.0], &effects[second.0]);
+                    for row in second.releases.iter().filter(|row| first.releases.contains(row)) {
+                        let error = scenes::released_by_two(&scene.name, &rows[row.0], &first.name, &second.name);
+                        self.diag.error(error);
+                    }
+                }
+            }
+        }
     }
 
     fn scene_start(&mut self, scene: &ast::Scene, choice: &Choice) -> Option<StartId> {

@@ -81,6 +81,12 @@ const SPELLED_OUT: [(&str, &str); 13] = [
 impl Unit {
     const ONE: Self = Self { times: 1.0, over: 1.0, pi: 0, dimension: Dimension::NONE };
 
+    /// A unit of the language's own tables.
+    pub fn of_text(text: &str) -> Option<Self> {
+        let unit = crate::parse::unit_of_text(text).ok()?;
+        Self::resolve(&unit, &mut Diagnostics::default())
+    }
+
     /// Reports every unknown name.
     pub fn resolve(unit: &ast::Unit, diag: &mut Diagnostics) -> Option<Self> {
         let factors: Vec<Option<Self>> = unit.factors.iter().map(|factor| Self::factor(factor, diag)).collect();

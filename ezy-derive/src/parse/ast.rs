@@ -1,6 +1,7 @@
 //! The model text as a tree: what was written and where, without meaning.
 
 use crate::diag::Extent;
+use crate::words::{Asked, Setting, Word};
 use proc_macro2::{Ident, Span};
 
 pub struct Model {
@@ -24,10 +25,8 @@ pub enum ItemKind {
     Let(Let),
     Body(Body),
     Point(Point),
-    Hinge(Hinge),
-    Skate(Skate),
-    Torque(Torque),
-    Force(Force),
+    Statement(Statement),
+    Release(Ident),
     Effect(Effect),
     Start(Start),
     Scene(Scene),
@@ -61,39 +60,29 @@ pub struct Point {
     pub place: OnBody,
 }
 
+/// A row or a force.
 #[derive(Debug)]
-pub struct Hinge {
-    pub name: Ident,
-    pub a: Place,
-    pub b: Place,
+pub struct Statement {
+    pub word: &'static Word,
+    /// The word as written.
+    pub keyword: Ident,
+    /// Forces have none, some rows need none.
+    pub name: Option<Ident>,
+    pub phrases: Vec<Phrase>,
 }
 
+/// What was written for a part of a statement.
 #[derive(Debug)]
-pub struct Skate {
-    pub name: Ident,
-    pub at: Place,
-    pub along: OnBody,
-}
-
-#[derive(Debug)]
-pub struct Torque {
-    pub on: Ident,
-    /// `torque on ~ from: value`
-    pub from: Option<Ident>,
-    pub value: Expr,
-}
-
-#[derive(Debug)]
-pub struct Force {
-    pub at: Place,
-    pub direction: Option<ForceDirection>,
-    pub value: Expr,
-}
-
-#[derive(Debug)]
-pub struct ForceDirection {
-    pub across: bool,
-    pub direction: OnBody,
+pub enum Phrase {
+    Pair(Place, Place),
+    At(Place),
+    Couple(Ident, Ident),
+    Body(Ident),
+    Direction { across: bool, direction: OnBody },
+    Scalar(Asked, Expr),
+    Vector(Asked, Expr),
+    Equation { left: Expr, equals: Span, right: Expr },
+    Settings(&'static [Setting], Vec<Option<Expr>>),
 }
 
 #[derive(Debug)]

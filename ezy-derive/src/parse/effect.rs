@@ -1,4 +1,4 @@
-//! `effect name { param …; let …; torque …; force …; }`
+//! `effect name { param …; let …; release …; rows and forces }`
 
 use super::Log;
 use super::ast::{Effect, ItemKind};

@@ -1,16 +1,18 @@
 //! The items of a model or an effect: one row of a table for each word, and what is skipped after a fault.
 
 use super::ast::{Item, ItemKind};
+use super::statement::statement;
 use super::token::{expected, skip};
-use super::{Log, body, effect, force, hinge, let_value, parameter, point, scene, skate, start, torque};
+use super::{Log, body, effect, let_value, parameter, point, release, scene, start};
 use crate::diag::syntax;
+use crate::words::WORDS;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Expr, ExprLit, Lit, Meta, Result, Token};
 
-/// How an item is written, from behind its word on.
-pub struct Word {
+/// How an item is written, from behind its word on; rows and forces have their own table.
+struct ItemWord {
     word: &'static str,
     example: &'static str,
     parse: fn(ParseStream, &mut Log) -> Result<ItemKind>,
@@ -20,29 +22,34 @@ pub struct Word {
 #[derive(Clone, Copy)]
 pub struct Level {
     place: &'static str,
-    words: &'static [Word],
+    items: &'static [ItemWord],
 }
 
 /// The items of a model.
-pub const MODEL: Level = Level { place: "a model", words: &WORDS };
-/// The items of an effect: the first ones of the table.
-pub const EFFECT: Level = Level { place: "an effect", words: WORDS.split_at(N_EFFECT_WORDS).0 };
+pub const MODEL: Level = Level { place: "a model", items: &ITEMS };
+/// The items of an effect: the last ones of the table.
+pub const EFFECT: Level = Level { place: "an effect", items: ITEMS.split_at(N_MODEL_ITEMS).1 };
 
-const N_EFFECT_WORDS: usize = 4;
+/// How many items only a model can have.
+const N_MODEL_ITEMS: usize = 5;
 
-const WORDS: [Word; 11] = [
-    Word { word: "param", example: "param a: m = 0.2;", parse: parameter::parameter },
-    Word { word: "let", example: "let speed = norm(seat.v);", parse: let_value::let_value },
-    Word { word: "torque", example: "torque seat ~ bar: m0 * cos(omega*t);", parse: torque::torque },
-    Word { word: "force", example: "force at A: -k * A.v;", parse: force::force },
-    Word { word: "body", example: "body seat { mass: m1, inertia: i1 }", parse: body::body },
-    Word { word: "point", example: "point A = seat(-a, 0);", parse: point::point },
-    Word { word: "hinge", example: "hinge B: seat(b, 0) ~ bar(-d, 0);", parse: hinge::hinge },
-    Word { word: "skate", example: "skate rear: at A along seat(1, 0);", parse: skate::skate },
-    Word { word: "effect", example: "effect pump { torque seat ~ bar: 2*cos(t); }", parse: effect::effect },
-    Word { word: "start", example: "start folded { seat at (0, 0) angle 0; at rest; }", parse: start::start },
-    Word { word: "scene", example: "scene driven { start folded; until 60 s; with pump; }", parse: scene::scene },
+const ITEMS: [ItemWord; 8] = [
+    ItemWord { word: "body", example: "body seat { mass: m1, inertia: i1 }", parse: body::body },
+    ItemWord { word: "point", example: "point A = seat(-a, 0);", parse: point::point },
+    ItemWord { word: "effect", example: "effect pump { torque seat ~ bar: 2*cos(t); }", parse: effect::effect },
+    ItemWord { word: "start", example: "start folded { seat at (0, 0) angle 0; at rest; }", parse: start::start },
+    ItemWord { word: "scene", example: "scene driven { start folded; until 60 s; with pump; }", parse: scene::scene },
+    ItemWord { word: "param", example: "param a: m = 0.2;", parse: parameter::parameter },
+    ItemWord { word: "let", example: "let speed = norm(seat.v);", parse: let_value::let_value },
+    ItemWord { word: "release", example: "release rear;", parse: release::release },
 ];
+
+impl Level {
+    /// Every word of the level, in the order of the manual.
+    fn words(self) -> Vec<&'static str> {
+        self.items.iter().map(|item| item.word).chain(WORDS.iter().map(|row| row.word)).collect()
+    }
+}
 
 /// Reads items to the end of the brackets. After a fault it goes on with the next item.
 pub fn items(input: ParseStream, level: Level, items: &mut Vec<Item>, log: &mut Log) {
@@ -70,13 +77,38 @@ fn item(input: ParseStream, level: Level, log: &mut Log) -> Result<Item> {
         return Err(syntax::documents_nothing(begin));
     }
     let Some((word, _)) = input.cursor().ident() else { return Err(expected(input, "an item")) };
-    let Some(row) = level.words.iter().find(|row| word == row.word) else {
-        let words: Vec<&str> = level.words.iter().map(|row| row.word).collect();
-        return Err(syntax::unknown_word(&word, level.place, &words));
+    let (name, example, kind) = if let Some(item) = level.items.iter().find(|item| word == item.word) {
+        input.call(Ident::parse_any)?;
+        (item.word, item.example, (item.parse)(input, log))
+    } else if let Some(found) = WORDS.iter().find(|known| is_next(input, known.word)) {
+        let keyword = keyword(input, found.word)?;
+        (found.word, found.example, statement(input, found, keyword))
+    } else {
+        return Err(syntax::unknown_word(&word, level.place, &level.words()));
     };
-    input.call(Ident::parse_any)?;
-    let kind = (row.parse)(input, log).map_err(|error| syntax::with_example(error, row.word, row.example))?;
+    let kind = kind.map_err(|error| syntax::with_example(error, name, example))?;
     Ok(Item { documentation, kind })
+}
+
+/// Whether the next tokens are this word, or these words.
+fn is_next(input: ParseStream, words: &str) -> bool {
+    let mut cursor = input.cursor();
+    words.split(' ').all(|word| match cursor.ident() {
+        Some((found, rest)) if found == word => {
+            cursor = rest;
+            true
+        }
+        _ => false,
+    })
+}
+
+/// Takes these words; the last of them stands for all.
+fn keyword(input: ParseStream, words: &str) -> Result<Ident> {
+    let mut last = input.call(Ident::parse_any)?;
+    for _ in words.split(' ').skip(1) {
+        last = input.call(Ident::parse_any)?;
+    }
+    Ok(last)
 }
 
 /// The doc comments before an item, one line each.
@@ -118,5 +150,5 @@ fn skip_to_next_item(input: ParseStream, begin: ParseStream, level: Level) {
 /// A word of the table and a name: words alone may be names.
 fn begins_item(input: ParseStream, level: Level) -> bool {
     let Some((word, behind)) = input.cursor().ident() else { return false };
-    behind.ident().is_some() && level.words.iter().any(|row| word == row.word)
+    behind.ident().is_some() && level.words().iter().any(|known| known.split(' ').next().is_some_and(|k| word == k))
 }

@@ -4,18 +4,16 @@ pub mod ast;
 mod body;
 mod effect;
 mod expression;
-mod force;
-mod hinge;
 mod item;
 mod let_value;
 mod parameter;
 mod place;
 mod point;
+mod release;
 mod scene;
-mod skate;
 mod start;
+mod statement;
 mod token;
-mod torque;
 mod unit;
 
 pub use token::is_rust_keyword;
@@ -25,6 +23,11 @@ use proc_macro2::{Ident, Span, TokenStream};
 use syn::Result;
 use syn::parse::{ParseStream, Parser};
 use token::{found, name, word};
+
+/// A unit of the language's own tables.
+pub fn unit_of_text(text: &str) -> Result<ast::Unit> {
+    unit::unit.parse_str(text)
+}
 
 /// What the parser keeps while it goes on after faults.
 pub struct Log<'a> {

@@ -649,9 +649,6 @@ pub mod ezy_roller {
             c[26usize] = k10;
             c[27usize] = k13;
         }
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-            0.0
-        }
         fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
             let c = ::ezy_core::kernel::array::<28usize>(c);
             let out = ::ezy_core::kernel::array_mut::<6usize>(m);
@@ -873,6 +870,11 @@ pub mod ezy_roller {
             out[3usize] = sum_21;
             out[4usize] = sum_24;
             out[5usize] = sum_26;
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
             let c = ::ezy_core::kernel::array::<28usize>(c);
@@ -1782,9 +1784,6 @@ pub mod ezy_roller {
             c[34usize] = k11;
             c[35usize] = k13;
         }
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-            0.0
-        }
         fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
             let c = ::ezy_core::kernel::array::<36usize>(c);
             let out = ::ezy_core::kernel::array_mut::<6usize>(m);
@@ -2018,6 +2017,11 @@ pub mod ezy_roller {
             out[3usize] = sum_21;
             out[4usize] = sum_24;
             out[5usize] = sum_26;
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
             let c = ::ezy_core::kernel::array::<36usize>(c);
@@ -2962,9 +2966,6 @@ pub mod ezy_roller {
             c[36usize] = k16;
             c[37usize] = k17;
         }
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-            0.0
-        }
         fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
             let c = ::ezy_core::kernel::array::<38usize>(c);
             let out = ::ezy_core::kernel::array_mut::<6usize>(m);
@@ -3235,6 +3236,11 @@ pub mod ezy_roller {
             out[3usize] = sum_21;
             out[4usize] = sum_24;
             out[5usize] = sum_26;
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
             let c = ::ezy_core::kernel::array::<38usize>(c);

@@ -1,30 +1,101 @@
-//! The kinds of forces. Each adds its generalised force Q = Σ (∂r/∂q)ᵀ f to a vector.
+//! The kinds of forces. Each adds its generalised forces, or its potential, to a load.
 
+mod damper;
+mod drag;
+mod friction;
+mod gravity;
 mod point_force;
+mod spring;
 mod torque;
+mod torsion;
+mod tyre;
 
 use super::expression::Writer;
-use crate::model::{Force, ForceKind};
-use crate::symbolic::SumId;
+use super::kinematics::Vector;
+use super::symbols::index;
+use crate::model::{BodyId, Component, Force, Place};
+use crate::symbolic::{SumId, Symbol};
 
-/// Adds one force to the generalised forces `q`, `n_q` long.
-pub fn add(writer: &mut Writer<'_>, force: &Force, generalised: &mut [SumId]) {
-    match &force.kind {
-        ForceKind::Torque { body, value } => torque::add(writer, Some(*body), value, false, generalised),
-        ForceKind::TorquePair { a, b, value } => {
-            torque::add(writer, *a, value, false, generalised);
-            torque::add(writer, *b, value, true, generalised);
+/// What a group of forces does: Q = Σ (∂r/∂q)ᵀ f − ∂V/∂q.
+pub struct Load {
+    /// The part of Q that is no potential's, `n_q` long: it does work.
+    pub work_force: Vec<SumId>,
+    /// V(q, t).
+    pub potential: SumId,
+}
+
+impl Load {
+    pub fn new(n_coordinates: usize) -> Self {
+        Self { work_force: vec![SumId::ZERO; n_coordinates], potential: SumId::ZERO }
+    }
+
+    /// Adds one force.
+    pub fn add(&mut self, writer: &mut Writer<'_>, force: &Force) {
+        let of = &force.arguments;
+        match force.word.word {
+            "gravity" => gravity::add(writer, of, self),
+            "force" => point_force::add(writer, of, self),
+            "torque" => torque::add(writer, of, self),
+            "spring" => spring::add(writer, of, self),
+            "damper" => damper::add(writer, of, self),
+            "torsion" => torsion::add(writer, of, self),
+            "drag" => drag::add(writer, of, self),
+            "friction" => friction::add(writer, of, self),
+            "tyre" => tyre::add(writer, of, self),
+            other => unreachable!("`{other}` is no force of the table of words"),
         }
-        ForceKind::ForceAt { at, x, y } => {
-            let force = [writer.write(x), writer.write(y)];
-            point_force::add(writer, at, force, generalised);
+    }
+
+    /// A force on a place.
+    fn at(&mut self, writer: &mut Writer<'_>, place: &Place, force: Vector) {
+        let position = writer.position(place);
+        self.along_slopes(writer, position, force);
+    }
+
+    /// Equal and opposite forces of two places on each other, `force` on the second one.
+    fn between(&mut self, writer: &mut Writer<'_>, gap: Vector, force: Vector) {
+        self.along_slopes(writer, gap, force);
+    }
+
+    /// Q_i += f · ∂r/∂q_i
+    fn along_slopes(&mut self, writer: &mut Writer<'_>, position: Vector, force: Vector) {
+        for (i, entry) in self.work_force.iter_mut().enumerate() {
+            let coordinate = writer.symbols.coordinate_at(i);
+            let slope = position.map(|r| writer.algebra.diff(r, coordinate));
+            let part = writer.dot(force, slope);
+            *entry = writer.algebra.add(*entry, part);
         }
-        ForceKind::ForceAlong { at, direction, across, value } => {
-            let along = writer.unit_direction(direction);
-            let along = if *across { writer.across(along) } else { along };
-            let value = writer.write(value);
-            let force = along.map(|x| writer.algebra.mul(value, x));
-            point_force::add(writer, at, force, generalised);
+    }
+
+    /// A torque on a body; on the ground it has no effect.
+    fn turn(&mut self, writer: &mut Writer<'_>, body: Option<BodyId>, torque: SumId) {
+        let Some(body) = body else { return };
+        let entry = &mut self.work_force[index(body, Component::Phi)];
+        *entry = writer.algebra.add(*entry, torque);
+    }
+
+    /// Equal and opposite torques, `torque` on the second body.
+    fn couple(&mut self, writer: &mut Writer<'_>, bodies: &[Option<BodyId>], torque: SumId) {
+        let reaction = writer.algebra.neg(torque);
+        self.turn(writer, bodies[0], reaction);
+        self.turn(writer, bodies[1], torque);
+    }
+
+    /// The force of a potential V(q, t).
+    fn potential(&mut self, writer: &mut Writer<'_>, potential: SumId) {
+        self.potential = writer.algebra.add(self.potential, potential);
+    }
+
+    /// Q, and the power that changes kinetic and potential energy: v · Q_work + ∂V/∂t.
+    pub fn finish(&self, writer: &mut Writer<'_>) -> (Vec<SumId>, SumId) {
+        let mut total = Vec::new();
+        let mut power = vec![writer.algebra.diff(self.potential, Symbol::TIME)];
+        for (i, &force) in self.work_force.iter().enumerate() {
+            let slope = writer.algebra.diff(self.potential, writer.symbols.coordinate_at(i));
+            total.push(writer.algebra.sub(force, slope));
+            let rate = writer.algebra.symbol(writer.symbols.velocity_at(i));
+            power.push(writer.algebra.mul(force, rate));
         }
+        (total, writer.algebra.total(&power))
     }
 }

@@ -1,17 +1,19 @@
-//! A force at a place.
+//! `force at P: f`, `force at P along d: f`, `force at P across d: f`.
 
+use super::Load;
 use crate::mechanics::expression::Writer;
-use crate::mechanics::kinematics::Vector;
-use crate::model::Place;
-use crate::symbolic::SumId;
+use crate::model::Arguments;
 
-/// Q_i = f · ∂r/∂q_i
-pub fn add(writer: &mut Writer<'_>, at: &Place, force: Vector, generalised: &mut [SumId]) {
-    let position = writer.position(at);
-    for (i, entry) in generalised.iter_mut().enumerate() {
-        let coordinate = writer.symbols.coordinate_at(i);
-        let slope = position.map(|r| writer.algebra.diff(r, coordinate));
-        let part = writer.dot(force, slope);
-        *entry = writer.algebra.add(*entry, part);
-    }
+pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
+    let force = match (&of.vector, of.directions.first()) {
+        (Some((x, y)), _) => [writer.write(x), writer.write(y)],
+        (None, Some(direction)) => {
+            let along = writer.unit_direction(direction);
+            let along = if of.across { writer.across(along) } else { along };
+            let value = writer.write(&of.scalars[0]);
+            along.map(|x| writer.algebra.mul(value, x))
+        }
+        (None, None) => return,
+    };
+    load.at(writer, &of.places[0], force);
 }

@@ -1,14 +1,14 @@
-//! A torque on a body; on the ground it has no effect.
+//! `torque a: m`, `torque a ~ b: m` with the reaction on b.
 
+use super::Load;
 use crate::mechanics::expression::Writer;
-use crate::mechanics::symbols::index;
-use crate::model::{BodyId, Component, Expr};
-use crate::symbolic::SumId;
+use crate::model::Arguments;
 
-pub fn add(writer: &mut Writer<'_>, body: Option<BodyId>, value: &Expr, reaction: bool, generalised: &mut [SumId]) {
-    let Some(body) = body else { return };
-    let value = writer.write(value);
-    let value = if reaction { writer.algebra.neg(value) } else { value };
-    let entry = &mut generalised[index(body, Component::Phi)];
-    *entry = writer.algebra.add(*entry, value);
+pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
+    let torque = writer.write(&of.scalars[0]);
+    load.turn(writer, of.bodies[0], torque);
+    if let Some(&reacting) = of.bodies.get(1) {
+        let reaction = writer.algebra.neg(torque);
+        load.turn(writer, reacting, reaction);
+    }
 }

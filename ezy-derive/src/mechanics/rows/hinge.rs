@@ -1,21 +1,12 @@
 //! `hinge B: a ~ b`: two places coincide.
 
-use super::{Demand, ScalarRow};
+use super::Component;
 use crate::mechanics::expression::Writer;
-use crate::model::Place;
+use crate::model::Arguments;
 
 /// C = place(a) − place(b), along x and along y.
-pub fn rows(writer: &mut Writer<'_>, name: &str, a: &Place, b: &Place, family: usize) -> Vec<ScalarRow> {
-    let (a, b) = (writer.position(a), writer.position(b));
-    ["x", "y"]
-        .into_iter()
-        .zip(a.into_iter().zip(b))
-        .map(|(axis, (a, b))| ScalarRow {
-            name: format!("{name}.{axis}"),
-            kind: "hinge",
-            unit: "N",
-            demand: Demand::Position(writer.algebra.sub(a, b)),
-            family,
-        })
-        .collect()
+pub fn rows(writer: &mut Writer<'_>, of: &Arguments) -> Vec<Component> {
+    let [a, b] = [0, 1].map(|i| writer.position(&of.places[i]));
+    let [x, y] = [0, 1].map(|i| writer.algebra.sub(a[i], b[i]));
+    vec![Component::named("x", "N", x), Component::named("y", "N", y)]
 }

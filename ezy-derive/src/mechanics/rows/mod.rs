@@ -1,11 +1,19 @@
 //! The kinds of constraint rows. Each states its expression once, as C or as S v.
 
+mod equation;
+mod gear;
 mod hinge;
+mod rod;
+mod roll;
 mod skate;
+mod slider;
+mod slot;
+mod weld;
 
 use super::expression::Writer;
-use crate::model::{Row, RowKind};
+use crate::model::{Row, RowId};
 use crate::symbolic::SumId;
+use crate::words::Class;
 
 /// What a row demands to be zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,17 +31,56 @@ pub struct ScalarRow {
     /// The word that declared it.
     pub kind: &'static str,
     /// Unit of its multiplier.
-    pub unit: &'static str,
+    pub unit: String,
     pub demand: Demand,
     /// Rows with the same number were declared together and are eliminated together.
     pub family: usize,
 }
 
-/// The scalar rows of a declared row.
-pub fn scalar_rows(writer: &mut Writer<'_>, row: &Row, family: usize) -> Vec<ScalarRow> {
-    let name = row.name.to_string();
-    match &row.kind {
-        RowKind::Hinge { a, b } => hinge::rows(writer, &name, a, b, family),
-        RowKind::Skate { at, along } => skate::rows(writer, &name, at, along, family),
+/// A scalar row as its kind states it: what stands behind the name (`x` in `B.x`), the multiplier's unit, and C or S v.
+pub struct Component {
+    suffix: &'static str,
+    unit: String,
+    value: SumId,
+}
+
+impl Component {
+    /// The only row of a declaration, with a multiplier in N.
+    fn only(value: SumId) -> Vec<Self> {
+        vec![Self::named("", "N", value)]
     }
+
+    fn named(suffix: &'static str, unit: &str, value: SumId) -> Self {
+        Self { suffix, unit: unit.to_owned(), value }
+    }
+}
+
+/// The scalar rows of a declared row.
+pub fn scalar_rows(writer: &mut Writer<'_>, row: &Row, id: RowId) -> Vec<ScalarRow> {
+    let of = &row.arguments;
+    let components = match row.word.word {
+        "hinge" => hinge::rows(writer, of),
+        "slider" => slider::rows(writer, of),
+        "slot" => slot::rows(writer, of),
+        "rod" => rod::rows(writer, of),
+        "weld" => weld::rows(writer, of),
+        "gear" => gear::rows(writer, of),
+        "skate" => skate::rows(writer, of),
+        "roll" => roll::rows(writer, of),
+        "drive" | "constraint" | "velocity constraint" => equation::rows(writer, of),
+        other => unreachable!("`{other}` is no row of the table of words"),
+    };
+    let name = |suffix: &str| if suffix.is_empty() { row.name.to_string() } else { format!("{}.{suffix}", row.name) };
+    let demand = |value| match row.word.class {
+        Class::VelocityRow => Demand::Velocity(value),
+        _ => Demand::Position(value),
+    };
+    let rows = components.into_iter().map(|component| ScalarRow {
+        name: name(component.suffix),
+        kind: row.word.word,
+        unit: component.unit,
+        demand: demand(component.value),
+        family: id.0,
+    });
+    rows.collect()
 }

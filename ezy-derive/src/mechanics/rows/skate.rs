@@ -1,14 +1,13 @@
 //! `skate S: at P along d`: P has no velocity across d.
 
-use super::{Demand, ScalarRow};
+use super::Component;
 use crate::mechanics::expression::Writer;
-use crate::model::{Direction, Place};
+use crate::model::Arguments;
 
 /// S v = n · v_P, with n the unit vector along d turned by +90°.
-pub fn rows(writer: &mut Writer<'_>, name: &str, at: &Place, along: &Direction, family: usize) -> Vec<ScalarRow> {
-    let along = writer.unit_direction(along);
+pub fn rows(writer: &mut Writer<'_>, of: &Arguments) -> Vec<Component> {
+    let along = writer.unit_direction(&of.directions[0]);
     let normal = writer.across(along);
-    let velocity = writer.velocity(at);
-    let slip = writer.dot(normal, velocity);
-    vec![ScalarRow { name: name.to_owned(), kind: "skate", unit: "N", demand: Demand::Velocity(slip), family }]
+    let velocity = writer.velocity(&of.places[0]);
+    Component::only(writer.dot(normal, velocity))
 }

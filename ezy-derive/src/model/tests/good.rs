@@ -2,7 +2,7 @@
 
 use super::{EZY_ROLLER, good};
 use crate::model::constant::at_defaults;
-use crate::model::{Component, Expr, ForceKind, Model, RowKind};
+use crate::model::{Component, Expr, Model};
 use std::f64::consts::PI;
 
 /// A body, parameters and values, and a torque whose value is looked at.
@@ -14,10 +14,7 @@ fn with_torque(items: &str, torque: &str) -> Model {
 }
 
 fn torque(model: &Model) -> &Expr {
-    match &model.forces[0].kind {
-        ForceKind::Torque { value, .. } => value,
-        other => panic!("not a torque: {other:?}"),
-    }
+    &model.forces[0].arguments.scalars[0]
 }
 
 /// The value of a torque with the declared parameters.
@@ -59,8 +56,7 @@ fn analytic_hinge_is_a_point_on_its_first_body() {
     let model = good(EZY_ROLLER);
     let names: Vec<String> = model.points.iter().map(|point| point.name.to_string()).collect();
     assert_eq!(names, ["A", "C", "B"]);
-    let RowKind::Hinge { a, .. } = &model.rows[0].kind else { panic!("the first row is the hinge") };
-    assert_eq!(model.points[2].place.body, a.body);
+    assert_eq!(model.points[2].place.body, model.rows[0].arguments.places[0].body);
 }
 
 #[test]

@@ -1,0 +1,43 @@
+//! `friction at P: force f, speed u`, the same `along d`, `friction a ~ b: torque m, rate w`: dry friction, smoothed.
+//!
+//! The law f v/√(v² + u²) goes through zero: it reaches 0.7 of f at the speed u and f far above it (Andersson, Söderberg,
+//! Björklund, Tribology International 40 (2007) compare such laws).
+
+use super::Load;
+use crate::mechanics::expression::Writer;
+use crate::model::Arguments;
+use crate::symbolic::SumId;
+
+pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
+    let (largest, knee) = (writer.setting(of, 0), writer.setting(of, 1));
+    let Some(place) = of.places.first() else {
+        let turned = writer.turned_by(of.bodies[0], of.bodies[1], None);
+        let rate = writer.time_derivative(turned);
+        let square = writer.algebra.mul(rate, rate);
+        let factor = factor(writer, square, largest, knee);
+        let torque = writer.algebra.mul(factor, rate);
+        load.couple(writer, &of.bodies, torque);
+        return;
+    };
+    let mut velocity = writer.velocity(place);
+    let mut square = writer.dot(velocity, velocity);
+    if let Some(direction) = of.directions.first() {
+        let along = writer.unit_direction(direction);
+        let speed = writer.dot(velocity, along);
+        velocity = along.map(|x| writer.algebra.mul(speed, x));
+        square = writer.algebra.mul(speed, speed);
+    }
+    let factor = factor(writer, square, largest, knee);
+    let force = velocity.map(|v| writer.algebra.mul(factor, v));
+    load.at(writer, place, force);
+}
+
+/// −f/√(v² + u²)
+fn factor(writer: &mut Writer<'_>, square: SumId, largest: SumId, knee: SumId) -> SumId {
+    let knee_square = writer.algebra.mul(knee, knee);
+    let sum = writer.algebra.add(square, knee_square);
+    let half = writer.algebra.number(0.5);
+    let root = writer.algebra.pow(sum, half);
+    let ratio = writer.algebra.div(largest, root);
+    writer.algebra.neg(ratio)
+}

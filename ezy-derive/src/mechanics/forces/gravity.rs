@@ -1,0 +1,29 @@
+//! `gravity g`: the same acceleration for every body.
+
+use super::Load;
+use crate::mechanics::expression::Writer;
+use crate::mechanics::symbols::index;
+use crate::model::{Arguments, BodyId, Component};
+
+/// V = −Σ m g · r; where g moves, it is a force m g that does work.
+pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
+    let Some((x, y)) = &of.vector else { return };
+    let g = [writer.write(x), writer.write(y)];
+    let steady = g.iter().all(|&g| writer.algebra.as_coefficient(g).is_some());
+    for i in 0..writer.model.bodies.len() {
+        let mass = writer.write(&writer.model.bodies[i].mass);
+        for (g, component) in g.into_iter().zip([Component::X, Component::Y]) {
+            let weight = writer.algebra.mul(mass, g);
+            if steady {
+                let coordinate = writer.symbols.coordinate(BodyId(i), component);
+                let coordinate = writer.algebra.symbol(coordinate);
+                let work = writer.algebra.mul(weight, coordinate);
+                let potential = writer.algebra.neg(work);
+                load.potential(writer, potential);
+            } else {
+                let entry = &mut load.work_force[index(BodyId(i), component)];
+                *entry = writer.algebra.add(*entry, weight);
+            }
+        }
+    }
+}

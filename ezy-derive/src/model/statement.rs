@@ -1,0 +1,144 @@
+//! Rows and forces: what is written for each part of their form.
+
+use super::context::{Context, Motion, Purpose};
+use super::dimension::Dimension;
+use super::names::{Scope, Symbol};
+use super::unit::Unit;
+use super::value::Form;
+use super::{Arguments, Expr, Force, Row, RowId};
+use crate::diag::{rules, values};
+use crate::parse::ast::{Phrase, Statement};
+use crate::words::{Class, Otherwise};
+use proc_macro2::Ident;
+
+impl Context<'_> {
+    /// A row; `name` is its own or the one that it got.
+    pub fn row(&mut self, statement: &Statement, name: &Ident, id: RowId, effect: Scope) -> Option<Row> {
+        let arguments = self.arguments(statement, Some(name), effect, Some(id))?;
+        Some(Row { name: name.clone(), word: statement.word, effect, arguments })
+    }
+
+    pub fn force(&mut self, statement: &Statement, effect: Scope) -> Option<Force> {
+        let arguments = self.arguments(statement, None, effect, None)?;
+        Some(Force { word: statement.word, effect, arguments })
+    }
+
+    fn arguments(
+        &mut self,
+        statement: &Statement,
+        name: Option<&Ident>,
+        scope: Scope,
+        row: Option<RowId>,
+    ) -> Option<Arguments> {
+        let word = statement.word;
+        let subject = match name {
+            Some(name) => format!("{} `{name}`", word.word),
+            None => format!("this {}", word.word),
+        };
+        let purpose = match word.class {
+            Class::PositionRow => Purpose::up_to(scope, subject.clone(), Motion::Position),
+            Class::VelocityRow => Purpose::up_to(scope, subject.clone(), Motion::Velocity),
+            Class::Force => Purpose::moving(scope),
+        };
+        let n_errors = self.diag.n_errors();
+        let mut arguments = Arguments::default();
+        for phrase in &statement.phrases {
+            self.phrase(phrase, &subject, &purpose, statement, row, &mut arguments);
+        }
+        (self.diag.n_errors() == n_errors).then_some(arguments)
+    }
+
+    /// Adds what a phrase gives; what is missing after a fault is never looked at.
+    fn phrase(
+        &mut self,
+        phrase: &Phrase,
+        subject: &str,
+        purpose: &Purpose,
+        statement: &Statement,
+        row: Option<RowId>,
+        arguments: &mut Arguments,
+    ) {
+        let scope = purpose.scope;
+        match phrase {
+            Phrase::Pair(a, b) => {
+                let first = match statement.name.as_ref().and_then(|name| self.names.lookup(scope, name)) {
+                    // the hinge's own point: its faults are told once
+                    Some(Symbol::Hinge(id, point)) if Some(id) == row => self.point_place(point, a.owner()),
+                    _ => self.place(a, scope),
+                };
+                let second = self.place(b, scope);
+                if let (Some(first), Some(second)) = (&first, &second)
+                    && first.body == second.body
+                {
+                    self.diag.error(rules::within_body(b.owner(), subject, first.body.is_none()));
+                }
+                arguments.places.extend([first, second].into_iter().flatten());
+            }
+            Phrase::At(at) => {
+                let place = self.place(at, scope);
+                if place.as_ref().is_some_and(|place| place.body.is_none()) {
+                    self.diag.error(rules::on_ground(at.owner(), subject));
+                }
+                arguments.places.extend(place);
+            }
+            Phrase::Couple(a, b) => {
+                if a == b {
+                    self.diag.error(rules::couple_of_one(b, subject));
+                    return;
+                }
+                let bodies = [self.body_or_ground(a), self.body_or_ground(b)];
+                arguments.bodies.extend(bodies.into_iter().flatten());
+            }
+            Phrase::Body(body) => arguments.bodies.extend(self.body(body, false).map(Some)),
+            Phrase::Direction { across, direction } => {
+                arguments.across = *across;
+                arguments.directions.extend(self.direction(direction, scope));
+            }
+            Phrase::Scalar(asked, value) => {
+                arguments.scalars.extend(self.scalar(value, purpose, asked.what, Some(dimension(asked.unit))));
+            }
+            Phrase::Vector(asked, value) => {
+                arguments.vector = self.components(value, purpose, asked.what, Some(dimension(asked.unit)));
+            }
+            Phrase::Equation { left, equals, right } => {
+                let sides = (self.value(left, purpose), self.value(right, purpose));
+                let (Some(a), Some(b)) = sides else { return };
+                if let (Some(a), Some(b)) = (a.measure.known(), b.measure.known())
+                    && a != b
+                {
+                    self.diag.error(values::unlike_equation(*equals, &a, &b));
+                    return;
+                }
+                let measure = a.measure.or(b.measure);
+                arguments.multiplier_unit = measure.known().map_or_else(String::new, |dimension| {
+                    // reaction times rate of the row is power
+                    let velocity = statement.word.class == Class::VelocityRow;
+                    let work = if velocity { Dimension::TORQUE.over(Dimension::TIME) } else { Dimension::TORQUE };
+                    work.over(dimension).to_string()
+                });
+                match (a.form, b.form) {
+                    (Form::Scalar(a), Form::Scalar(b)) => {
+                        arguments.scalars.push(Expr::Sub(Box::new(a), Box::new(b)));
+                    }
+                    (Form::Vector(..), _) => self.diag.error(values::expected_scalar(left.extent(), subject)),
+                    (_, Form::Vector(..)) => self.diag.error(values::expected_scalar(right.extent(), subject)),
+                }
+            }
+            Phrase::Settings(known, given) => {
+                for (setting, value) in known.iter().zip(given) {
+                    let what = format!("the {} of {subject}", setting.word);
+                    arguments.settings.push(match (value, setting.otherwise) {
+                        (Some(value), _) => self.scalar(value, purpose, &what, Some(dimension(setting.unit))),
+                        (None, Otherwise::Number(number)) => Some(Expr::Number(number)),
+                        (None, _) => None,
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// The dimension of a unit of the table of words.
+fn dimension(unit: &str) -> Dimension {
+    Unit::of_text(unit).map_or(Dimension::NONE, |unit| unit.dimension)
+}

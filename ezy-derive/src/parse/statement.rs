@@ -1,0 +1,178 @@
+//! Rows and forces: read by the form that the table of words gives.
+
+use super::ast::{ItemKind, Phrase, Statement};
+use super::expression::expression;
+use super::place::{on_body, place};
+use super::token::{expected, name, peek_word, sign, word};
+use crate::diag::syntax;
+use crate::words::{Otherwise, Part, Setting, Word};
+use proc_macro2::Ident;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Result, Token};
+
+/// What follows the word, which is `keyword`.
+pub fn statement(input: ParseStream, word: &'static Word, keyword: Ident) -> Result<ItemKind> {
+    let name = if word.is_row() { row_name(input, word)? } else { None };
+    let mut statement = Statement { word, keyword, name, phrases: Vec::new() };
+    parts(input, word.form, &mut statement)?;
+    if !input.peek(Token![;]) {
+        return Err(expected(input, &ending(word.form)));
+    }
+    sign::<Token![;]>(input)?;
+    Ok(ItemKind::Statement(statement))
+}
+
+fn row_name(input: ParseStream, word: &Word) -> Result<Option<Ident>> {
+    let named = input.cursor().ident().is_some_and(|(_, rest)| rest.punct().is_some_and(|(p, _)| p.as_char() == ':'));
+    if !named && word.may_be_unnamed() {
+        return Ok(None);
+    }
+    let name = name(input, &format!("the name of the {}", word.word))?;
+    sign::<Token![:]>(input)?;
+    Ok(Some(name))
+}
+
+fn parts(input: ParseStream, form: &'static [Part], statement: &mut Statement) -> Result<()> {
+    for part in form {
+        self::part(input, part, statement)?;
+    }
+    Ok(())
+}
+
+fn part(input: ParseStream, part: &'static Part, statement: &mut Statement) -> Result<()> {
+    let phrase = match part {
+        Part::Pair => {
+            let a = place(input)?;
+            sign::<Token![~]>(input)?;
+            Phrase::Pair(a, place(input)?)
+        }
+        Part::At => {
+            word(input, "at")?;
+            Phrase::At(place(input)?)
+        }
+        Part::Couple => {
+            let a = name(input, "the name of a body")?;
+            sign::<Token![~]>(input)?;
+            Phrase::Couple(a, name(input, "the name of a body")?)
+        }
+        Part::BodyOrCouple => {
+            let a = name(input, "the name of a body")?;
+            if input.peek(Token![~]) {
+                sign::<Token![~]>(input)?;
+                Phrase::Couple(a, name(input, "the name of a body")?)
+            } else if input.peek(Token![:]) {
+                Phrase::Body(a)
+            } else {
+                return Err(expected(input, "`~` or `:`"));
+            }
+        }
+        Part::Along | Part::Across => {
+            let across = matches!(part, Part::Across);
+            word(input, if across { "across" } else { "along" })?;
+            Phrase::Direction { across, direction: on_body(input, "a direction `body(x, y)`")? }
+        }
+        Part::Scalar(asked) => {
+            sign::<Token![:]>(input)?;
+            Phrase::Scalar(*asked, expression(input)?)
+        }
+        Part::Equals(asked) => {
+            sign::<Token![=]>(input)?;
+            Phrase::Scalar(*asked, expression(input)?)
+        }
+        Part::Vector(asked) => {
+            sign::<Token![:]>(input)?;
+            Phrase::Vector(*asked, expression(input)?)
+        }
+        Part::BareVector(asked) => Phrase::Vector(*asked, expression(input)?),
+        Part::Equation => {
+            let left = expression(input)?;
+            let equals = sign::<Token![=]>(input)?.span;
+            Phrase::Equation { left, equals, right: expression(input)? }
+        }
+        Part::Settings(known) => settings(input, known, statement.word)?,
+        Part::Colon => return sign::<Token![:]>(input).map(|_| ()),
+        Part::Choice(forms) => {
+            let Some(form) = forms.iter().find(|form| begins(input, form)) else {
+                let beginnings: Vec<&str> = forms.iter().filter_map(|form| form.first().map(beginning)).collect();
+                return Err(expected(input, &alternatives(&beginnings)));
+            };
+            return parts(input, form, statement);
+        }
+    };
+    statement.phrases.push(phrase);
+    Ok(())
+}
+
+fn begins(input: ParseStream, form: &[Part]) -> bool {
+    match form.first() {
+        Some(Part::At) => peek_word(input, "at"),
+        Some(Part::Along) => peek_word(input, "along"),
+        Some(Part::Across) => peek_word(input, "across"),
+        Some(Part::Scalar(_) | Part::Vector(_) | Part::Colon) => input.peek(Token![:]),
+        Some(_) => input.peek(Ident::peek_any),
+        None => true,
+    }
+}
+
+/// How a part begins, for messages.
+fn beginning(part: &Part) -> &'static str {
+    match part {
+        Part::At => "`at`",
+        Part::Along => "`along`",
+        Part::Across => "`across`",
+        Part::Scalar(_) | Part::Vector(_) | Part::Colon => "`:`",
+        Part::Equals(_) => "`=`",
+        _ => "the name of a body",
+    }
+}
+
+fn alternatives<S: AsRef<str>>(beginnings: &[S]) -> String {
+    let words: Vec<&str> = beginnings.iter().map(AsRef::as_ref).collect();
+    match words.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, first)) => format!("{} or {last}", first.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// What may still come at the end of a statement.
+fn ending(form: &[Part]) -> String {
+    match form.last() {
+        Some(Part::Settings(_)) => "`,` or `;`".to_owned(),
+        _ => "`;`".to_owned(),
+    }
+}
+
+/// `word value, word value`, each at most once, in any order.
+fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> Result<Phrase> {
+    let mut given: Vec<Option<super::ast::Expr>> = known.iter().map(|_| None).collect();
+    let mut words: Vec<Option<Ident>> = known.iter().map(|_| None).collect();
+    let place = || format!("a {}", statement.word);
+    let names: Vec<&str> = known.iter().map(|setting| setting.word).collect();
+    while !input.peek(Token![;]) {
+        let Some((found, _)) = input.cursor().ident() else {
+            let words: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+            return Err(expected(input, &alternatives(&words)));
+        };
+        let Some(i) = names.iter().position(|name| found == name) else {
+            return Err(syntax::unknown_word(&found, &place(), &names));
+        };
+        let word = input.call(Ident::parse_any)?;
+        if let Some(first) = &words[i] {
+            return Err(syntax::field_twice(&word, first));
+        }
+        given[i] = Some(expression(input)?);
+        words[i] = Some(word);
+        if input.peek(Token![,]) {
+            input.parse::<Token![,]>()?;
+        } else {
+            break;
+        }
+    }
+    match known.iter().zip(&given).find(|(setting, value)| setting.otherwise == Otherwise::Required && value.is_none())
+    {
+        Some((missing, _)) => Err(syntax::setting_missing(input.span(), missing.word, &place())),
+        None => Ok(Phrase::Settings(known, given)),
+    }
+}

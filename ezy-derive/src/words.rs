@@ -1,0 +1,258 @@
+//! The words that declare rows and forces, and how each is written. The parser reads by this table, the resolver checks
+//! names, shapes and units by it; the equation of each word is one file of `mechanics/rows` or `mechanics/forces`.
+
+/// A word that declares a row or a force.
+#[derive(Debug)]
+pub struct Word {
+    pub word: &'static str,
+    pub class: Class,
+    /// What follows the word and the name, up to the `;`.
+    pub form: &'static [Part],
+    pub example: &'static str,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Class {
+    /// C(q, t) = 0; its values may depend on positions and the time.
+    PositionRow,
+    /// S(q, t) v + s_t = 0; its values may depend on velocities, too.
+    VelocityRow,
+    /// Its values may depend on everything.
+    Force,
+}
+
+/// A part of a statement.
+#[derive(Debug)]
+pub enum Part {
+    /// `place ~ place`, on different bodies; one may be on the ground.
+    Pair,
+    /// `at place`, on a body.
+    At,
+    /// `body ~ body`; one may be the ground.
+    Couple,
+    /// `body`, or `body ~ body`.
+    BodyOrCouple,
+    /// `along body(x, y)`
+    Along,
+    /// `across body(x, y)`
+    Across,
+    /// `: expression`
+    Scalar(Asked),
+    /// `: expression`
+    Vector(Asked),
+    /// An expression without a sign before it.
+    BareVector(Asked),
+    /// `= expression`
+    Equals(Asked),
+    /// `expression = expression`, of one dimension.
+    Equation,
+    /// `word expression, word expression`
+    Settings(&'static [Setting]),
+    /// `:`
+    Colon,
+    /// The first of these whose beginning fits.
+    Choice(&'static [&'static [Part]]),
+}
+
+/// What an expression stands for.
+#[derive(Debug, Clone, Copy)]
+pub struct Asked {
+    /// In a sentence: "a torque".
+    pub what: &'static str,
+    /// In the units of the language.
+    pub unit: &'static str,
+}
+
+/// A value with a word of its own.
+#[derive(Debug)]
+pub struct Setting {
+    pub word: &'static str,
+    pub unit: &'static str,
+    pub otherwise: Otherwise,
+}
+
+/// What holds when a value is not given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Otherwise {
+    /// It must be given.
+    Required,
+    /// This number.
+    Number(f64),
+    /// The law has no such part.
+    Absent,
+}
+
+use Class::{Force, PositionRow, VelocityRow};
+use Otherwise::{Absent, Number, Required};
+use Part::{
+    Across, Along, At, BareVector, BodyOrCouple, Choice, Colon, Couple, Equals, Equation, Pair, Scalar, Settings,
+    Vector,
+};
+
+const fn setting(word: &'static str, unit: &'static str, otherwise: Otherwise) -> Setting {
+    Setting { word, unit, otherwise }
+}
+
+const FORCE: Asked = Asked { what: "a force", unit: "N" };
+const FORCE_ALONG: Asked = Asked { what: "a force along a direction", unit: "N" };
+const TORQUE: Asked = Asked { what: "a torque", unit: "N*m" };
+const SPEED: Asked = Asked { what: "a rolling speed", unit: "m/s" };
+const GRAVITY: Asked = Asked { what: "gravity", unit: "m/s^2" };
+
+/// Every word, in the order of the manual.
+pub static WORDS: [Word; 20] = [
+    Word { word: "hinge", class: PositionRow, form: &[Pair], example: "hinge B: seat(b, 0) ~ bar(-d, 0);" },
+    Word {
+        word: "slider",
+        class: PositionRow,
+        form: &[Pair, Along, Settings(&[setting("angle", "rad", Number(0.0))])],
+        example: "slider rail: ground(0, 0) ~ cart(0, 0) along ground(1, 0);",
+    },
+    Word {
+        word: "slot",
+        class: PositionRow,
+        form: &[Pair, Along],
+        example: "slot pin: arm(0, 0) ~ block(0, 0) along arm(1, 0);",
+    },
+    Word {
+        word: "rod",
+        class: PositionRow,
+        form: &[Pair, Settings(&[setting("length", "m", Required)])],
+        example: "rod link: ground(0, 0) ~ bob(0, 0) length l;",
+    },
+    Word {
+        word: "weld",
+        class: PositionRow,
+        form: &[Pair, Settings(&[setting("angle", "rad", Number(0.0))])],
+        example: "weld joint: a(l, 0) ~ b(0, 0) angle pi/2;",
+    },
+    Word {
+        word: "gear",
+        class: PositionRow,
+        form: &[Couple, Settings(&[setting("ratio", "1", Required), setting("offset", "rad", Number(0.0))])],
+        example: "gear mesh: pinion ~ wheel ratio -2;",
+    },
+    Word { word: "drive", class: PositionRow, form: &[Equation], example: "drive motor: B.angle = omega * t;" },
+    Word { word: "constraint", class: PositionRow, form: &[Equation], example: "constraint height: A.y = h * A.x^2;" },
+    Word { word: "skate", class: VelocityRow, form: &[At, Along], example: "skate rear: at A along seat(1, 0);" },
+    Word {
+        word: "roll",
+        class: VelocityRow,
+        form: &[At, Along, Equals(SPEED)],
+        example: "roll left: at A along chassis(1, 0) = r * wheel.omega;",
+    },
+    Word {
+        word: "velocity constraint",
+        class: VelocityRow,
+        form: &[Equation],
+        example: "velocity constraint clutch: a.omega = 2 * b.omega;",
+    },
+    Word { word: "gravity", class: Force, form: &[BareVector(GRAVITY)], example: "gravity (0, -g);" },
+    Word {
+        word: "force",
+        class: Force,
+        form: &[At, Choice(&[&[Along, Scalar(FORCE_ALONG)], &[Across, Scalar(FORCE_ALONG)], &[Vector(FORCE)]])],
+        example: "force at A: -k * A.v;",
+    },
+    Word {
+        word: "torque",
+        class: Force,
+        form: &[BodyOrCouple, Scalar(TORQUE)],
+        example: "torque seat ~ bar: m0 * cos(omega*t);",
+    },
+    Word {
+        word: "spring",
+        class: Force,
+        form: &[
+            Pair,
+            Colon,
+            Settings(&[
+                setting("stiffness", "N/m", Required),
+                setting("length", "m", Number(0.0)),
+                setting("damping", "N*s/m", Absent),
+            ]),
+        ],
+        example: "spring A ~ ground(0, 0): stiffness k, length l0;",
+    },
+    Word {
+        word: "damper",
+        class: Force,
+        form: &[Pair, Colon, Settings(&[setting("damping", "N*s/m", Required)])],
+        example: "damper A ~ ground(0, 0): damping c;",
+    },
+    Word {
+        word: "torsion",
+        class: Force,
+        form: &[
+            Couple,
+            Colon,
+            Settings(&[
+                setting("stiffness", "N*m", Required),
+                setting("angle", "rad", Number(0.0)),
+                setting("damping", "N*m*s", Absent),
+            ]),
+        ],
+        example: "torsion seat ~ bar: stiffness k, angle pi;",
+    },
+    Word {
+        word: "drag",
+        class: Force,
+        form: &[
+            At,
+            Colon,
+            Settings(&[
+                setting("linear", "N*s/m", Absent),
+                setting("quadratic", "N*s^2/m^2", Absent),
+                setting("angular", "N*m*s", Absent),
+            ]),
+        ],
+        example: "drag at A: linear k;",
+    },
+    Word {
+        word: "friction",
+        class: Force,
+        form: &[Choice(&[
+            &[
+                At,
+                Choice(&[
+                    &[Along, Colon, Settings(&[setting("force", "N", Required), setting("speed", "m/s", Required)])],
+                    &[Colon, Settings(&[setting("force", "N", Required), setting("speed", "m/s", Required)])],
+                ]),
+            ],
+            &[Couple, Colon, Settings(&[setting("torque", "N*m", Required), setting("rate", "rad/s", Required)])],
+        ])],
+        example: "friction at A: force mu * n, speed 1e-3;",
+    },
+    Word {
+        word: "tyre",
+        class: Force,
+        form: &[
+            At,
+            Along,
+            Colon,
+            Settings(&[
+                setting("stiffness", "N", Required),
+                setting("limit", "N", Absent),
+                setting("speed", "m/s", Absent),
+            ]),
+        ],
+        example: "tyre at A along seat(1, 0): stiffness c, limit mu * n;",
+    },
+];
+
+impl Word {
+    /// Whether its declarations have names: rows have, forces do not.
+    pub fn is_row(&self) -> bool {
+        self.class != Force
+    }
+
+    /// Whether the name can be left out.
+    pub fn may_be_unnamed(&self) -> bool {
+        matches!(self.form, [Equation])
+    }
+
+    /// Whether its name is also a point, with an angle and a rate.
+    pub fn is_hinge(&self) -> bool {
+        self.word == "hinge"
+    }
+}

@@ -1,11 +1,13 @@
 //! What a generated scene implements. No solver type appears here.
 //!
 //! Signs, symbols and units: `docs/notation.md`. A scene is immutable while it runs: its parameters are
-//! fields, everything that depends on parameters alone is computed once into a vector of *constants*
-//! ([`Scene::constants`]), and every kernel reads that vector instead of the fields.
+//! fields, everything that depends on parameters alone is computed once ([`Scene::constants`]), and kernels read a
+//! vector `c` of numbers that do not change within a step: the `n_i` *inputs*, which whoever runs the scene sets, then
+//! the *constants*.
 //!
 //! Shapes: `n_q` coordinates, `n_h` position rows, `n_c` rows in all (position rows first), `n_e` effects,
-//! `n_p` points. Kernels panic when a slice has another length; the layers above always pass the right ones.
+//! `n_p` points, `n_i` inputs, `n_o` outputs. Kernels panic when a slice has another length; the layers above always
+//! pass the right ones.
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,6 +67,38 @@ pub struct ParameterInfo {
     pub effect: Option<&'static str>,
     /// How it is printed in equations.
     pub symbol: Formula,
+}
+
+/// A number that is set while a scene runs: by a controller, a table, a learning program.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InputInfo {
+    /// Name in the model file.
+    pub name: &'static str,
+    /// Unit as written, empty when none was declared; the input is set in this unit.
+    pub unit: &'static str,
+    /// Value until it is set.
+    pub default: f64,
+    /// Declared value as written.
+    pub default_text: &'static str,
+    /// Doc comment of the declaration.
+    pub documentation: &'static str,
+    /// The effect that declares it; `None` when the model itself does.
+    pub effect: Option<&'static str>,
+    /// How it is printed in equations.
+    pub symbol: Formula,
+}
+
+/// A number that a scene computes from its state when asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OutputInfo {
+    /// Name in the model file; a vector `p` is two outputs, `p.x` and `p.y`.
+    pub name: &'static str,
+    /// Unit as written, empty when none was declared.
+    pub unit: &'static str,
+    /// Doc comment of the declaration.
+    pub documentation: &'static str,
+    /// What it is, in terms of the state.
+    pub formula: Formula,
 }
 
 /// A named point.
@@ -163,11 +197,16 @@ pub struct SceneInfo {
     pub n_position_rows: usize,
     /// Parameters of the model and of the scene's effects.
     pub parameters: &'static [ParameterInfo],
-    /// `n_e` effects; forces outside any effect come first, under the name `model`, when there are some.
+    /// `n_i` inputs of the model and of the scene's effects.
+    pub inputs: &'static [InputInfo],
+    /// `n_o` outputs of the model and of the scene's effects.
+    pub outputs: &'static [OutputInfo],
+    /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
+    /// some; then the effects; last the rows that move with time, under the name `drives`, when there are some.
     pub effects: &'static [EffectInfo],
     /// End of the run that the scene declares, s.
     pub until_s: f64,
-    /// Length of the vector of constants.
+    /// Numbers that depend on parameters alone; they follow the inputs in `c`.
     pub n_constants: usize,
     /// Pattern of G = [C_q; S], `n_c × n_q`.
     pub jacobian: SparsityPattern,
@@ -199,6 +238,21 @@ impl SceneInfo {
     /// n_e.
     pub const fn n_effects(&self) -> usize {
         self.effects.len()
+    }
+
+    /// n_i.
+    pub const fn n_inputs(&self) -> usize {
+        self.inputs.len()
+    }
+
+    /// n_o.
+    pub const fn n_outputs(&self) -> usize {
+        self.outputs.len()
+    }
+
+    /// Length of `c`: inputs, then constants.
+    pub const fn n_fixed(&self) -> usize {
+        self.inputs.len() + self.n_constants
     }
 }
 
@@ -269,8 +323,8 @@ impl Start {
 
 /// A scene: one selection of rows and effects of a model, with its own equations.
 ///
-/// Implemented by the types that `model!` generates. `c` is always the vector that [`Scene::constants`] wrote
-/// for the present parameters, `t` the time in s, `q` and `v` the `n_q` coordinates and velocities.
+/// Implemented by the types that `model!` generates. `c` holds the present inputs, then what [`Scene::constants`] wrote
+/// for the present parameters; `t` is the time in s, `q` and `v` are the `n_q` coordinates and velocities.
 pub trait Scene: Send + Sync {
     /// What is known at compile time.
     fn info(&self) -> &'static SceneInfo;
@@ -281,7 +335,8 @@ pub trait Scene: Send + Sync {
     /// Changes parameter `index`; constants computed before are then out of date.
     fn set_parameter(&mut self, index: usize, value: f64);
 
-    /// Everything that depends on parameters alone. Writes `n_constants`.
+    /// Everything that depends on parameters alone. Writes `n_constants` numbers behind the inputs in `c`, which it
+    /// neither reads nor changes.
     fn constants(&self, c: &mut [f64]);
 
     /// Start values of the scene.
@@ -305,14 +360,18 @@ pub trait Scene: Send + Sync {
     /// F. Writes `n_q`.
     fn applied_force(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
 
-    /// Power of each effect, W. Writes `n_e`.
-    fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
+    /// Power of each effect, W, without forces that [`Scene::potential_energy`] counts. The power of rows that move
+    /// with time is λ · g_t with the multipliers `lambda` (`n_c`) and G v + g_t = 0. Writes `n_e`.
+    fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]);
 
-    /// Potential energy, J: zero where no force has a potential.
+    /// Potential energy, J, of the forces that have one: zero where none has.
     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64;
 
     /// Positions of the named points, x then y of each. Writes `2 n_p`.
     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]);
+
+    /// Outputs, each in its unit. Writes `n_o`.
+    fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
 
     /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
     /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished.

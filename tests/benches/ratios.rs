@@ -34,7 +34,7 @@ fn accelerations() {
         run.samples().take(N_STATES).map(|s| (s.t, s.coordinates.to_vec(), s.velocities.to_vec())).collect();
     let mut systems =
         BACKENDS.map(|(_, backend)| System::new(&scene, backend).expect("the declared parameters are fine"));
-    let constants = systems[0].constants().to_vec();
+    let constants = systems[0].fixed().to_vec();
     let mut best = [f64::INFINITY; BACKENDS.len() + 1];
     let (mut a, mut lambda) = ([0.0; 6], [0.0; 4]);
     for _ in 0..N_ROUNDS {

@@ -138,7 +138,7 @@ impl Scene for Chain {
         out.chunks_exact_mut(3).for_each(|f| f.copy_from_slice(&[0.0, -MASS * GRAVITY, 0.0]));
     }
 
-    fn power(&self, _c: &[f64], _t: f64, _q: &[f64], v: &[f64], out: &mut [f64]) {
+    fn power(&self, _c: &[f64], _t: f64, _q: &[f64], v: &[f64], _lambda: &[f64], out: &mut [f64]) {
         out[0] = v.chunks_exact(3).map(|v| -MASS * GRAVITY * v[1]).sum();
     }
 
@@ -147,6 +147,8 @@ impl Scene for Chain {
     }
 
     fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
+
+    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
 
     fn accelerations(
         &self,

@@ -1,10 +1,11 @@
 //! A crank on the ground whose angle is prescribed in time: rows with C_t and C_tt, and no freedom left.
 
 use crate::leaked::{Description, info};
-use ezy_core::model::{DeficientRows, Scene, SceneInfo, Start};
+use ezy_core::model::{DeficientRows, EffectInfo, Scene, SceneInfo, Start};
 
 const RADIUS: f64 = 0.3;
 const MASS: f64 = 2.0;
+const DRIVES: [EffectInfo; 1] = [EffectInfo { name: "drives", documentation: "" }];
 /// About the centre of mass, kg·m².
 pub const INERTIA: f64 = 0.4;
 
@@ -39,7 +40,7 @@ impl Crank {
             n_position_rows: 3,
             columns: vec![vec![0, 2], vec![1, 2], vec![2]],
             parameters: &[],
-            effects: &[],
+            effects: &DRIVES,
             until_s: 2.0,
         };
         Self { info: info(description) }
@@ -88,13 +89,18 @@ impl Scene for Crank {
         out.fill(0.0);
     }
 
-    fn power(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
+    /// The third row moves with −φ'(t).
+    fn power(&self, _c: &[f64], t: f64, _q: &[f64], _v: &[f64], lambda: &[f64], out: &mut [f64]) {
+        out[0] = -lambda[2] * rate(t);
+    }
 
     fn potential_energy(&self, _c: &[f64], _t: f64, _q: &[f64]) -> f64 {
         0.0
     }
 
     fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
+
+    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
 
     /// Kinematics alone: a from the rows, then λ from M a + Gᵀ λ = 0.
     fn accelerations(

@@ -73,6 +73,8 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         rows: leak(description.rows.into_iter().map(row).collect()),
         n_position_rows: description.n_position_rows,
         parameters: leak(description.parameters.iter().map(parameter).collect()),
+        inputs: &[],
+        outputs: &[],
         effects: description.effects,
         until_s: description.until_s,
         n_constants: 0,

@@ -32,7 +32,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.counters.factorizations += 1;
         let regular = match self.solver {
             Solver::Generated => {
-                self.scene.accelerations(&self.constants, t, q, v, a, lambda).none()
+                self.scene.accelerations(&self.fixed, t, q, v, a, lambda).none()
                     || self.factored_accelerations(t, q, v, a, lambda)
             }
             Solver::Factored(_) => self.factored_accelerations(t, q, v, a, lambda),
@@ -44,7 +44,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     fn factored_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> bool {
         let regular = self.factor(t, q);
         if regular {
-            let (scene, c) = (self.scene, &self.constants);
+            let (scene, c) = (self.scene, &self.fixed);
             let (F, gamma) = self.buffers.right_side.split_at_mut(q.len());
             scene.applied_force(c, t, q, v, F);
             scene.convective_term(c, t, q, v, gamma);
@@ -88,12 +88,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.counters.factorizations += 1;
         let regular = match (&self.solver, metric) {
             (Solver::Generated, Metric::Mass) => {
-                self.scene.correction(&self.constants, t, q, residual, delta).none()
+                self.scene.correction(&self.fixed, t, q, residual, delta).none()
                     || self.factored_correction(t, q, residual, delta)
             }
             (Solver::Factored(_), Metric::Mass) => self.factored_correction(t, q, residual, delta),
             (_, Metric::Euclidean) => {
-                self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+                self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
                 let euclidean =
                     self.euclidean.get_or_insert_with(|| Box::new(super::projection::Euclidean::new(self.info)));
                 euclidean.velocity_correction(&self.buffers.jacobian, residual, delta)
@@ -114,8 +114,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
     pub fn refine_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
         let mut residual = std::mem::take(&mut self.buffers.residual);
         let mut delta = std::mem::take(&mut self.buffers.delta);
-        self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
-        self.scene.convective_term(&self.constants, t, q, v, &mut residual);
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        self.scene.convective_term(&self.fixed, t, q, v, &mut residual);
         for (k, row, column) in self.info.jacobian.entries() {
             residual[row] += self.buffers.jacobian[k] * a[column];
         }
@@ -130,7 +130,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// Factors K; false when it is singular.
     fn factor(&mut self, t: f64, q: &[f64]) -> bool {
-        self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let kkt = factored(&mut self.solver, &mut self.second_opinion, self.info);
         kkt.factor(&self.mass, &self.buffers.jacobian).is_ok()
     }
@@ -139,7 +139,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     #[cold]
     pub(super) fn why_singular(&mut self, t: f64, q: &[f64]) -> MotionError {
         let (scene, info) = (self.scene, self.info);
-        scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+        scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         match diagnose(&self.mass, &info.jacobian, &self.buffers.jacobian) {
             None => MotionError::NotFinite { t, quantity: "the constraint Jacobian" },
             Some(found) if found.rows.is_empty() => MotionError::UndeterminedMotion {

@@ -11,14 +11,20 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// Potential energy, J; zero where no force has a potential.
     pub fn potential_energy(&self, t: f64, q: &[f64]) -> f64 {
-        self.scene.potential_energy(&self.constants, t, q)
+        self.scene.potential_energy(&self.fixed, t, q)
     }
 
-    /// Power of each effect, W; writes `n_e`.
+    /// Power of each effect, W; `lambda` are the multipliers at this state. Writes `n_e`, or nothing into an empty
+    /// `out`, which costs nothing.
     #[inline]
-    pub fn power(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+    pub fn power(&self, t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {
         if !out.is_empty() {
-            self.scene.power(&self.constants, t, q, v, out);
+            self.scene.power(&self.fixed, t, q, v, lambda, out);
         }
+    }
+
+    /// Outputs of the scene; writes `n_o`.
+    pub fn outputs(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.scene.outputs(&self.fixed, t, q, v, out);
     }
 }

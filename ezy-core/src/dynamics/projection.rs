@@ -64,13 +64,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// Largest |C(q, t)| over the position rows; zero without any.
     pub fn position_residual(&mut self, t: f64, q: &[f64]) -> f64 {
         let residual = &mut self.buffers.residual[..self.info.n_position_rows];
-        self.scene.position_constraint(&self.constants, t, q, residual);
+        self.scene.position_constraint(&self.fixed, t, q, residual);
         max_abs(residual)
     }
 
     /// Largest residual of all rows at velocity level: C_q v + C_t and S v + s_t.
     pub fn velocity_residual(&mut self, t: f64, q: &[f64], v: &[f64]) -> f64 {
-        self.scene.velocity_constraint(&self.constants, t, q, v, &mut self.buffers.residual);
+        self.scene.velocity_constraint(&self.fixed, t, q, v, &mut self.buffers.residual);
         max_abs(&self.buffers.residual)
     }
 
@@ -114,7 +114,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Errors
     /// As [`System::accelerations`].
     pub fn project_velocities(&mut self, t: f64, q: &[f64], v: &mut [f64], metric: Metric) -> Result<(), MotionError> {
-        self.scene.velocity_constraint(&self.constants, t, q, v, &mut self.buffers.residual);
+        self.scene.velocity_constraint(&self.fixed, t, q, v, &mut self.buffers.residual);
         self.correct(t, q, metric, Level::Velocity)?;
         v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v += delta);
         Ok(())
@@ -141,7 +141,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         delta: &mut [f64],
     ) -> Result<(), MotionError> {
         self.counters.factorizations += 1;
-        self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let info = self.info;
         let euclidean = self.euclidean.get_or_insert_with(|| Box::new(Euclidean::new(info)));
         let regular = euclidean.position_correction(&self.buffers.jacobian, &residual[..info.n_position_rows], delta);

@@ -24,7 +24,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// The start values of the scene.
     pub fn scene_start(&self) -> Start {
         let mut start = Start::free(self.info.n_coordinates());
-        self.scene.start(&self.constants, &mut start);
+        self.scene.start(&self.fixed, &mut start);
         start
     }
 
@@ -136,7 +136,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let info = self.info;
         let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
         let residual = DVector::from_column_slice(&self.buffers.residual[..n_rows]);
-        self.scene.velocity_jacobian(&self.constants, t, q, &mut self.buffers.jacobian);
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let jacobian = &self.buffers.jacobian;
         if free.is_empty() || !residual.iter().chain(jacobian).all(|x| x.is_finite()) {
             return None;

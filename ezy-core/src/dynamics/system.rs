@@ -5,7 +5,7 @@ use super::projection::Euclidean;
 use crate::linalg::{Backend, DenseKkt, KktFactorization, SparseKkt};
 use crate::model::{Scene, SceneInfo};
 
-/// A scene made ready for computing: constants, masses, solver and every buffer, allocated once.
+/// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
 ///
 /// ```text
 /// let mut system = System::new(&scene, Backend::Auto)?;
@@ -15,7 +15,8 @@ use crate::model::{Scene, SceneInfo};
 pub struct System<'s, S: Scene + ?Sized> {
     pub(super) scene: &'s S,
     pub(super) info: &'static SceneInfo,
-    pub(super) constants: Vec<f64>,
+    /// What kernels read as `c`: inputs, then constants.
+    pub(super) fixed: Vec<f64>,
     pub(super) mass: Vec<f64>,
     pub(super) solver: Solver,
     /// Made when a pivot of the generated elimination vanishes for the first time.
@@ -64,11 +65,12 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
                 return Err(SystemError::ParameterNotFinite { name: parameter.name, value });
             }
         }
-        let mut constants = vec![0.0; info.n_constants];
-        scene.constants(&mut constants);
+        let mut fixed = vec![0.0; info.n_fixed()];
+        fixed.iter_mut().zip(info.inputs).for_each(|(value, input)| *value = input.default);
+        scene.constants(&mut fixed);
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let mut mass = vec![0.0; n_q];
-        scene.mass_matrix(&constants, &mut mass);
+        scene.mass_matrix(&fixed, &mut mass);
         if let Some(i) = mass.iter().position(|m| !(m.is_finite() && *m >= 0.0)) {
             let (body, quantity) = body_of(info, i);
             return Err(SystemError::Mass { body, quantity, value: mass[i] });
@@ -78,7 +80,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             info,
             solver: solver(info, &mass, backend)?,
             second_opinion: None,
-            constants,
+            fixed,
             mass,
             euclidean: None,
             buffers: Buffers {
@@ -101,9 +103,19 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         self.info
     }
 
-    /// Everything that depends on parameters alone, to hand to the kernels of the scene.
-    pub fn constants(&self) -> &[f64] {
-        &self.constants
+    /// Inputs and everything that depends on parameters alone, to hand to the kernels of the scene as `c`.
+    pub fn fixed(&self) -> &[f64] {
+        &self.fixed
+    }
+
+    /// Present inputs, `n_i`, each in its unit.
+    pub fn inputs(&self) -> &[f64] {
+        &self.fixed[..self.info.n_inputs()]
+    }
+
+    /// The inputs, to set them; they start with their declared values.
+    pub fn inputs_mut(&mut self) -> &mut [f64] {
+        &mut self.fixed[..self.info.n_inputs()]
     }
 
     /// Diagonal of M.

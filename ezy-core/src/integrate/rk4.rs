@@ -1,5 +1,6 @@
 //! The classical Runge–Kutta method of order 4.
 
+use super::Knot;
 use crate::dynamics::{MotionError, State, System};
 use crate::model::Scene;
 
@@ -27,9 +28,9 @@ impl Rk4 {
         Self { stage: zero.clone(), slope: zero.clone(), sum: zero.clone(), rest: zero, lambda: vec![0.0; n_rows] }
     }
 
-    /// One step of length `h` from `from`, where the accelerations are `a`; writes `to`, not yet projected.
-    /// `t_next` is the time that `to` gets, so that the clock can say it without rounding. `from` is the (projected)
-    /// result of the step before.
+    /// One step of length `h` from `from`; writes `to`, not yet projected. `t_next` is the time that `to` gets, so that
+    /// the clock can say it without rounding. `from` is the (projected) result of the step before. Works are integrated
+    /// as far as the states hold them.
     ///
     /// # Errors
     /// [`MotionError`] of a stage; `to` is then unspecified.
@@ -38,21 +39,21 @@ impl Rk4 {
     pub fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        from: &State,
-        a: &[f64],
+        from: Knot<'_>,
         h: f64,
         t_next: f64,
         to: &mut State,
     ) -> Result<(), MotionError> {
+        let Knot { state: from, a, power } = from;
         self.slope.q.copy_from_slice(&from.v);
         self.slope.v.copy_from_slice(a);
-        system.power(from.t, &from.q, &from.v, &mut self.slope.work);
+        self.slope.work.copy_from_slice(power);
         self.sum.copy_from(&self.slope);
         for (t, c, b) in [(from.t + 0.5 * h, 0.5 * h, 2.0), (from.t + 0.5 * h, 0.5 * h, 2.0), (t_next, h, 1.0)] {
             advance(&mut self.stage, from, c, &self.slope);
             self.slope.q.copy_from_slice(&self.stage.v);
             system.accelerations(t, &self.stage.q, &self.stage.v, &mut self.slope.v, &mut self.lambda)?;
-            system.power(t, &self.stage.q, &self.stage.v, &mut self.slope.work);
+            system.power(t, &self.stage.q, &self.stage.v, &self.lambda, &mut self.slope.work);
             accumulate(&mut self.sum, b, &self.slope);
         }
         add(&mut to.q, &from.q, h / 6.0, &self.sum.q, &mut self.rest.q);

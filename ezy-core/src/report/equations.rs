@@ -155,6 +155,8 @@ mod tests {
         }],
         n_position_rows: 1,
         parameters: &[],
+        inputs: &[],
+        outputs: &[],
         effects: &[],
         until_s: 1.0,
         n_constants: 0,

@@ -18,14 +18,12 @@ impl Instantaneous {
         Self { state: State::zero(n_q, n_e), a: vec![0.0; n_q], lambda: vec![0.0; n_c], power: vec![0.0; n_e] }
     }
 
+    /// Accelerations, multipliers and powers at the state.
     pub fn evaluate<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
-        system.accelerations(*t, q, v, &mut self.a, &mut self.lambda)
-    }
-
-    pub fn evaluate_power<S: Scene + ?Sized>(&mut self, system: &System<'_, S>) {
-        let State { t, q, v, .. } = &self.state;
-        system.power(*t, q, v, &mut self.power);
+        system.accelerations(*t, q, v, &mut self.a, &mut self.lambda)?;
+        system.power(*t, q, v, &self.lambda, &mut self.power);
+        Ok(())
     }
 
     pub fn knot(&self) -> Knot<'_> {

@@ -94,7 +94,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let clock = &self.plan.clock;
         let (h, t_next) = (clock.step(n), clock.time(n + 1));
         let (system, next) = (&mut self.system, &mut self.next);
-        self.method.step(system, &self.now.state, &self.now.a, h, t_next, &mut next.state)?;
+        self.method.step(system, self.now.knot(), h, t_next, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         let State { q, v, .. } = &mut next.state;
         if self.plan.projection.positions() {
@@ -114,7 +114,6 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let Some(every_s) = self.plan.every_s else { return Ok(()) };
         let (clock, system) = (&self.plan.clock, &mut self.system);
         let t_next = self.next.state.t;
-        let mut knots_ready = false;
         loop {
             let t = clock.time(0) + self.keeper.n_kept() as f64 * every_s;
             if (t - t_next).abs() <= ON_STEP * h {
@@ -125,11 +124,6 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             }
             if t > t_next {
                 return Ok(());
-            }
-            if !knots_ready {
-                self.now.evaluate_power(system);
-                self.next.evaluate_power(system);
-                knots_ready = true;
             }
             interpolate(self.now.knot(), self.next.knot(), t, &mut self.between.state);
             self.between.evaluate(system)?;

@@ -25,13 +25,13 @@ pub fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
     let mut G = vec![0.0; info.n_rows() * info.n_coordinates()];
     for RandomState { t, q, .. } in &probe.states {
-        probe.scene.velocity_jacobian(&probe.constants, *t, q, &mut entries);
+        probe.scene.velocity_jacobian(&probe.fixed, *t, q, &mut entries);
         spread(probe, &entries, &mut G);
         for j in 0..q.len() {
             let difference = central(n_h, |e, out| {
                 let mut moved = q.clone();
                 moved[j] += e;
-                probe.scene.position_constraint(&probe.constants, *t, &moved, out);
+                probe.scene.position_constraint(&probe.fixed, *t, &moved, out);
             });
             for (row, oracle) in difference.iter().enumerate() {
                 worst.compare(G[row * q.len() + j], *oracle, max_abs(&entries).max(max_abs(q)));
@@ -47,9 +47,9 @@ pub fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let mut worst = Worst::default();
     let mut rows = vec![0.0; probe.info.n_rows()];
     for RandomState { t, q, v } in &probe.states {
-        probe.scene.velocity_constraint(&probe.constants, *t, q, v, &mut rows);
+        probe.scene.velocity_constraint(&probe.fixed, *t, q, v, &mut rows);
         let difference = central(n_h, |e, out| {
-            probe.scene.position_constraint(&probe.constants, t + e, &along(q, e, v), out);
+            probe.scene.position_constraint(&probe.fixed, t + e, &along(q, e, v), out);
         });
         for (row, oracle) in rows.iter().zip(&difference) {
             worst.compare(*row, *oracle, max_abs(&rows).max(max_abs(q)));
@@ -64,9 +64,9 @@ pub fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let mut worst = Worst::default();
     let mut h = vec![0.0; n_c];
     for RandomState { t, q, v } in &probe.states {
-        probe.scene.convective_term(&probe.constants, *t, q, v, &mut h);
+        probe.scene.convective_term(&probe.fixed, *t, q, v, &mut h);
         let difference = central(n_c, |e, out| {
-            probe.scene.velocity_constraint(&probe.constants, t + e, &along(q, e, v), v, out);
+            probe.scene.velocity_constraint(&probe.fixed, t + e, &along(q, e, v), v, out);
         });
         for (row, oracle) in h.iter().zip(&difference) {
             worst.compare(*row, *oracle, max_abs(&h));
@@ -83,13 +83,13 @@ pub fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check 
     let mut G = vec![0.0; n_c * info.n_coordinates()];
     let (mut rows, mut moved_rows) = (vec![0.0; n_c], vec![0.0; n_c]);
     for RandomState { t, q, v } in &probe.states {
-        probe.scene.velocity_jacobian(&probe.constants, *t, q, &mut entries);
+        probe.scene.velocity_jacobian(&probe.fixed, *t, q, &mut entries);
         spread(probe, &entries, &mut G);
-        probe.scene.velocity_constraint(&probe.constants, *t, q, v, &mut rows);
+        probe.scene.velocity_constraint(&probe.fixed, *t, q, v, &mut rows);
         for j in 0..v.len() {
             let mut moved = v.clone();
             moved[j] += 1.0;
-            probe.scene.velocity_constraint(&probe.constants, *t, q, &moved, &mut moved_rows);
+            probe.scene.velocity_constraint(&probe.fixed, *t, q, &moved, &mut moved_rows);
             for row in 0..n_c {
                 let size = max_abs(&rows).max(max_abs(&entries));
                 worst.compare(G[row * v.len() + j], moved_rows[row] - rows[row], size);
@@ -99,19 +99,29 @@ pub fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check 
     check("G against the velocity rows", worst, LINEAR_TOLERANCE, LINEAR_REASON)
 }
 
-/// Sum of the powers of all effects against F·v.
+/// Sum of the powers of all effects, less the growth of the potential energy, against F·v and λ·g_t, where g_t is what
+/// the velocity rows are at rest: both are what the kinetic energy gains. Any λ will do.
 pub fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+    let info = probe.info;
     let mut worst = Worst::default();
-    let mut F = vec![0.0; probe.info.n_coordinates()];
-    let mut powers = vec![0.0; probe.info.n_effects()];
+    let (rest, mut rows) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
+    let mut F = vec![0.0; info.n_coordinates()];
+    let mut powers = vec![0.0; info.n_effects()];
+    let mut has_potential = false;
     for RandomState { t, q, v } in &probe.states {
-        probe.scene.applied_force(&probe.constants, *t, q, v, &mut F);
-        probe.scene.power(&probe.constants, *t, q, v, &mut powers);
-        let terms = F.iter().zip(v).map(|(F, v)| F * v);
-        let size = terms.clone().map(f64::abs).sum();
-        worst.compare(powers.iter().sum(), terms.sum(), size);
+        let lambda: Vec<f64> = (0..info.n_rows()).map(|i| v[i % v.len()] + i as f64).collect();
+        probe.scene.applied_force(&probe.fixed, *t, q, v, &mut F);
+        probe.scene.velocity_constraint(&probe.fixed, *t, q, &rest, &mut rows);
+        probe.scene.power(&probe.fixed, *t, q, v, &lambda, &mut powers);
+        let potential = |e: f64| probe.scene.potential_energy(&probe.fixed, t + e, &along(q, e, v));
+        let growth = central(1, |e, out| out[0] = potential(e))[0];
+        has_potential |= growth != 0.0;
+        let terms = F.iter().zip(v).chain(rows.iter().zip(&lambda)).map(|(F, v)| F * v);
+        let size = terms.clone().map(f64::abs).sum::<f64>().max(potential(0.0).abs());
+        worst.compare(powers.iter().sum::<f64>() - growth, terms.sum(), size);
     }
-    check("powers against F v", worst, LINEAR_TOLERANCE, LINEAR_REASON)
+    let (tolerance, reason) = if has_potential { (TOLERANCE, REASON) } else { (LINEAR_TOLERANCE, LINEAR_REASON) };
+    check("powers and potential against F v and lambda g_t", worst, tolerance, reason)
 }
 
 fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static str) -> Check {

@@ -5,12 +5,12 @@ use crate::model::{Scene, SceneInfo};
 /// Number of random states.
 pub const N_STATES: usize = 1000;
 
-/// A scene with its constants and the states at which it is looked at. The states need not fulfil the constraints:
+/// A scene with its inputs and constants, and the states at which it is looked at. The states need not fulfil the constraints:
 /// the equations hold everywhere.
 pub struct Probe<'s, S: Scene + ?Sized> {
     pub scene: &'s S,
     pub info: &'static SceneInfo,
-    pub constants: Vec<f64>,
+    pub fixed: Vec<f64>,
     pub states: Vec<RandomState>,
 }
 
@@ -21,7 +21,7 @@ pub struct RandomState {
 }
 
 impl<'s, S: Scene + ?Sized> Probe<'s, S> {
-    pub fn new(scene: &'s S, constants: &[f64]) -> Self {
+    pub fn new(scene: &'s S, fixed: &[f64]) -> Self {
         let info = scene.info();
         let mut random = SplitMix64(0x9E37_79B9_7F4A_7C15);
         // lengths and speeds of the order of one, angles all around
@@ -33,19 +33,7 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
                 v: info.coordinates.iter().map(|_| 2.0 * random.symmetric()).collect(),
             })
             .collect();
-        Self { scene, info, constants: constants.to_vec(), states }
-    }
-}
-
-impl<S: Scene + ?Sized> Probe<'_, S> {
-    /// Whether rows depend on time, so that their velocity does not vanish at rest.
-    pub fn rows_move(&self) -> bool {
-        let rest = vec![0.0; self.info.n_coordinates()];
-        let mut rows = vec![0.0; self.info.n_rows()];
-        self.states.iter().any(|RandomState { t, q, .. }| {
-            self.scene.velocity_constraint(&self.constants, *t, q, &rest, &mut rows);
-            rows.iter().any(|row| *row != 0.0)
-        })
+        Self { scene, info, fixed: fixed.to_vec(), states }
     }
 }
 

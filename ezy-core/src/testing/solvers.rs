@@ -82,7 +82,7 @@ fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomSta
 fn solve_correction<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
     let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
     let (mut residual, mut delta) = (vec![0.0; n_c], vec![0.0; n_q]);
-    system.scene().velocity_constraint(system.constants(), state.t, &state.q, &state.v, &mut residual);
+    system.scene().velocity_constraint(system.fixed(), state.t, &state.q, &state.v, &mut residual);
     system.correction(state.t, &state.q, &residual, Metric::Mass, &mut delta).ok()?;
     Some(delta)
 }
@@ -92,7 +92,7 @@ fn scale<S: Scene + ?Sized>(probe: &Probe<'_, S>, state: &RandomState) -> f64 {
     let mut F = vec![0.0; probe.info.n_coordinates()];
     let mut h = vec![0.0; probe.info.n_rows()];
     let RandomState { t, q, v } = state;
-    probe.scene.applied_force(&probe.constants, *t, q, v, &mut F);
-    probe.scene.convective_term(&probe.constants, *t, q, v, &mut h);
+    probe.scene.applied_force(&probe.fixed, *t, q, v, &mut F);
+    probe.scene.convective_term(&probe.fixed, *t, q, v, &mut h);
     max_abs(&F).max(max_abs(&h)).max(1.0)
 }

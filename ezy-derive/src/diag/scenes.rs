@@ -96,10 +96,11 @@ pub fn released_by_two(scene: &Ident, row: &Ident, first: &Ident, second: &Ident
     )
 }
 
-pub fn effect_named_model(name: &Ident) -> syn::Error {
+pub fn effect_with_name_of_a_group(name: &Ident) -> syn::Error {
+    let meaning = if name == "model" { "the forces outside of effects" } else { "the rows that move with time" };
     fault_with_help(
         name,
-        "no effect can be named `model`: this is the name of the forces outside of effects",
+        format_args!("no effect can be named `{name}`: this is the name of {meaning}"),
         "write another name",
     )
 }

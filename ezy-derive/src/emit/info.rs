@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::mechanics::Equations;
 use crate::mechanics::solve::Solver;
-use crate::model::{EffectId, Model, Scene};
+use crate::mechanics::{Equations, Group};
+use crate::model::{Model, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed, print};
 use crate::symbolic::program::Count;
@@ -31,7 +31,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     let rows = rows(equations);
     let n_position_rows = equations.constraints.n_position_rows;
     let parameters = parameters(model, equations);
-    let effects = effects(model, &equations.power.iter().map(|(effect, _)| *effect).collect::<Vec<_>>());
+    let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = emitted.n_constants;
     let (starts, columns) = pattern(equations);
@@ -55,6 +55,8 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             rows: &[#(#rows),*],
             n_position_rows: #n_position_rows,
             parameters: &[#(#parameters),*],
+            inputs: &[],
+            outputs: &[],
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
@@ -69,14 +71,15 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     }
 }
 
-/// Descriptions of effects; `None` stands for forces outside any effect.
-pub fn effects(model: &Model, effects: &[Option<EffectId>]) -> Vec<TokenStream> {
-    effects
+/// Descriptions of groups of forces.
+pub fn effects(model: &Model, groups: &[Group]) -> Vec<TokenStream> {
+    groups
         .iter()
-        .map(|effect| {
-            let (name, documentation) = match effect {
-                Some(id) => (model.effects[id.0].name.to_string(), model.effects[id.0].documentation.clone()),
-                None => ("model".to_owned(), "Forces that every scene has.".to_owned()),
+        .map(|group| {
+            let (name, documentation) = match group {
+                Group::Effect(id) => (model.effects[id.0].name.to_string(), model.effects[id.0].documentation.as_str()),
+                Group::Model => ("model".to_owned(), "Forces that every scene has."),
+                Group::Drives => ("drives".to_owned(), "Rows that move with time."),
             };
             quote!(::ezy_core::model::EffectInfo { name: #name, documentation: #documentation })
         })

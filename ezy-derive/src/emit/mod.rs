@@ -8,7 +8,7 @@ mod scene;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::mechanics::Equations;
+use crate::mechanics::{Equations, Group};
 use crate::model::case::{camel_case, snake_case};
 use crate::model::{EffectId, Model, Scene};
 
@@ -18,7 +18,7 @@ pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
     let module = Ident::new(&snake_case(&model.name.to_string()), model.name.span());
     let name = model.name.to_string();
     let documentation = &model.documentation;
-    let all: Vec<_> = (0..model.effects.len()).map(|i| Some(EffectId(i))).collect();
+    let all: Vec<_> = (0..model.effects.len()).map(|i| Group::Effect(EffectId(i))).collect();
     let effects = info::effects(model, &all);
     let scenes = model.scenes.iter().zip(equations).map(|(scene, equations)| scene::items(model, scene, equations));
     let entries = model.scenes.iter().map(|scene| {

@@ -71,6 +71,10 @@ fn methods(
         let i = residuals.iter().position(|&residual| residual == symbol).unwrap_or_default();
         quote!(residual[#i])
     };
+    let multiplier = |symbol: Symbol| {
+        let row = equations.multipliers.iter().find(|(other, _)| *other == symbol).map_or(0, |(_, row)| *row);
+        quote!(lambda[#row])
+    };
     let mut emitter = Emitter { equations, pool };
     let bodies = [
         emitter.method("mass_matrix", &[], "m", &equations.mass_entries),
@@ -79,10 +83,11 @@ fn methods(
         emitter.method("velocity_jacobian", &["q"], "out", &jacobian),
         emitter.method("convective_term", &["q", "v"], "out", &constraints.convective),
         emitter.method("applied_force", &["q", "v"], "out", &equations.force),
-        emitter.method("power", &["q", "v"], "out", &power),
+        emitter.method_with("power", &["q", "v", "lambda"], "out", &power, &multiplier),
         emitter.method("points", &["q"], "out", &points),
+        emitter.method("outputs", &["q", "v"], "out", &[]),
     ];
-    let Body { statements, outputs } = emitter.lowered(&[equations.potential]);
+    let Body { statements, outputs } = emitter.lowered(&[equations.potential], &no_other);
     let potential = quote!(#statements #(#outputs)*);
     let start = emitter.start();
     let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
@@ -93,8 +98,9 @@ fn methods(
         let writes = writes.iter().map(|&(name, n)| open(name, name, n, true));
         quote!(#(#reads)* #(#writes)*)
     };
-    let bodies = bodies.map(|method| method.finish(n_constants, n_q));
-    let potential_opening = opening(&[("c", n_constants), ("q", n_q)], &[]);
+    let bodies = bodies.map(|method| method.finish(n_constants, n_q, n_c));
+    let read_by_potential: &[(&str, usize)] = &[("c", n_constants), ("q", n_q)];
+    let potential_opening = opening(if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);
     let start_opening = opening(&[("c", n_constants)], &[]);
     let accelerations_opening = opening(&[("c", n_constants), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
     let correction_opening = opening(&[("c", n_constants), ("q", n_q), ("residual", n_c)], &[("delta", n_q)]);
@@ -160,7 +166,7 @@ struct Method {
 }
 
 impl Method {
-    fn finish(self, n_constants: usize, n_q: usize) -> TokenStream {
+    fn finish(self, n_constants: usize, n_q: usize, n_c: usize) -> TokenStream {
         let Self { name, reads, target, n_outputs, body } = self;
         let (name, output) = (argument(name), argument(target));
         let arguments = reads.iter().map(|read| {
@@ -169,7 +175,7 @@ impl Method {
         });
         let time = if reads.is_empty() { quote!() } else { quote!(t: f64,) };
         let opening = std::iter::once(open("c", "c", n_constants, false))
-            .chain(reads.iter().map(|read| open(read, read, n_q, false)))
+            .chain(reads.iter().map(|&read| open(read, read, if read == "lambda" { n_c } else { n_q }, false)))
             .chain(std::iter::once(open("out", target, n_outputs, true)));
         quote! {
             fn #name(&self, c: &[f64], #time #(#arguments,)* #output: &mut [f64]) {
@@ -178,6 +184,11 @@ impl Method {
             }
         }
     }
+}
+
+/// For kernels that read nothing besides.
+fn no_other(_: Symbol) -> TokenStream {
+    quote!(f64::NAN)
 }
 
 struct Emitter<'a> {
@@ -193,13 +204,25 @@ impl Emitter<'_> {
         target: &'static str,
         sums: &[SumId],
     ) -> Method {
-        let Body { statements, outputs } = self.lowered(sums);
+        self.method_with(name, reads, target, sums, &no_other)
+    }
+
+    /// A method that reads more than time, coordinates, velocities and inputs; `other` says where.
+    fn method_with(
+        &mut self,
+        name: &'static str,
+        reads: &'static [&'static str],
+        target: &'static str,
+        sums: &[SumId],
+        other: &dyn Fn(Symbol) -> TokenStream,
+    ) -> Method {
+        let Body { statements, outputs } = self.lowered(sums, other);
         let indices = 0..outputs.len();
         let body = quote!(#statements #(out[#indices] = #outputs;)*);
         Method { name, reads, target, n_outputs: sums.len(), body }
     }
 
-    fn lowered(&mut self, sums: &[SumId]) -> Body {
+    fn lowered(&mut self, sums: &[SumId], other: &dyn Fn(Symbol) -> TokenStream) -> Body {
         let mut lowering = Lowering::new(&self.equations.algebra, self.pool);
         for &sum in sums {
             let value = lowering.lower(sum);
@@ -207,12 +230,12 @@ impl Emitter<'_> {
         }
         let mut program = lowering.program;
         program.settle_signs();
-        kernel::body(&program, &self.equations.symbols, &|_| quote!(f64::NAN))
+        kernel::body(&program, &self.equations.symbols, other)
     }
 
     fn start(&mut self) -> TokenStream {
         let sums: Vec<SumId> = self.equations.start.iter().map(|given| given.value).collect();
-        let Body { statements, outputs } = self.lowered(&sums);
+        let Body { statements, outputs } = self.lowered(&sums, &no_other);
         let gives = self.equations.start.iter().zip(outputs).map(|(given, value)| {
             let i = given.index;
             if given.rate { quote!(start.give_velocity(#i, #value);) } else { quote!(start.give_position(#i, #value);) }

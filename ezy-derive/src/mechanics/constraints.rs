@@ -2,7 +2,8 @@
 
 use super::expression::Writer;
 use super::rows::{Demand, ScalarRow};
-use crate::symbolic::SumId;
+use super::symbols::Meaning;
+use crate::symbolic::{SumId, Symbol};
 
 /// The constraint equations of a scene, position rows first.
 #[derive(Debug)]
@@ -13,6 +14,8 @@ pub struct Constraints {
     pub position: Vec<SumId>,
     /// C_q v + C_t, then S v + s_t.
     pub velocity: Vec<SumId>,
+    /// g_t: C_t, then s_t; zero for rows that stand still.
+    pub drift: Vec<SumId>,
     /// Rows of G as (column, entry), ascending, zeros left out.
     pub jacobian: Vec<Vec<(usize, SumId)>>,
     /// h, then s.
@@ -28,6 +31,7 @@ impl Constraints {
 
         let n_q = writer.symbols.n_coordinates();
         let (mut position, mut velocity, mut jacobian, mut convective) = (vec![], vec![], vec![], vec![]);
+        let mut drift = vec![];
         for row in &rows {
             let rate = match row.demand {
                 Demand::Position(c) => {
@@ -37,6 +41,13 @@ impl Constraints {
                 Demand::Velocity(rate) => rate,
             };
             velocity.push(rate);
+            drift.push(match row.demand {
+                Demand::Position(c) => writer.algebra.diff(c, Symbol::TIME),
+                Demand::Velocity(rate) => {
+                    let is_velocity = |symbol| matches!(writer.symbols.meaning(symbol), Meaning::Velocity(_));
+                    writer.algebra.at_zero(rate, &is_velocity)
+                }
+            });
             jacobian.push(
                 (0..n_q)
                     .map(|i| (i, writer.algebra.diff(rate, writer.symbols.velocity_at(i))))
@@ -46,6 +57,6 @@ impl Constraints {
             // d/dt (G v + g_t) = G a + [h; s], so the convective term is what velocities held leave
             convective.push(writer.time_derivative(rate));
         }
-        Self { rows, n_position_rows, position, velocity, jacobian, convective }
+        Self { rows, n_position_rows, position, velocity, drift, jacobian, convective }
     }
 }

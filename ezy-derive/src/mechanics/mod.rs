@@ -16,4 +16,4 @@ pub mod scene;
 pub mod solve;
 pub mod symbols;
 
-pub use scene::Equations;
+pub use scene::{Equations, Group};

@@ -8,7 +8,7 @@ use super::rows;
 use super::symbols::{Symbols, index};
 use crate::model::{BodyId, EffectId, Model, ParameterId, Scene};
 use crate::symbolic::coefficient::Coefficient;
-use crate::symbolic::{Algebra, SumId};
+use crate::symbolic::{Algebra, SumId, Symbol};
 
 /// Everything that is emitted for a scene, as expressions.
 #[derive(Debug)]
@@ -24,12 +24,24 @@ pub struct Equations {
     pub constraints: Constraints,
     /// F, `n_q` long.
     pub force: Vec<SumId>,
-    /// Power of each group of forces; `None` names the forces outside any effect.
-    pub power: Vec<(Option<EffectId>, SumId)>,
+    /// Power of each group of forces, without those that have a potential.
+    pub power: Vec<(Group, SumId)>,
+    /// Symbols of the multipliers that `power` reads, with their rows.
+    pub multipliers: Vec<(Symbol, usize)>,
     /// V(q, t).
     pub potential: SumId,
     pub points: Vec<PointPosition>,
     pub start: Vec<GivenValue>,
+}
+
+/// Forces whose work is counted together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Group {
+    /// Outside any effect.
+    Model,
+    Effect(EffectId),
+    /// Rows that move with time.
+    Drives,
 }
 
 /// Where a named point is.
@@ -51,13 +63,13 @@ pub struct GivenValue {
 impl Equations {
     pub fn derive(model: &Model, scene: &Scene) -> Self {
         let mut algebra = Algebra::new();
-        let symbols = Symbols::new(model);
+        let mut symbols = Symbols::new(model);
         let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
 
         let mass = mass_matrix(&mut writer);
         let scalar_rows = model.rows_of(scene).flat_map(|(id, row)| rows::scalar_rows(&mut writer, row, id)).collect();
         let constraints = Constraints::derive(&mut writer, scalar_rows);
-        let Applied { force, power, potential } = applied_forces(&mut writer, scene);
+        let Applied { force, mut power, potential } = applied_forces(&mut writer, scene);
         let points = points(&mut writer);
         let start = start(&mut writer, scene);
         let parameters = (0..model.parameters.len())
@@ -65,7 +77,21 @@ impl Equations {
             .filter(|id| model.parameters[id.0].effect.is_none_or(|effect| scene.effects.contains(&effect)))
             .collect();
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
-        Self { algebra, symbols, parameters, mass, mass_entries, constraints, force, power, potential, points, start }
+        let multipliers = drives(&mut algebra, &mut symbols, &constraints, &mut power);
+        Self {
+            algebra,
+            symbols,
+            parameters,
+            mass,
+            mass_entries,
+            constraints,
+            force,
+            power,
+            multipliers,
+            potential,
+            points,
+            start,
+        }
     }
 }
 
@@ -82,7 +108,7 @@ fn mass_matrix(writer: &mut Writer<'_>) -> Vec<Coefficient> {
 /// The forces that a scene calls for.
 struct Applied {
     force: Vec<SumId>,
-    power: Vec<(Option<EffectId>, SumId)>,
+    power: Vec<(Group, SumId)>,
     potential: SumId,
 }
 
@@ -106,9 +132,32 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
             *total = writer.algebra.add(*total, part);
         }
         applied.potential = writer.algebra.add(applied.potential, load.potential);
-        applied.power.push((group, power));
+        applied.power.push((group.map_or(Group::Model, Group::Effect), power));
     }
     applied
+}
+
+/// Adds the power Σ λ_i g_t,i of the rows that move with time; returns the symbols of these λ_i with their rows.
+///
+/// From M a + Gᵀ λ = F and G v = −g_t: d/dt ½ vᵀ M v = F·v − λ·G v = F·v + λ·g_t.
+fn drives(
+    algebra: &mut Algebra,
+    symbols: &mut Symbols,
+    constraints: &Constraints,
+    power: &mut Vec<(Group, SumId)>,
+) -> Vec<(Symbol, usize)> {
+    let driven = constraints.drift.iter().enumerate().filter(|(_, drift)| !drift.is_zero());
+    let (mut multipliers, mut parts) = (Vec::new(), Vec::new());
+    for (row, &drift) in driven {
+        let symbol = symbols.new_named(format!("lambda_{row}"));
+        let lambda = algebra.symbol(symbol);
+        parts.push(algebra.mul(lambda, drift));
+        multipliers.push((symbol, row));
+    }
+    if !multipliers.is_empty() {
+        power.push((Group::Drives, algebra.total(&parts)));
+    }
+    multipliers
 }
 
 fn points(writer: &mut Writer<'_>) -> Vec<PointPosition> {

@@ -153,8 +153,8 @@ impl<'a> Resolver<'a> {
         let effect_names: Vec<&Ident> = self.effects.iter().map(|effect| &effect.name).collect();
         unique(&effect_names, "an effect", context.diag);
         unique(&start_names, "a start", context.diag);
-        for name in effect_names.into_iter().filter(|name| *name == "model") {
-            context.diag.error(scenes::effect_named_model(name));
+        for name in effect_names.into_iter().filter(|name| *name == "model" || *name == "drives") {
+            context.diag.error(scenes::effect_with_name_of_a_group(name));
         }
         let scene_items: Vec<&ast::Scene> = scenes.iter().map(|(_, scene)| *scene).collect();
         context.check_scene_types(&scene_items);

@@ -7,6 +7,7 @@
 //!
 //! Nothing here knows bodies or tokens.
 
+mod at_zero;
 pub mod call;
 pub mod coefficient;
 pub mod diff;

@@ -1,6 +1,8 @@
 //! A finished run together with its scene, so that points and forces can be read off it.
 
+use ezy_core::dynamics::System;
 use ezy_core::integrate::Method;
+use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
 use ezy_core::record::{Sample, find_name};
 use ezy_core::simulate::{Run, Simulation};
@@ -10,7 +12,7 @@ use super::error::StudyError;
 /// A run to its end.
 pub struct Motion<'s> {
     scene: &'s dyn Scene,
-    constants: Vec<f64>,
+    fixed: Vec<f64>,
     /// The samples.
     pub run: Run,
 }
@@ -30,9 +32,8 @@ impl<'s> Motion<'s> {
         if !run.outcome.reached_end() {
             return Err(StudyError::Stopped { scene: scene.info().name, outcome: run.outcome.to_string() });
         }
-        let mut constants = vec![0.0; scene.info().n_constants];
-        scene.constants(&mut constants);
-        Ok(Self { scene, constants, run })
+        let fixed = System::new(scene, Backend::Auto)?.fixed().to_vec();
+        Ok(Self { scene, fixed, run })
     }
 
     /// A column of every sample.
@@ -46,7 +47,7 @@ impl<'s> Motion<'s> {
         let i = find_name("point", point, names)?;
         let mut places = vec![0.0; 2 * self.scene.info().points.len()];
         let place = |sample: Sample<'_>| {
-            self.scene.points(&self.constants, sample.t, sample.coordinates, &mut places);
+            self.scene.points(&self.fixed, sample.t, sample.coordinates, &mut places);
             (places[2 * i], places[2 * i + 1])
         };
         Ok(self.run.samples().map(place).unzip())
@@ -58,7 +59,7 @@ impl<'s> Motion<'s> {
         let i = find_name("coordinate", coordinate, names)?;
         let mut force = vec![0.0; self.scene.info().n_coordinates()];
         let component = |sample: Sample<'_>| {
-            self.scene.applied_force(&self.constants, sample.t, sample.coordinates, sample.velocities, &mut force);
+            self.scene.applied_force(&self.fixed, sample.t, sample.coordinates, sample.velocities, &mut force);
             force[i]
         };
         Ok(self.run.samples().map(component).collect())

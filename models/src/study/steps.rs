@@ -1,7 +1,7 @@
 //! Part (j) and the order of the method: the same scenes with smaller and smaller steps.
 
 use ezy_core::dynamics::{Projection, State, System};
-use ezy_core::integrate::{Clock, Method, Rk4};
+use ezy_core::integrate::{Clock, Knot, Method, Rk4};
 use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
 use ezy_core::record::find_name;
@@ -205,13 +205,15 @@ fn right_endpoint_gap(driven: &Driven, step_s: f64) -> Result<f64, StudyError> {
     let mut now = system.consistent_start(&system.scene_start())?;
     let mut next = State::zero(n_q, n_e);
     let (mut a, mut force, mut lambda) = (vec![0.0; n_q], vec![0.0; n_q], vec![0.0; info.n_rows()]);
+    let mut power = vec![0.0; n_e];
     let clock = Clock::new(now.t, info.until_s, step_s);
     let mut rk4 = Rk4::new(n_q, info.n_rows(), n_e);
     let mut sum = 0.0;
     for n in 0..clock.n_steps() {
         system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda)?;
-        rk4.step(&mut system, &now, &a, clock.step(n), clock.time(n + 1), &mut next)?;
-        driven.applied_force(system.constants(), next.t, &next.q, &next.v, &mut force);
+        system.power(now.t, &now.q, &now.v, &lambda, &mut power);
+        rk4.step(&mut system, Knot { state: &now, a: &a, power: &power }, clock.step(n), clock.time(n + 1), &mut next)?;
+        driven.applied_force(system.fixed(), next.t, &next.q, &next.v, &mut force);
         sum += force[seat] * ((next.q[seat] - now.q[seat]) - (next.q[bar] - now.q[bar]));
         std::mem::swap(&mut now, &mut next);
     }

@@ -354,6 +354,8 @@ pub mod ezy_roller {
                     },
                 },
             ],
+            inputs: &[],
+            outputs: &[],
             effects: &[],
             until_s: 1f64,
             n_constants: 28usize,
@@ -834,10 +836,19 @@ pub mod ezy_roller {
             out[4usize] = 0f64;
             out[5usize] = 0f64;
         }
-        fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        fn power(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            lambda: &[f64],
+            out: &mut [f64],
+        ) {
             let c = ::ezy_core::kernel::array::<28usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let v = ::ezy_core::kernel::array::<6usize>(v);
+            let lambda = ::ezy_core::kernel::array::<4usize>(lambda);
             let out = ::ezy_core::kernel::array_mut::<0usize>(out);
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
@@ -871,9 +882,13 @@ pub mod ezy_roller {
             out[4usize] = sum_24;
             out[5usize] = sum_26;
         }
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
             let c = ::ezy_core::kernel::array::<28usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
@@ -1462,6 +1477,8 @@ pub mod ezy_roller {
                     },
                 },
             ],
+            inputs: &[],
+            outputs: &[],
             effects: &[
                 ::ezy_core::model::EffectInfo {
                     name: "pump",
@@ -1973,10 +1990,19 @@ pub mod ezy_roller {
             out[4usize] = 0f64;
             out[5usize] = value_7;
         }
-        fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        fn power(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            lambda: &[f64],
+            out: &mut [f64],
+        ) {
             let c = ::ezy_core::kernel::array::<36usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let v = ::ezy_core::kernel::array::<6usize>(v);
+            let lambda = ::ezy_core::kernel::array::<4usize>(lambda);
             let out = ::ezy_core::kernel::array_mut::<1usize>(out);
             let seat_omega = v[2usize];
             let bar_omega = v[5usize];
@@ -2018,9 +2044,13 @@ pub mod ezy_roller {
             out[4usize] = sum_24;
             out[5usize] = sum_26;
         }
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
             let c = ::ezy_core::kernel::array::<36usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
@@ -2637,6 +2667,8 @@ pub mod ezy_roller {
                     },
                 },
             ],
+            inputs: &[],
+            outputs: &[],
             effects: &[
                 ::ezy_core::model::EffectInfo {
                     name: "pump",
@@ -3175,10 +3207,19 @@ pub mod ezy_roller {
             out[4usize] = 0f64;
             out[5usize] = value_32;
         }
-        fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        fn power(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            lambda: &[f64],
+            out: &mut [f64],
+        ) {
             let c = ::ezy_core::kernel::array::<38usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
             let v = ::ezy_core::kernel::array::<6usize>(v);
+            let lambda = ::ezy_core::kernel::array::<4usize>(lambda);
             let out = ::ezy_core::kernel::array_mut::<2usize>(out);
             let seat_omega = v[2usize];
             let bar_omega = v[5usize];
@@ -3237,9 +3278,13 @@ pub mod ezy_roller {
             out[4usize] = sum_24;
             out[5usize] = sum_26;
         }
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
             let c = ::ezy_core::kernel::array::<38usize>(c);
             let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {

@@ -120,6 +120,8 @@ const fn scene(
         rows: &ROWS,
         n_position_rows: 2,
         parameters,
+        inputs: &[],
+        outputs: &[],
         effects,
         until_s,
         n_constants: parameters.len(),

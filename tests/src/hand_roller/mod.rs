@@ -120,7 +120,7 @@ impl Scene for HandRoller {
         out[5] = -torque(c, t);
     }
 
-    fn power(&self, c: &[f64], t: f64, _q: &[f64], v: &[f64], out: &mut [f64]) {
+    fn power(&self, c: &[f64], t: f64, _q: &[f64], v: &[f64], _lambda: &[f64], out: &mut [f64]) {
         out.fill(torque(c, t) * (v[2] - v[5]));
     }
 
@@ -137,6 +137,8 @@ impl Scene for HandRoller {
         out[4] = q[0] + c[1] * c1;
         out[5] = q[1] + c[1] * s1;
     }
+
+    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
 
     fn accelerations(
         &self,

@@ -44,7 +44,7 @@ fn pairs() -> [[Box<dyn Scene>; 2]; 2] {
 }
 
 fn constants(scene: &dyn Scene) -> Vec<f64> {
-    let mut c = vec![0.0; scene.info().n_constants];
+    let mut c = vec![0.0; scene.info().n_fixed()];
     scene.constants(&mut c);
     c
 }
@@ -106,7 +106,7 @@ fn cross_masses_forces_and_powers() {
     let error = largest_difference(|s, c, State { t, q, v }| {
         let masses = written(6, |out| s.mass_matrix(c, out));
         let forces = written(6, |out| s.applied_force(c, *t, q, v, out));
-        let powers = written(s.info().n_effects(), |out| s.power(c, *t, q, v, out));
+        let powers = written(s.info().n_effects(), |out| s.power(c, *t, q, v, &v[..4], out));
         [masses, forces, powers].concat()
     });
     assert!(error <= KERNEL, "{error:.1e}");

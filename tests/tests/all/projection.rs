@@ -88,11 +88,11 @@ fn invariant_position_correction_obeys_the_skates() {
         let (t, q, _) = disturbed(&*scene, 1e-3);
         let mut system = System::new(&*scene, Backend::Auto).unwrap();
         let mut residual = [0.0; 4];
-        scene.position_constraint(system.constants(), t, &q, &mut residual[..2]);
+        scene.position_constraint(system.fixed(), t, &q, &mut residual[..2]);
         let mut delta = [0.0; 6];
         system.correction(t, &q, &residual, Metric::Mass, &mut delta).unwrap();
         let mut rows = [0.0; 4];
-        scene.velocity_constraint(system.constants(), t, &q, &delta, &mut rows);
+        scene.velocity_constraint(system.fixed(), t, &q, &delta, &mut rows);
         let expected = residual.map(|r| -r);
         let error = distance(&rows, &expected);
         assert!(error <= VELOCITY_RESIDUAL, "{route}: {error:.1e}");
@@ -106,7 +106,7 @@ fn analytic_euclidean_correction_is_the_shortest() {
         let (t, q, v) = disturbed(&*scene, 0.1);
         let mut system = System::new(&*scene, Backend::Auto).unwrap();
         let mut residual = [0.0; 4];
-        scene.velocity_constraint(system.constants(), t, &q, &v, &mut residual);
+        scene.velocity_constraint(system.fixed(), t, &q, &v, &mut residual);
         let (mut shortest, mut other) = ([0.0; 6], [0.0; 6]);
         system.correction(t, &q, &residual, Metric::Euclidean, &mut shortest).unwrap();
         system.correction(t, &q, &residual, Metric::Mass, &mut other).unwrap();

@@ -45,20 +45,54 @@ mod tests {
         text.expect("the file holds a model")
     }
 
-    fn expanded(file: &str) -> String {
-        prettyplease::unparse(&syn::parse2(expand(model_text(file))).expect("the expansion is Rust"))
+    /// The items that a model file becomes, and the pages that only rustdoc reads.
+    fn expanded(file: &str) -> (String, String) {
+        let mut items: syn::File = syn::parse2(expand(model_text(file))).expect("the expansion is Rust");
+        let mut pages = String::new();
+        let mut take = |attributes: &mut Vec<syn::Attribute>| {
+            attributes.retain(|attribute| {
+                let page = page(attribute);
+                pages += &page.clone().unwrap_or_default();
+                page.is_none()
+            });
+        };
+        for item in &mut items.items {
+            let syn::Item::Mod(module) = item else { continue };
+            take(&mut module.attrs);
+            for item in module.content.iter_mut().flat_map(|(_, items)| items) {
+                if let syn::Item::Struct(scene) = item {
+                    take(&mut scene.attrs);
+                }
+            }
+        }
+        (prettyplease::unparse(&items), pages)
+    }
+
+    /// The text of `#[cfg_attr(doc, doc = "…")]`.
+    fn page(attribute: &syn::Attribute) -> Option<String> {
+        let syn::Meta::List(list) = &attribute.meta else { return None };
+        let text = list.path.is_ident("cfg_attr").then(|| list.tokens.clone().into_iter().last())??;
+        syn::parse2::<syn::LitStr>(text.into()).ok().map(|text| text.value())
     }
 
     /// `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the file anew.
-    #[test]
-    fn regress_expansion_of_the_ezy_roller_is_unchanged() {
-        let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/answers/expanded/ezy_roller.rs");
-        let now = expanded("vehicles/ezy_roller.rs");
+    fn compare_with_golden(file: &str, now: &str) {
+        let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/answers/expanded").join(file);
         if std::env::var_os("UPDATE_GOLDEN").is_some() {
-            std::fs::write(&golden, &now).expect("the golden file can be written");
+            std::fs::write(&golden, now).expect("the golden file can be written");
         }
         let before = std::fs::read_to_string(&golden).unwrap_or_default();
         assert!(now == before, "the expansion changed; see {} and UPDATE_GOLDEN", golden.display());
+    }
+
+    #[test]
+    fn regress_expansion_of_the_ezy_roller_is_unchanged() {
+        compare_with_golden("ezy_roller.rs", &expanded("vehicles/ezy_roller.rs").0);
+    }
+
+    #[test]
+    fn regress_pages_of_the_ezy_roller_are_unchanged() {
+        compare_with_golden("ezy_roller.md", &expanded("vehicles/ezy_roller.rs").1);
     }
 
     /// Messages for a model with the given rows between a body `one`, a body `two` and the ground.
@@ -102,7 +136,7 @@ mod tests {
 
     #[test]
     fn invariant_scene_without_an_effect_has_no_cosine_of_time() {
-        let code = expanded("vehicles/ezy_roller.rs");
+        let (code, _) = expanded("vehicles/ezy_roller.rs");
         let coast = code.split("for Coast {").nth(2).and_then(|rest| rest.split("pub struct").next());
         let coast = coast.expect("the scene `coast` is emitted");
         assert!(coast.contains("fn accelerations") && !coast.contains("cos(product"), "{coast}");

@@ -3,6 +3,7 @@
 mod constants;
 mod info;
 mod kernel;
+mod page;
 mod scene;
 
 use proc_macro2::{Ident, TokenStream};
@@ -21,6 +22,8 @@ pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
     let all: Vec<_> = (0..model.effects.len()).map(|i| Group::Effect(EffectId(i))).collect();
     let effects = info::effects(model, &all);
     let scenes = model.scenes.iter().zip(equations).map(|(scene, equations)| scene::items(model, scene, equations));
+    let (scenes, summaries): (Vec<_>, Vec<_>) = scenes.unzip();
+    let page = page::model(model, &summaries);
     let entries = model.scenes.iter().map(|scene| {
         let type_name = scene_type(scene);
         quote! {
@@ -32,6 +35,7 @@ pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
     });
     quote! {
         #[doc = #documentation]
+        #page
         #[allow(unused_variables, clippy::all, clippy::pedantic)]
         #visibility mod #module {
             /// The model and its scenes.

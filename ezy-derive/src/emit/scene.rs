@@ -4,15 +4,15 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::kernel::{self, Body};
-use super::{constants, info, scene_type};
+use super::{constants, info, page, scene_type};
 use crate::mechanics::Equations;
 use crate::mechanics::solve::{self, Correction, Solver};
 use crate::model::{Model, Scene};
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::{SumId, Symbol};
 
-/// The struct, its defaults and its equations.
-pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> TokenStream {
+/// The struct, its defaults and its equations; and what the page of the model says of it.
+pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenStream, page::Summary) {
     let mut pool = ConstantPool::default();
     let accelerations = solve::accelerations(&mut equations, &mut pool);
     let Correction { solver: correction, residuals } = solve::correction(&mut equations, &mut pool);
@@ -23,9 +23,10 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> TokenStr
     let emitted = info::Emitted { accelerations: &accelerations, correction: &correction, n_constants };
     let info = info::scene(model, scene, &equations, &emitted);
     let type_name = scene_type(scene);
-    let structure = structure(model, scene, &equations, &type_name, &accelerations);
+    let structure = structure(model, scene, &equations, &type_name, &emitted);
     let (parameter, set_parameter) = parameter_access(model, &equations);
-    quote! {
+    let summary = page::Summary::new(model, scene, type_name.to_string(), &equations, &emitted);
+    let items = quote! {
         #structure
 
         impl #type_name {
@@ -51,7 +52,8 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> TokenStr
             }
             #methods
         }
-    }
+    };
+    (items, summary)
 }
 
 /// The methods that read the vector of constants.
@@ -269,16 +271,23 @@ impl Emitter<'_> {
     }
 }
 
-fn structure(model: &Model, scene: &Scene, equations: &Equations, type_name: &Ident, solver: &Solver) -> TokenStream {
-    let count = solver.program.count();
+fn structure(
+    model: &Model,
+    scene: &Scene,
+    equations: &Equations,
+    type_name: &Ident,
+    emitted: &info::Emitted<'_>,
+) -> TokenStream {
+    let count = emitted.accelerations.program.count();
+    let page = page::scene(model, equations, emitted);
     let title = if scene.documentation.trim().is_empty() {
         format!("Scene `{}` of `{}`.", scene.name, model.name)
     } else {
         scene.documentation.clone()
     };
     let cost = format!(
-        "Accelerations and multipliers cost {} additions, {} multiplications, {} divisions and {} sine–cosine pairs.",
-        count.add, count.mul, count.div, count.trig
+        "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
+        count.mul, count.add, count.div, count.trig
     );
     let parameters: Vec<_> = equations.parameters.iter().map(|id| &model.parameters[id.0]).collect();
     let fields = parameters.iter().map(|parameter| {
@@ -299,6 +308,7 @@ fn structure(model: &Model, scene: &Scene, equations: &Equations, type_name: &Id
         #[doc = #title]
         #[doc = ""]
         #[doc = #cost]
+        #page
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct #type_name {
             #(#fields),*

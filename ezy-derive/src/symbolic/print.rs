@@ -170,7 +170,14 @@ fn add(parts: Vec<(bool, Printed)>) -> Printed {
 }
 
 fn product(factors: Vec<Printed>) -> Printed {
-    let mut factors = factors.into_iter();
+    let mut powers: Vec<(Printed, i32)> = Vec::new();
+    for factor in factors {
+        match powers.iter_mut().find(|(base, _)| *base == factor) {
+            Some((_, n)) => *n += 1,
+            None => powers.push((factor, 1)),
+        }
+    }
+    let mut factors = powers.into_iter().map(|(base, n)| if n == 1 { base } else { raise(base, n) });
     let Some(first) = factors.next() else { return Printed::number(1.0) };
     let Some(second) = factors.next() else { return first };
     let mut out = first.at_least(Level::Product);
@@ -199,10 +206,16 @@ fn quotient(top: Printed, bottom: Vec<Printed>) -> Printed {
 
 fn raise(base: Printed, n: i32) -> Printed {
     let base = base.at_least(Level::Atom);
+    // an exponent stands above the index, not behind it
+    let indexed = base.mathml.strip_prefix("<msub>").and_then(|inner| inner.strip_suffix("</msub>"));
+    let mathml = match indexed {
+        Some(inner) => format!("<msubsup>{inner}<mn>{n}</mn></msubsup>"),
+        None => format!("<msup><mrow>{}</mrow><mn>{n}</mn></msup>", base.mathml),
+    };
     Printed {
         text: format!("{}^{n}", base.text),
-        latex: format!("{{{}}}^{{{n}}}", base.latex),
-        mathml: format!("<msup><mrow>{}</mrow><mn>{n}</mn></msup>", base.mathml),
+        latex: format!("{}^{{{n}}}", base.latex),
+        mathml,
         level: Level::Power,
     }
 }

@@ -38,7 +38,7 @@ pub mod ezy_roller {
     };
     ///No forces: the bar stands across, the seat moves at 1 m/s.
     ///
-    ///Accelerations and multipliers cost 29 additions, 56 multiplications, 1 divisions and 2 sine–cosine pairs.
+    ///Cost of the accelerations and multipliers: 56 mul, 29 add, 1 div, 2 sin–cos.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Coast {
         ///rear wheel A, behind the seat's centre of mass (m); default `0.2`.
@@ -197,8 +197,8 @@ pub mod ezy_roller {
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
-                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -212,8 +212,8 @@ pub mod ezy_roller {
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
-                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -1129,7 +1129,7 @@ pub mod ezy_roller {
     }
     ///From rest, folded, driven by the rider's torque.
     ///
-    ///Accelerations and multipliers cost 35 additions, 63 multiplications, 1 divisions and 3 sine–cosine pairs.
+    ///Cost of the accelerations and multipliers: 63 mul, 35 add, 1 div, 3 sin–cos.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Driven {
         ///rear wheel A, behind the seat's centre of mass (m); default `0.2`.
@@ -1294,8 +1294,8 @@ pub mod ezy_roller {
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
-                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -1309,8 +1309,8 @@ pub mod ezy_roller {
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
-                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -2303,7 +2303,7 @@ pub mod ezy_roller {
     }
     ///Driven, with rolling resistance.
     ///
-    ///Accelerations and multipliers cost 43 additions, 78 multiplications, 1 divisions and 3 sine–cosine pairs.
+    ///Cost of the accelerations and multipliers: 78 mul, 43 add, 1 div, 3 sin–cos.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct DrivenOnTarmac {
         ///rear wheel A, behind the seat's centre of mass (m); default `0.2`.
@@ -2471,8 +2471,8 @@ pub mod ezy_roller {
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
-                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -2486,8 +2486,8 @@ pub mod ezy_roller {
                     },
                     convective_term: ::ezy_core::model::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
-                        latex: "-b \\, {\\dot{\\varphi}_{\\mathrm{seat}}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, {\\dot{\\varphi}_{\\mathrm{bar}}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msup><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
                 ::ezy_core::model::RowInfo {
@@ -2804,9 +2804,9 @@ pub mod ezy_roller {
                     mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
-                    text: "-k*a*a*seat.omega - k*a*seat.vx*sin(seat.phi) + k*a*seat.vy*cos(seat.phi) + m0*cos(omega*t)",
-                    latex: "-k \\, a \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
-                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                    text: "-k*a^2*seat.omega - k*a*seat.vx*sin(seat.phi) + k*a*seat.vy*cos(seat.phi) + m0*cos(omega*t)",
+                    latex: "-k \\, a^{2} \\, \\dot{\\varphi}_{\\mathrm{seat}} - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msup><mrow><mi>a</mi></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "0",

@@ -1,0 +1,137 @@
+//! The equations of a scene, from the coordinates to the equations of motion. Signs: `docs/notation.md`.
+
+use std::ops::Range;
+
+use super::mathml::{WIDEST_MATRIX, column, display, letter, lines, matrix, named_column, sub, zero};
+use crate::mechanics::Equations;
+use crate::symbolic::SumId;
+use crate::symbolic::print::{Printed, print};
+use crate::symbolic::spelling;
+
+/// Headings and displayed equations; what the scene does not have is left out.
+pub fn sections(equations: &Equations) -> Vec<String> {
+    let printer = Printer { equations };
+    let constraints = &equations.constraints;
+    let n_h = constraints.n_position_rows;
+    let n_c = constraints.rows.len();
+    let of = |printed: &[Printed]| column(printed.iter().map(|p| p.mathml.clone()));
+
+    let mut page = Page(Vec::new());
+    page.heading("Coordinates and velocities");
+    let positions = of(equations.symbols.coordinate_names()) + "<mo>,</mo><mspace width=\"1em\"/>" + &letter("v");
+    page.push(display(&[letter("q"), positions, of(equations.symbols.velocity_names())]));
+    if !equations.points.is_empty() {
+        page.heading("Points");
+        page.push(display(&[printer.points()]));
+    }
+    if n_h > 0 {
+        page.heading("Position constraint");
+        page.push(printer.demand(letter("C"), 0..n_h, &constraints.position));
+        page.push(printer.jacobian(&sub("C", "q"), 0..n_h));
+        page.push(display(&[letter("h"), printer.column(&constraints.convective[..n_h])]));
+    }
+    if n_c > n_h {
+        page.heading("Velocity constraint");
+        let rows = format!("{}{}<mo>+</mo>{}", letter("S"), letter("v"), sub("s", "t"));
+        page.push(printer.demand(rows, n_h..n_c, &constraints.velocity[n_h..]));
+        page.push(printer.jacobian(&letter("S"), n_h..n_c));
+        page.push(display(&[letter("s"), printer.column(&constraints.convective[n_h..])]));
+    }
+    page.heading("Mass matrix");
+    page.push(printer.mass());
+    page.heading("Applied force");
+    page.push(display(&[letter("F"), printer.column(&equations.force)]));
+    if !equations.potential.is_zero() {
+        page.heading("Potential energy");
+        page.push(display(&[letter("V"), printer.entry(equations.potential)]));
+    }
+    page.heading("Equations of motion");
+    page.push(motion(n_h > 0, n_c > n_h));
+    page.0
+}
+
+/// Paragraphs of Markdown.
+struct Page(Vec<String>);
+
+impl Page {
+    fn heading(&mut self, title: &str) {
+        self.0.extend([String::new(), format!("# {title}")]);
+    }
+
+    fn push(&mut self, line: String) {
+        self.0.extend([String::new(), line]);
+    }
+}
+
+struct Printer<'a> {
+    equations: &'a Equations,
+}
+
+impl Printer<'_> {
+    fn entry(&self, sum: SumId) -> String {
+        print(&self.equations.algebra, &self.equations.symbols, sum).mathml
+    }
+
+    fn column(&self, sums: &[SumId]) -> String {
+        column(sums.iter().map(|&sum| self.entry(sum)))
+    }
+
+    fn points(&self) -> String {
+        lines(self.equations.points.iter().map(|point| {
+            let position = self.column(&point.position);
+            vec![format!("{}<mo>=</mo>{position}", spelling::name(&point.name).mathml)]
+        }))
+    }
+
+    /// Rows that are zero, with their names behind.
+    fn demand(&self, symbol: String, rows: Range<usize>, sums: &[SumId]) -> String {
+        let names: Vec<&str> = self.equations.constraints.rows[rows].iter().map(|row| row.name.as_str()).collect();
+        let entries: Vec<String> = sums.iter().map(|&sum| self.entry(sum)).collect();
+        display(&[zero(), symbol, named_column(&entries, &names)])
+    }
+
+    /// Some rows of G: as a matrix, or row by row when it is wide.
+    fn jacobian(&self, symbol: &str, rows: Range<usize>) -> String {
+        let constraints = &self.equations.constraints;
+        let n_q = self.equations.force.len();
+        if n_q <= WIDEST_MATRIX {
+            let dense = rows.map(|i| {
+                let mut row = vec![zero(); n_q];
+                constraints.jacobian[i].iter().for_each(|&(column, entry)| row[column] = self.entry(entry));
+                row
+            });
+            return display(&[symbol.to_owned(), matrix(dense)]);
+        }
+        let coordinates = self.equations.symbols.coordinate_names();
+        let listed = rows.map(|i| {
+            let entries = constraints.jacobian[i]
+                .iter()
+                .map(|&(column, entry)| format!("{}<mo>:</mo>{}", coordinates[column].mathml, self.entry(entry)));
+            let entries = entries.collect::<Vec<_>>().join("<mo>,</mo><mspace width=\"0.8em\"/>");
+            vec![format!("<mtext>{}</mtext>", constraints.rows[i].name), entries]
+        });
+        display(&[symbol.to_owned(), lines(listed)])
+    }
+
+    fn mass(&self) -> String {
+        let entries: Vec<String> = self.equations.mass_entries.iter().map(|&mass| self.entry(mass)).collect();
+        let listed = entries.join("<mo>,</mo>");
+        display(&[letter("M"), format!("<mi>diag</mi><mo>(</mo>{listed}<mo>)</mo>")])
+    }
+}
+
+/// `[M C_qᵀ Sᵀ; C_q 0 0; S 0 0] [a; λ_C; λ_S] = [F; −h; −s]`, without the blocks that the scene does not have.
+fn motion(position: bool, velocity: bool) -> String {
+    fn kept<T>(block: [T; 3], position: bool, velocity: bool) -> impl Iterator<Item = T> {
+        block.into_iter().zip([true, position, velocity]).filter_map(|(entry, kept)| kept.then_some(entry))
+    }
+    let minus = |name: &str| format!("<mrow><mo>−</mo><mi>{name}</mi></mrow>");
+    let c_q_transposed = "<msubsup><mi>C</mi><mi>q</mi><mi>T</mi></msubsup>".to_owned();
+    let s_transposed = "<msup><mi>S</mi><mi>T</mi></msup>".to_owned();
+    let rows =
+        [[letter("M"), c_q_transposed, s_transposed], [sub("C", "q"), zero(), zero()], [letter("S"), zero(), zero()]];
+    let rows = kept(rows, position, velocity).map(|row| kept(row, position, velocity).collect());
+    let unknowns = column(kept([letter("a"), sub("λ", "C"), sub("λ", "S")], position, velocity));
+    let right = column(kept([letter("F"), minus("h"), minus("s")], position, velocity));
+    display(&[matrix(rows) + &unknowns, right])
+}

@@ -1,0 +1,92 @@
+//! The tables of a page, in Markdown.
+
+use super::mathml::inline;
+use crate::emit::info::Emitted;
+use crate::mechanics::Equations;
+use crate::model::Model;
+use crate::symbolic::print::Names;
+
+/// A table with a head; line breaks and bars within cells are kept harmless.
+pub fn markdown(heads: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
+    let line = |cells: Vec<String>| {
+        let cells = cells.iter().map(|cell| cell.trim().replace('|', "\\|").replace('\n', " "));
+        format!("| {} |", cells.collect::<Vec<_>>().join(" | "))
+    };
+    let head = line(heads.iter().map(|head| (*head).to_owned()).collect());
+    let rule = line(vec!["---".to_owned(); heads.len()]);
+    [head, rule].into_iter().chain(rows.into_iter().map(line)).collect()
+}
+
+/// Symbol, name, default with unit, effect, meaning.
+pub fn parameters(model: &Model, equations: &Equations) -> Vec<String> {
+    let rows = equations.parameters.iter().map(|id| {
+        let parameter = &model.parameters[id.0];
+        let symbol = inline(&equations.symbols.parameter(id.0).mathml);
+        let effect = parameter.effect.map(|effect| format!("`{}`", model.effects[effect.0].name)).unwrap_or_default();
+        let value = match parameter.unit.as_str() {
+            "" => parameter.default_text.clone(),
+            written => format!("{} {}", parameter.default_text, unit(written)),
+        };
+        vec![symbol, format!("`{}`", parameter.name), value, effect, parameter.documentation.clone()]
+    });
+    markdown(&["", "parameter", "default", "effect", "what it is"], rows)
+}
+
+/// A unit as it is printed: `kg*m^2` as kg·m².
+fn unit(written: &str) -> String {
+    let powers = [("^-1", "⁻¹"), ("^-2", "⁻²"), ("^2", "²"), ("^3", "³"), ("^4", "⁴"), ("*", "·")];
+    powers.iter().fold(written.to_owned(), |text, (sign, printed)| text.replace(sign, printed))
+}
+
+/// Rows with the words that declared them.
+pub fn rows(equations: &Equations) -> Vec<String> {
+    let constraints = &equations.constraints;
+    let rows = constraints.rows.iter().enumerate().map(|(i, row)| {
+        let level = if i < constraints.n_position_rows { "position" } else { "velocity" };
+        [&format!("`{}`", row.name), row.kind, level, &unit(&row.unit)].map(str::to_owned).to_vec()
+    });
+    markdown(&["row", "word", "level", "unit of its multiplier"], rows)
+}
+
+/// A line for each row, three signs for each body: which of x, y, φ the row reads.
+pub fn sparsity(model: &Model, equations: &Equations) -> Vec<String> {
+    let constraints = &equations.constraints;
+    let bodies: Vec<String> = model.bodies.iter().map(|body| body.name.to_string()).collect();
+    let widest = constraints.rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0);
+    let head: String = bodies.iter().map(|body| format!("  {body:<3}")).collect();
+    let line = |(row, name): (&Vec<_>, &str)| {
+        let cells = bodies.iter().enumerate().map(|(i, body)| {
+            let sign = |k: usize| if row.iter().any(|&(column, _)| column == 3 * i + k) { 'x' } else { '.' };
+            let signs: String = (0..3).map(sign).collect();
+            format!("  {signs:<width$}", width = body.chars().count().max(3))
+        });
+        format!("{name:widest$}{}", cells.collect::<String>().trim_end())
+    };
+    let lines = constraints.jacobian.iter().zip(constraints.rows.iter().map(|row| row.name.as_str())).map(line);
+    let mut table = vec!["Columns: x, y and φ of each body.".into(), String::new(), "```text".into()];
+    table.push(format!("{:widest$}{head}", ""));
+    table.extend(lines);
+    table.push("```".into());
+    table
+}
+
+/// The blocks in their order, and what their pivots depend on.
+pub fn elimination(equations: &Equations, order: &[(Vec<usize>, bool)]) -> Vec<String> {
+    let step = |(i, (rows, constant)): (usize, &(Vec<usize>, bool))| {
+        let names = rows.iter().map(|&row| format!("`{}`", equations.constraints.rows[row].name));
+        let pivot = if *constant { "pivot of parameters alone, computed once" } else { "pivot of the state" };
+        format!("{}. {}: {pivot}", i + 1, names.collect::<Vec<_>>().join(", "))
+    };
+    order.iter().enumerate().map(step).collect()
+}
+
+/// Counts of the two generated solutions.
+pub fn operations(emitted: &Emitted<'_>) -> Vec<String> {
+    let kernels = [("accelerations and multipliers", emitted.accelerations), ("projection", emitted.correction)];
+    let rows = kernels.map(|(name, solver)| {
+        let count = solver.program.count();
+        let numbers = [count.mul, count.add, count.div, count.trig, count.calls];
+        std::iter::once(name.to_owned()).chain(numbers.map(|n| n.to_string())).collect()
+    });
+    markdown(&["", "multiplications", "additions", "divisions", "sines and cosines", "other functions"], rows)
+}

@@ -4,6 +4,7 @@ pub mod chain;
 pub mod crank;
 pub mod hand_roller;
 mod leaked;
+pub mod piloted;
 #[cfg(doctest)]
 pub mod readme;
 pub mod reference;

@@ -62,6 +62,9 @@ pub fn no_members(member: &Ident, owner: &Ident, what: &str) -> syn::Error {
 pub fn not_a_value(name: &Ident, what: &str, members: &[&str]) -> syn::Error {
     let help = match members.first() {
         Some(first) => format!("write a member, such as `{name}.{first}`; members: {}", quoted(members)),
+        None if what == "an output" => {
+            "outputs are for whoever runs the scene; write `let` for a value used again".to_owned()
+        }
         None => "write a parameter or a number".to_owned(),
     };
     fault_with_help(name, format_args!("`{name}` is {what}, not a value"), help)

@@ -64,12 +64,7 @@ pub fn called_value(name: &Ident, what: &str) -> syn::Error {
 }
 
 /// `some`: whether it may move at all.
-pub fn must_not_move(at: impl Into<Extent>, what: &str, on: &str, some: bool) -> syn::Error {
-    let help = if some {
-        "a position row knows positions and `t`; write `velocity constraint` for a row of velocities"
-    } else {
-        "write an expression of numbers, `pi` and parameters"
-    };
+pub fn must_not_move(at: impl Into<Extent>, what: &str, on: &str, help: &str) -> syn::Error {
     fault_with_help(at, format_args!("{what} cannot depend on {on}"), help)
 }
 

@@ -10,8 +10,8 @@ use crate::model::Model;
 use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode, Coefficients};
 use crate::symbolic::lower::ConstantPool;
 
-/// Statements that write the vector `c` from the fields of `self`.
-pub fn statements(model: &Model, coefficients: &Coefficients, pool: &ConstantPool) -> TokenStream {
+/// Statements that write the vector `c` behind its inputs from the fields of `self`.
+pub fn statements(model: &Model, coefficients: &Coefficients, pool: &ConstantPool, n_inputs: usize) -> TokenStream {
     let mut needed = BTreeSet::new();
     for &id in pool.coefficients() {
         collect(coefficients, id, &mut needed);
@@ -23,7 +23,7 @@ pub fn statements(model: &Model, coefficients: &Coefficients, pool: &ConstantPoo
         quote!(let #name = #value;)
     });
     let writes = pool.coefficients().iter().enumerate().map(|(i, &id)| {
-        let name = temporary(id);
+        let (name, i) = (temporary(id), n_inputs + i);
         quote!(c[#i] = #name;)
     });
     quote!(#(#temporaries)* #(#writes)*)

@@ -5,7 +5,7 @@ use quote::quote;
 
 use crate::mechanics::solve::Solver;
 use crate::mechanics::{Equations, Group};
-use crate::model::{Model, Scene};
+use crate::model::{Model, Parameter, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed, print};
 use crate::symbolic::program::Count;
@@ -31,6 +31,8 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     let rows = rows(equations);
     let n_position_rows = equations.constraints.n_position_rows;
     let parameters = parameters(model, equations);
+    let inputs = inputs(model, equations);
+    let outputs = outputs(model, equations);
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = emitted.n_constants;
@@ -55,8 +57,8 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             rows: &[#(#rows),*],
             n_position_rows: #n_position_rows,
             parameters: &[#(#parameters),*],
-            inputs: &[],
-            outputs: &[],
+            inputs: &[#(#inputs),*],
+            outputs: &[#(#outputs),*],
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
@@ -131,20 +133,52 @@ fn rows(equations: &Equations) -> Vec<TokenStream> {
 fn parameters(model: &Model, equations: &Equations) -> Vec<TokenStream> {
     (equations.parameters.iter())
         .map(|id| {
-            let parameter = &model.parameters[id.0];
-            let (name, unit, default) = (parameter.name.to_string(), &parameter.unit, parameter.default);
-            let (default_text, documentation) = (&parameter.default_text, &parameter.documentation);
-            let effect = option(parameter.effect.map(|effect| model.effects[effect.0].name.to_string()));
-            let symbol = formula(&equations.symbols.parameter(id.0));
+            let members = declared(model, &model.parameters[id.0], &equations.symbols.parameter(id.0));
+            quote!(::ezy_core::model::ParameterInfo { #members })
+        })
+        .collect()
+}
+
+fn inputs(model: &Model, equations: &Equations) -> Vec<TokenStream> {
+    let symbols = &equations.symbols;
+    (equations.inputs.iter())
+        .filter_map(|&id| {
+            let symbol = symbols.symbol(symbols.input(id)?);
+            let members = declared(model, &model.inputs[id.0], &symbol);
+            Some(quote!(::ezy_core::model::InputInfo { #members }))
+        })
+        .collect()
+}
+
+/// The members that parameters and inputs have in common.
+fn declared(model: &Model, parameter: &Parameter, symbol: &Printed) -> TokenStream {
+    let (name, unit, default) = (parameter.name.to_string(), &parameter.unit, parameter.default);
+    let (default_text, documentation) = (&parameter.default_text, &parameter.documentation);
+    let effect = option(parameter.effect.map(|effect| model.effects[effect.0].name.to_string()));
+    let symbol = formula(symbol);
+    quote! {
+        name: #name,
+        unit: #unit,
+        default: #default,
+        default_text: #default_text,
+        documentation: #documentation,
+        effect: #effect,
+        symbol: #symbol,
+    }
+}
+
+fn outputs(model: &Model, equations: &Equations) -> Vec<TokenStream> {
+    (equations.outputs.iter())
+        .map(|&(i, value)| {
+            let output = &model.outputs[i];
+            let (name, unit, documentation) = (&output.name, &output.unit, &output.documentation);
+            let formula = formula_of(equations, value);
             quote! {
-                ::ezy_core::model::ParameterInfo {
+                ::ezy_core::model::OutputInfo {
                     name: #name,
                     unit: #unit,
-                    default: #default,
-                    default_text: #default_text,
                     documentation: #documentation,
-                    effect: #effect,
-                    symbol: #symbol,
+                    formula: #formula,
                 }
             }
         })

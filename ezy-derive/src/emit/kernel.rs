@@ -45,6 +45,7 @@ impl Writer<'_> {
                 }
                 Meaning::Coordinate(i) => quote!(q[#i]),
                 Meaning::Velocity(i) => quote!(v[#i]),
+                Meaning::Input(i) => quote!(c[#i]),
                 Meaning::Named(_) => other(*symbol),
             },
             Node::Sin(angle) | Node::Cos(angle) => return self.trigonometry(id, *angle),
@@ -121,7 +122,10 @@ impl Writer<'_> {
 
     fn operand(&self, id: NodeId) -> TokenStream {
         match self.program.node(id) {
-            Node::Constant(i) => quote!(c[#i]),
+            Node::Constant(i) => {
+                let i = self.symbols.n_inputs() + i;
+                quote!(c[#i])
+            }
             Node::Literal(bits) => number(f64::from_bits(*bits)),
             _ => {
                 let name = self.names.get(&id);

@@ -19,7 +19,9 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let methods = methods(&equations, &mut pool, &accelerations, &correction, &residuals);
 
     let n_constants = pool.coefficients().len();
-    let constants = constants::statements(model, &equations.algebra.coefficients, &pool);
+    let n_inputs = equations.inputs.len();
+    let n_fixed = n_inputs + n_constants;
+    let constants = constants::statements(model, &equations.algebra.coefficients, &pool, n_inputs);
     let emitted = info::Emitted { accelerations: &accelerations, correction: &correction, n_constants };
     let info = info::scene(model, scene, &equations, &emitted);
     let type_name = scene_type(scene);
@@ -47,7 +49,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
                 #set_parameter
             }
             fn constants(&self, c: &mut [f64]) {
-                let c = ::ezy_core::kernel::array_mut::<#n_constants>(c);
+                let c = ::ezy_core::kernel::array_mut::<#n_fixed>(c);
                 #constants
             }
             #methods
@@ -69,6 +71,7 @@ fn methods(
     let jacobian: Vec<SumId> = constraints.jacobian.iter().flatten().map(|&(_, entry)| entry).collect();
     let points: Vec<SumId> = equations.points.iter().flat_map(|point| point.position).collect();
     let power: Vec<SumId> = equations.power.iter().map(|&(_, power)| power).collect();
+    let outputs: Vec<SumId> = equations.outputs.iter().map(|&(_, value)| value).collect();
     let other = |symbol: Symbol| {
         let i = residuals.iter().position(|&residual| residual == symbol).unwrap_or_default();
         quote!(residual[#i])
@@ -87,25 +90,25 @@ fn methods(
         emitter.method("applied_force", &["q", "v"], "out", &equations.force),
         emitter.method_with("power", &["q", "v", "lambda"], "out", &power, &multiplier),
         emitter.method("points", &["q"], "out", &points),
-        emitter.method("outputs", &["q", "v"], "out", &[]),
+        emitter.method("outputs", &["q", "v"], "out", &outputs),
     ];
     let Body { statements, outputs } = emitter.lowered(&[equations.potential], &no_other);
     let potential = quote!(#statements #(#outputs)*);
     let start = emitter.start();
     let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
     let correction = emitter.solver(correction, &[("delta", n_q)], &other);
-    let n_constants = emitter.pool.coefficients().len();
+    let n_fixed = equations.inputs.len() + emitter.pool.coefficients().len();
     let opening = |reads: &[(&str, usize)], writes: &[(&str, usize)]| {
         let reads = reads.iter().map(|&(name, n)| open(name, name, n, false));
         let writes = writes.iter().map(|&(name, n)| open(name, name, n, true));
         quote!(#(#reads)* #(#writes)*)
     };
-    let bodies = bodies.map(|method| method.finish(n_constants, n_q, n_c));
-    let read_by_potential: &[(&str, usize)] = &[("c", n_constants), ("q", n_q)];
+    let bodies = bodies.map(|method| method.finish(n_fixed, n_q, n_c));
+    let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
     let potential_opening = opening(if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);
-    let start_opening = opening(&[("c", n_constants)], &[]);
-    let accelerations_opening = opening(&[("c", n_constants), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
-    let correction_opening = opening(&[("c", n_constants), ("q", n_q), ("residual", n_c)], &[("delta", n_q)]);
+    let start_opening = opening(&[("c", n_fixed)], &[]);
+    let accelerations_opening = opening(&[("c", n_fixed), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
+    let correction_opening = opening(&[("c", n_fixed), ("q", n_q), ("residual", n_c)], &[("delta", n_q)]);
     quote! {
         #(#bodies)*
         fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
@@ -168,7 +171,7 @@ struct Method {
 }
 
 impl Method {
-    fn finish(self, n_constants: usize, n_q: usize, n_c: usize) -> TokenStream {
+    fn finish(self, n_fixed: usize, n_q: usize, n_c: usize) -> TokenStream {
         let Self { name, reads, target, n_outputs, body } = self;
         let (name, output) = (argument(name), argument(target));
         let arguments = reads.iter().map(|read| {
@@ -176,7 +179,7 @@ impl Method {
             quote!(#read: &[f64])
         });
         let time = if reads.is_empty() { quote!() } else { quote!(t: f64,) };
-        let opening = std::iter::once(open("c", "c", n_constants, false))
+        let opening = std::iter::once(open("c", "c", n_fixed, false))
             .chain(reads.iter().map(|&read| open(read, read, if read == "lambda" { n_c } else { n_q }, false)))
             .chain(std::iter::once(open("out", target, n_outputs, true)));
         quote! {

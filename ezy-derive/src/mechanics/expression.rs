@@ -25,6 +25,7 @@ impl Writer<'_> {
                 let parameter = self.algebra.coefficients.parameter(id.0);
                 self.algebra.constant(parameter)
             }
+            Expr::Input(id) => self.symbols.input(*id).map_or(SumId::ZERO, |symbol| self.algebra.symbol(symbol)),
             Expr::Coordinate(body, component) => {
                 let symbol = self.symbols.coordinate(*body, *component);
                 self.algebra.symbol(symbol)

@@ -6,7 +6,7 @@ use super::forces::Load;
 use super::kinematics::Vector;
 use super::rows;
 use super::symbols::{Symbols, index};
-use crate::model::{BodyId, EffectId, Model, ParameterId, Scene};
+use crate::model::{BodyId, EffectId, InputId, Model, ParameterId, Scene};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -17,6 +17,10 @@ pub struct Equations {
     pub symbols: Symbols,
     /// Parameters of the model and of the scene's effects.
     pub parameters: Vec<ParameterId>,
+    /// Inputs of the model and of the scene's effects.
+    pub inputs: Vec<InputId>,
+    /// Outputs of the model and of the scene's effects: place in [`Model::outputs`] and value.
+    pub outputs: Vec<(usize, SumId)>,
     /// Diagonal of M.
     pub mass: Vec<Coefficient>,
     /// The same as expressions.
@@ -63,7 +67,10 @@ pub struct GivenValue {
 impl Equations {
     pub fn derive(model: &Model, scene: &Scene) -> Self {
         let mut algebra = Algebra::new();
-        let mut symbols = Symbols::new(model);
+        let called = |effect: Option<EffectId>| effect.is_none_or(|effect| scene.effects.contains(&effect));
+        let inputs: Vec<InputId> =
+            (0..model.inputs.len()).map(InputId).filter(|id| called(model.inputs[id.0].effect)).collect();
+        let mut symbols = Symbols::new(model, &inputs);
         let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
 
         let mass = mass_matrix(&mut writer);
@@ -72,16 +79,18 @@ impl Equations {
         let Applied { force, mut power, potential } = applied_forces(&mut writer, scene);
         let points = points(&mut writer);
         let start = start(&mut writer, scene);
-        let parameters = (0..model.parameters.len())
-            .map(ParameterId)
-            .filter(|id| model.parameters[id.0].effect.is_none_or(|effect| scene.effects.contains(&effect)))
-            .collect();
+        let outputs = model.outputs.iter().enumerate().filter(|(_, output)| called(output.effect));
+        let outputs = outputs.map(|(i, output)| (i, writer.write(&output.value))).collect();
+        let parameters =
+            (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
         let multipliers = drives(&mut algebra, &mut symbols, &constraints, &mut power);
         Self {
             algebra,
             symbols,
             parameters,
+            inputs,
+            outputs,
             mass,
             mass_entries,
             constraints,

@@ -1,15 +1,16 @@
 //! The symbols of a scene: time, coordinates, velocities, and values named on the way.
 
-use crate::model::{BodyId, Component, Model};
+use crate::model::{BodyId, Component, InputId, Model};
 use crate::symbolic::Symbol;
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::spelling;
 
-/// Symbols in fixed places: time, then `n_q` coordinates, then `n_q` velocities, then what a kernel names.
+/// Symbols in fixed places: time, then `n_q` coordinates, `n_q` velocities, the inputs, then what a kernel names.
 #[derive(Debug)]
 pub struct Symbols {
     coordinates: Vec<Printed>,
     velocities: Vec<Printed>,
+    inputs: Vec<(InputId, Printed)>,
     parameters: Vec<Printed>,
     named: Vec<String>,
 }
@@ -20,12 +21,14 @@ pub enum Meaning {
     Time,
     Coordinate(usize),
     Velocity(usize),
+    Input(usize),
     /// Index into the values that a kernel names or reads besides.
     Named(usize),
 }
 
 impl Symbols {
-    pub fn new(model: &Model) -> Self {
+    /// The symbols of a scene with these inputs.
+    pub fn new(model: &Model, inputs: &[InputId]) -> Self {
         let (mut coordinates, mut velocities) = (Vec::new(), Vec::new());
         for body in &model.bodies {
             let body = body.name.to_string();
@@ -35,7 +38,8 @@ impl Symbols {
             }
         }
         let parameters = model.parameters.iter().map(|p| spelling::name(&p.name.to_string())).collect();
-        Self { coordinates, velocities, parameters, named: Vec::new() }
+        let inputs = inputs.iter().map(|&id| (id, spelling::name(&model.inputs[id.0].name.to_string()))).collect();
+        Self { coordinates, velocities, inputs, parameters, named: Vec::new() }
     }
 
     pub fn n_coordinates(&self) -> usize {
@@ -58,10 +62,20 @@ impl Symbols {
         symbol(1 + self.n_coordinates() + i)
     }
 
+    /// The symbol of an input; `None` in scenes that do not call for its effect.
+    pub fn input(&self, id: InputId) -> Option<Symbol> {
+        let i = self.inputs.iter().position(|(other, _)| *other == id)?;
+        Some(symbol(1 + 2 * self.n_coordinates() + i))
+    }
+
+    pub fn n_inputs(&self) -> usize {
+        self.inputs.len()
+    }
+
     /// A new symbol for a value that a kernel computes or reads.
     pub fn new_named(&mut self, name: String) -> Symbol {
         self.named.push(name);
-        symbol(self.named.len() + 2 * self.n_coordinates())
+        symbol(self.named.len() + 2 * self.n_coordinates() + self.n_inputs())
     }
 
     pub fn meaning(&self, symbol: Symbol) -> Meaning {
@@ -70,7 +84,8 @@ impl Symbols {
             0 => Meaning::Time,
             _ if i <= n => Meaning::Coordinate(i - 1),
             _ if i <= 2 * n => Meaning::Velocity(i - 1 - n),
-            _ => Meaning::Named(i - 1 - 2 * n),
+            _ if i <= 2 * n + self.n_inputs() => Meaning::Input(i - 1 - 2 * n),
+            _ => Meaning::Named(i - 1 - 2 * n - self.n_inputs()),
         }
     }
 
@@ -80,6 +95,7 @@ impl Symbols {
             Meaning::Time => "t".to_owned(),
             Meaning::Coordinate(i) => self.coordinates[i].text.replace('.', "_"),
             Meaning::Velocity(i) => self.velocities[i].text.replace('.', "_"),
+            Meaning::Input(i) => self.inputs[i].1.text.clone(),
             Meaning::Named(i) => self.named[i].clone(),
         }
     }
@@ -99,6 +115,7 @@ impl Names for Symbols {
             Meaning::Time => Printed::atom("t", "t", "<mi>t</mi>"),
             Meaning::Coordinate(i) => self.coordinates[i].clone(),
             Meaning::Velocity(i) => self.velocities[i].clone(),
+            Meaning::Input(i) => self.inputs[i].1.clone(),
             Meaning::Named(i) => spelling::name(&self.named[i]),
         }
     }

@@ -14,6 +14,8 @@ pub struct Context<'a> {
     pub names: Names,
     /// By [`super::ParameterId`].
     pub units: Vec<Option<Unit>>,
+    /// By [`super::InputId`].
+    pub input_units: Vec<Option<Unit>>,
     pub lets: Vec<Lazy<(Scope, &'a ast::Let), Value>>,
     /// How many `let` values are in work.
     pub n_lets_in_work: usize,
@@ -59,6 +61,8 @@ pub enum Motion {
     Time,
     Position,
     Velocity,
+    /// What a caller sets while the scene runs; nobody knows its rate.
+    Input,
 }
 
 impl Motion {
@@ -69,6 +73,7 @@ impl Motion {
             Self::Time => "the time",
             Self::Position => "the position",
             Self::Velocity => "the velocity",
+            Self::Input => "an input",
         }
     }
 }
@@ -101,6 +106,7 @@ impl Purpose {
 pub fn motion(expr: &Expr) -> Motion {
     match expr {
         Expr::Number(_) | Expr::Pi | Expr::Parameter(_) => Motion::Parameters,
+        Expr::Input(_) => Motion::Input,
         Expr::Time => Motion::Time,
         Expr::Coordinate(..) | Expr::PointPosition(..) | Expr::HingeAngle(_) => Motion::Position,
         Expr::Velocity(..) | Expr::PointVelocity(..) | Expr::HingeRate(_) => Motion::Velocity,

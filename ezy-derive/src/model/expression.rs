@@ -3,6 +3,7 @@
 use super::context::{Context, Motion, Purpose, motion};
 use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
+use super::unit::Unit;
 use super::value::{Form, Value};
 use super::{Direction, Expr};
 use crate::diag::{names, rules, values};
@@ -132,9 +133,12 @@ impl Context<'_> {
         match self.names.lookup(purpose.scope, name) {
             Some(Symbol::Parameter(id)) => {
                 let unit = self.units.get(id.0).copied().flatten();
-                let value = Expr::Parameter(id);
-                let value = unit.map_or(value.clone(), |unit| unit.expr_to_si(value));
-                Some(Value::scalar(value, unit.map_or(Measure::Unknown, |unit| unit.dimension.into())))
+                Some(in_si(Expr::Parameter(id), unit))
+            }
+            Some(Symbol::Input(id)) => {
+                self.forbid_motion(name, Motion::Input, purpose)?;
+                let unit = self.input_units.get(id.0).copied().flatten();
+                Some(in_si(Expr::Input(id), unit))
             }
             Some(Symbol::Let(id)) => {
                 let value = self.let_value(id, name)?;
@@ -172,7 +176,7 @@ impl Context<'_> {
     ) -> Option<()> {
         match &purpose.limit {
             Some((what, limit)) if motion > *limit => {
-                self.diag.error(values::must_not_move(at, what, motion.text(), *limit > Motion::Parameters));
+                self.diag.error(values::must_not_move(at, what, motion.text(), remedy(motion, *limit)));
                 None
             }
             _ => Some(()),
@@ -194,6 +198,25 @@ impl Context<'_> {
             return None;
         }
         Some(Direction { body, x, y })
+    }
+}
+
+/// A number that is given in a unit.
+fn in_si(value: Expr, unit: Option<Unit>) -> Value {
+    match unit {
+        Some(unit) => Value::scalar(unit.expr_to_si(value), unit.dimension),
+        None => Value::scalar(value, Measure::Unknown),
+    }
+}
+
+/// What to write in place of something that moves more than `limit`.
+const fn remedy(motion: Motion, limit: Motion) -> &'static str {
+    match (motion, limit) {
+        (_, Motion::Parameters) => "write an expression of numbers, `pi` and parameters",
+        (Motion::Input, _) => {
+            "a row needs its rate; write a stiff force law, or prescribe the motion by a `drive` in `t`"
+        }
+        _ => "a position row knows positions and `t`; write `velocity constraint` for a row of velocities",
     }
 }
 

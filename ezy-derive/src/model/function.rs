@@ -75,7 +75,9 @@ impl Context<'_> {
         let functions = SCALAR.iter().map(|row| row.0).chain(VECTOR.iter().map(|row| row.0));
         let functions: Vec<&str> = functions.collect();
         match symbol {
-            Some(symbol @ (Symbol::Parameter(_) | Symbol::Let(_))) => values::called_value(function, symbol.what()),
+            Some(symbol @ (Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Let(_))) => {
+                values::called_value(function, symbol.what())
+            }
             _ => names::unknown_function(function, &functions),
         }
     }

@@ -43,7 +43,7 @@ impl Context<'_> {
                 "rate" => Some(Value::scalar(Expr::HingeRate(row), Dimension::ANGULAR_VELOCITY)),
                 _ => point_member(point, &name),
             },
-            Symbol::Parameter(_) | Symbol::Let(_) | Symbol::Row(..) => {
+            Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Output | Symbol::Let(_) | Symbol::Row(..) => {
                 self.diag.error(names::no_members(member, owner, symbol.what()));
                 return None;
             }

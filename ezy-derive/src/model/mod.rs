@@ -12,6 +12,7 @@ mod lazy;
 mod mechanism;
 mod member;
 mod names;
+mod output;
 mod resolve;
 mod scene;
 mod start;
@@ -33,6 +34,9 @@ pub struct BodyId(pub usize);
 /// Index into [`Model::parameters`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ParameterId(pub usize);
+/// Index into [`Model::inputs`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct InputId(pub usize);
 /// Index into [`Model::points`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PointId(pub usize);
@@ -55,6 +59,10 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// Parameters of the model and of its effects, in declared order.
     pub parameters: Vec<Parameter>,
+    /// Inputs of the model and of its effects, in declared order; declared like parameters.
+    pub inputs: Vec<Parameter>,
+    /// Outputs of the model, then of its effects.
+    pub outputs: Vec<Output>,
     /// Named points in declared order; each hinge adds the point that carries its name (its place on the first body).
     pub points: Vec<Point>,
     pub rows: Vec<Row>,
@@ -82,6 +90,20 @@ pub struct Parameter {
     pub documentation: String,
     /// The effect that declares it.
     pub effect: Option<EffectId>,
+}
+
+/// A scalar output; a vector is two of them.
+#[derive(Debug)]
+pub struct Output {
+    /// `p`, or `p.x` and `p.y`.
+    pub name: String,
+    /// As written, blanks removed; empty when none was declared.
+    pub unit: String,
+    pub documentation: String,
+    /// The effect that declares it.
+    pub effect: Option<EffectId>,
+    /// In its unit.
+    pub value: Expr,
 }
 
 #[derive(Debug)]
@@ -209,6 +231,7 @@ pub enum Expr {
     Pi,
     Time,
     Parameter(ParameterId),
+    Input(InputId),
     /// `body.x`, `body.y`, `body.phi`
     Coordinate(BodyId, Component),
     /// `body.vx`, `body.vy`, `body.omega`

@@ -1,7 +1,7 @@
 //! What each name stands for. A model has one set of names for everything that expressions and places can
 //! use; each effect adds its own.
 
-use super::{BodyId, EffectId, ParameterId, PointId, RowId};
+use super::{BodyId, EffectId, InputId, ParameterId, PointId, RowId};
 use crate::diag::{Diagnostics, names as message};
 use proc_macro2::{Ident, Span};
 
@@ -12,6 +12,8 @@ const RESERVED: [(&str, &str); 3] = [("t", "the time"), ("pi", "the number π"),
 pub enum Symbol {
     Body(BodyId),
     Parameter(ParameterId),
+    Input(InputId),
+    Output,
     Let(usize),
     Point(PointId),
     Hinge(RowId, PointId),
@@ -27,6 +29,8 @@ impl Symbol {
         match self {
             Self::Body(_) => "a body",
             Self::Parameter(_) => "a parameter",
+            Self::Input(_) => "an input",
+            Self::Output => "an output",
             Self::Let(_) => "a value",
             Self::Point(_) => "a point",
             Self::Hinge(..) => "a hinge",
@@ -36,7 +40,7 @@ impl Symbol {
     }
 
     const fn is_value(self) -> bool {
-        matches!(self, Self::Parameter(_) | Self::Let(_))
+        matches!(self, Self::Parameter(_) | Self::Input(_) | Self::Let(_))
     }
 
     const fn is_place(self) -> bool {
@@ -114,7 +118,7 @@ impl Names {
         places.map(|declared| declared.name.as_str()).collect()
     }
 
-    /// Parameters and `let` values.
+    /// Parameters, inputs and `let` values.
     pub fn values(&self, scope: Scope) -> Vec<&str> {
         let values = self.visible(scope).filter(|declared| declared.symbol.is_value());
         values.map(|declared| declared.name.as_str()).collect()

@@ -5,7 +5,7 @@ use super::context::{Context, Lazy, PointSource};
 use super::names::{Names, Scope, Symbol};
 use super::scene::{Choice, parameters};
 use super::unit::Unit;
-use super::{BodyId, Effect, EffectId, Model, Parameter, ParameterId, Point, PointId, RowId};
+use super::{BodyId, Effect, EffectId, InputId, Model, Parameter, ParameterId, Point, PointId, RowId};
 use crate::diag::{Diagnostics, names, rules, scenes};
 use crate::parse::ast::{self, Item, ItemKind, Phrase};
 use proc_macro2::Ident;
@@ -17,11 +17,13 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
             diag,
             names: Names::default(),
             units: Vec::new(),
+            input_units: Vec::new(),
             lets: Vec::new(),
             n_lets_in_work: 0,
             points: Vec::new(),
         },
         parameters: Vec::new(),
+        inputs: Vec::new(),
         effects: Vec::new(),
         n_bodies: 0,
         rows: Vec::new(),
@@ -34,6 +36,7 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
 struct Resolver<'a> {
     context: Context<'a>,
     parameters: Vec<Parameter>,
+    inputs: Vec<Parameter>,
     effects: Vec<&'a ast::Effect>,
     n_bodies: usize,
     /// Rows of the model, then of its effects.
@@ -65,9 +68,17 @@ impl<'a> Resolver<'a> {
         let (name, symbol) = match &item.kind {
             ItemKind::Parameter(parameter) => {
                 let id = ParameterId(self.parameters.len());
-                self.parameters.push(parameter_of(parameter, &item.documentation, scope, context));
+                context.units.push(parameter.unit.as_ref().and_then(|unit| Unit::resolve(unit, context.diag)));
+                self.parameters.push(parameter_of(parameter, "parameter", &item.documentation, scope, context));
                 (&parameter.name, Symbol::Parameter(id))
             }
+            ItemKind::Input(input) => {
+                let id = InputId(self.inputs.len());
+                context.input_units.push(input.unit.as_ref().and_then(|unit| Unit::resolve(unit, context.diag)));
+                self.inputs.push(parameter_of(input, "input", &item.documentation, scope, context));
+                (&input.name, Symbol::Input(id))
+            }
+            ItemKind::Output(output) => (&output.name, Symbol::Output),
             ItemKind::Let(value) => {
                 context.lets.push(Lazy::waiting((scope, value)));
                 (&value.name, Symbol::Let(context.lets.len() - 1))
@@ -121,8 +132,10 @@ impl<'a> Resolver<'a> {
         for (i, (&(statement, effect), name)) in self.rows.iter().zip(&row_names).enumerate() {
             rows.extend(context.row(statement, name, RowId(i), effect));
         }
+        let mut outputs = Vec::new();
         for item in &ast.items {
             match &item.kind {
+                ItemKind::Output(output) => outputs.extend(context.output(output, &item.documentation, None)),
                 ItemKind::Body(body) => {
                     bodies.extend(context.body_item(body, &defaults).map(|resolved| (body, resolved)));
                 }
@@ -130,6 +143,11 @@ impl<'a> Resolver<'a> {
                 ItemKind::Release(row) => context.diag.error(scenes::release_outside_effect(row)),
                 ItemKind::Effect(effect) => {
                     let id = EffectId(effects.len());
+                    for item in &effect.items {
+                        if let ItemKind::Output(output) = &item.kind {
+                            outputs.extend(context.output(output, &item.documentation, Some(id)));
+                        }
+                    }
                     let inner = effect.items.iter().filter_map(|item| match &item.kind {
                         ItemKind::Statement(force) if !force.word.is_row() => Some(force),
                         _ => None,
@@ -174,6 +192,8 @@ impl<'a> Resolver<'a> {
             documentation: ast.documentation.clone(),
             bodies: bodies.into_iter().map(|(_, body)| body).collect(),
             parameters: std::mem::take(&mut self.parameters),
+            inputs: std::mem::take(&mut self.inputs),
+            outputs,
             points,
             rows,
             forces,
@@ -199,10 +219,15 @@ impl Resolver<'_> {
     }
 }
 
-fn parameter_of(parameter: &ast::Parameter, documentation: &str, effect: Scope, context: &mut Context) -> Parameter {
+fn parameter_of(
+    parameter: &ast::Parameter,
+    what: &str,
+    documentation: &str,
+    effect: Scope,
+    context: &mut Context,
+) -> Parameter {
     let unit = parameter.unit.as_ref();
-    context.units.push(unit.and_then(|unit| Unit::resolve(unit, context.diag)));
-    let value = constant(&parameter.value, &format!("the value of parameter `{}`", parameter.name));
+    let value = constant(&parameter.value, &format!("the value of {what} `{}`", parameter.name));
     Parameter {
         name: parameter.name.clone(),
         unit: unit.map_or_else(String::new, |unit| unit.text.clone()),

@@ -124,12 +124,12 @@ impl Context<'_> {
         effects.into_iter().map(|(id, _)| id).collect()
     }
 
-    /// The parameters of a scene are the fields of one type.
+    /// The parameters of a scene are the fields of one type; its inputs and outputs are known by their names.
     fn check_shared_parameters(&mut self, scene: &ast::Scene, effects: &[EffectId], choice: &Choice) {
         for (i, second) in effects.iter().enumerate() {
             for first in &effects[..i] {
                 let (first, second) = (choice.effects[first.0], choice.effects[second.0]);
-                for name in parameters(second).filter(|name| parameters(first).any(|other| other == *name)) {
+                for name in values(second).filter(|name| values(first).any(|other| other == *name)) {
                     self.diag.error(scenes::shared_parameter(name, &scene.name, &first.name, &second.name));
                 }
             }
@@ -159,6 +159,15 @@ impl Context<'_> {
 pub fn parameters(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
     effect.items.iter().filter_map(|item| match &item.kind {
         ast::ItemKind::Parameter(parameter) => Some(&parameter.name),
+        _ => None,
+    })
+}
+
+/// Names of parameters, inputs and outputs of an effect.
+fn values(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
+    effect.items.iter().filter_map(|item| match &item.kind {
+        ast::ItemKind::Parameter(value) | ast::ItemKind::Input(value) => Some(&value.name),
+        ast::ItemKind::Output(output) => Some(&output.name),
         _ => None,
     })
 }

@@ -125,6 +125,11 @@ impl Unit {
         value * self.times * PI.powi(self.pi) / self.over
     }
 
+    /// A value in SI units, in this unit.
+    pub fn expr_from_si(self, value: Expr) -> Expr {
+        Self { times: self.over, over: self.times, pi: -self.pi, ..self }.expr_to_si(value)
+    }
+
     /// The same as an expression; SI units leave no operation.
     pub fn expr_to_si(self, mut value: Expr) -> Expr {
         let number = |number| Box::new(Expr::Number(number));

@@ -22,6 +22,9 @@ pub struct Item {
 #[derive(Debug)]
 pub enum ItemKind {
     Parameter(Parameter),
+    /// Written like a parameter.
+    Input(Parameter),
+    Output(Output),
     Let(Let),
     Body(Body),
     Point(Point),
@@ -39,6 +42,13 @@ pub struct Parameter {
     pub value: Expr,
     /// The value as written, blanks removed.
     pub value_text: String,
+}
+
+#[derive(Debug)]
+pub struct Output {
+    pub name: Ident,
+    pub unit: Option<Unit>,
+    pub value: Expr,
 }
 
 #[derive(Debug)]

@@ -3,7 +3,7 @@
 use super::ast::{Item, ItemKind};
 use super::statement::statement;
 use super::token::{expected, skip};
-use super::{Log, body, effect, let_value, parameter, point, release, scene, start};
+use super::{Log, body, effect, let_value, output, parameter, point, release, scene, start};
 use crate::diag::syntax;
 use crate::words::WORDS;
 use proc_macro2::Ident;
@@ -33,13 +33,15 @@ pub const EFFECT: Level = Level { place: "an effect", items: ITEMS.split_at(N_MO
 /// How many items only a model can have.
 const N_MODEL_ITEMS: usize = 5;
 
-const ITEMS: [ItemWord; 8] = [
+const ITEMS: [ItemWord; 10] = [
     ItemWord { word: "body", example: "body seat { mass: m1, inertia: i1 }", parse: body::body },
     ItemWord { word: "point", example: "point A = seat(-a, 0);", parse: point::point },
     ItemWord { word: "effect", example: "effect pump { torque seat ~ bar: 2*cos(t); }", parse: effect::effect },
     ItemWord { word: "start", example: "start folded { seat at (0, 0) angle 0; at rest; }", parse: start::start },
     ItemWord { word: "scene", example: "scene driven { start folded; until 60 s; with pump; }", parse: scene::scene },
     ItemWord { word: "param", example: "param a: m = 0.2;", parse: parameter::parameter },
+    ItemWord { word: "input", example: "input torque: N*m = 0;", parse: parameter::input },
+    ItemWord { word: "output", example: "output speed: m/s = norm(seat.v);", parse: output::output },
     ItemWord { word: "let", example: "let speed = norm(seat.v);", parse: let_value::let_value },
     ItemWord { word: "release", example: "release rear;", parse: release::release },
 ];

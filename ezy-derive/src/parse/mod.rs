@@ -6,6 +6,7 @@ mod effect;
 mod expression;
 mod item;
 mod let_value;
+mod output;
 mod parameter;
 mod place;
 mod point;

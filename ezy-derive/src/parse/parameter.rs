@@ -1,23 +1,24 @@
-//! `param name: unit = value;`, `param name = value;`
+//! `param name: unit = value;`, `param name = value;`, and the same for `input`
 
 use super::Log;
 use super::ast::{ItemKind, Parameter};
 use super::expression::expression;
-use super::token::{expected, name, sign};
-use super::unit::unit;
+use super::token::{name, sign};
+use super::unit::optional_unit;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 pub fn parameter(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
-    let name = name(input, "the name of the parameter")?;
-    let unit = if input.peek(Token![:]) {
-        input.parse::<Token![:]>()?;
-        Some(unit(input)?)
-    } else if input.peek(Token![=]) {
-        None
-    } else {
-        return Err(expected(input, "`:` or `=`"));
-    };
+    declaration(input, "the name of the parameter").map(ItemKind::Parameter)
+}
+
+pub fn input(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
+    declaration(input, "the name of the input").map(ItemKind::Input)
+}
+
+fn declaration(input: ParseStream, what: &str) -> Result<Parameter> {
+    let name = name(input, what)?;
+    let unit = optional_unit(input)?;
     sign::<Token![=]>(input)?;
     let begin = input.cursor();
     let value = expression(input)?;
@@ -30,5 +31,5 @@ pub fn parameter(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
     }
     value_text.retain(|sign| !sign.is_whitespace());
     sign::<Token![;]>(input)?;
-    Ok(ItemKind::Parameter(Parameter { name, unit, value, value_text }))
+    Ok(Parameter { name, unit, value, value_text })
 }

@@ -10,6 +10,18 @@ const MAX_EXPONENT: i32 = 12;
 /// Brackets in brackets: `(N/(m*s))^2`.
 const MAX_BRACKETS: usize = 2;
 
+/// The unit between `:` and `=`, or none before `=`.
+pub fn optional_unit(input: ParseStream) -> Result<Option<Unit>> {
+    if input.peek(Token![:]) {
+        input.parse::<Token![:]>()?;
+        unit(input).map(Some)
+    } else if input.peek(Token![=]) {
+        Ok(None)
+    } else {
+        Err(expected(input, "`:` or `=`"))
+    }
+}
+
 pub fn unit(input: ParseStream) -> Result<Unit> {
     let mut unit = Unit { text: String::new(), factors: Vec::new() };
     product(input, 1, 0, &mut unit)?;

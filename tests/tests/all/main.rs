@@ -9,6 +9,7 @@ mod hand_and_generated;
 mod massless;
 mod order;
 mod other_mechanisms;
+mod outputs;
 mod projection;
 mod rank;
 mod recording;

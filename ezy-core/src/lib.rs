@@ -9,6 +9,7 @@
 pub mod dynamics;
 pub mod integrate;
 pub mod kernel;
+pub mod layout;
 pub mod linalg;
 pub mod model;
 pub mod record;

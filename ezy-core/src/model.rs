@@ -9,6 +9,10 @@
 //! `n_p` points, `n_i` inputs, `n_o` outputs. Kernels panic when a slice has another length; the layers above always
 //! pass the right ones.
 
+mod repeats;
+
+pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
+
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Formula {
@@ -119,7 +123,8 @@ pub struct EffectInfo {
     pub documentation: &'static str,
 }
 
-/// Non-zero pattern of a matrix by rows: the columns of row `i` are `columns[starts[i]..starts[i + 1]]`, ascending.
+/// Non-zero pattern of a matrix by rows: the columns of row `i` are `columns[starts[i]..starts[i + 1]]`. In scenes
+/// with counts they may come in any order and a column more than once; what stands at one place adds up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SparsityPattern {
     /// `n_rows + 1` offsets into `columns`.
@@ -176,7 +181,8 @@ pub struct EliminationStep {
     pub constant_pivot: bool,
 }
 
-/// Everything about a scene that is known when it is compiled.
+/// Everything about a scene that does not depend on parameters: known when it is compiled or, for a scene with
+/// counts, made when it is first asked for with these counts, and kept until the program ends.
 #[derive(Debug, Clone, Copy)]
 pub struct SceneInfo {
     /// Name of the model type, as written: `EzyRoller`.
@@ -222,9 +228,31 @@ pub struct SceneInfo {
     pub acceleration_operations: Operations,
     /// Operations of [`Scene::correction`].
     pub correction_operations: Operations,
+    /// What a scene with counts knows besides; `None` for one whose sizes are known when it is compiled. A scene with
+    /// counts has no generated elimination, its formulas are those of [`Repeats::templates`], and the lists of
+    /// entries (Jacobian, masses, forces) are empty.
+    pub repeats: Option<Repeats>,
 }
 
 impl SceneInfo {
+    /// Whether [`Scene::accelerations`] and [`Scene::correction`] solve: not in scenes with counts.
+    pub const fn has_elimination(&self) -> bool {
+        self.repeats.is_none()
+    }
+
+    /// The counts, in declared order.
+    pub const fn counts(&self) -> &'static [CountInfo] {
+        match self.repeats {
+            Some(repeats) => repeats.counts,
+            None => &[],
+        }
+    }
+
+    /// Number of unknowns of the equations of motion, n_q + n_c.
+    pub const fn n_unknowns(&self) -> usize {
+        self.coordinates.len() + self.rows.len()
+    }
+
     /// n_q.
     pub const fn n_coordinates(&self) -> usize {
         self.coordinates.len()
@@ -262,6 +290,9 @@ impl SceneInfo {
 pub struct DeficientRows(pub u64);
 
 impl DeficientRows {
+    /// Every row.
+    pub const ALL: Self = Self(u64::MAX);
+
     /// No pivot vanished.
     pub const fn none(self) -> bool {
         self.0 == 0
@@ -326,8 +357,19 @@ impl Start {
 /// Implemented by the types that `model!` generates. `c` holds the present inputs, then what [`Scene::constants`] wrote
 /// for the present parameters; `t` is the time in s, `q` and `v` are the `n_q` coordinates and velocities.
 pub trait Scene: Send + Sync {
-    /// What is known at compile time.
+    /// Names, sizes and equations; for a scene with counts, those of the present counts.
     fn info(&self) -> &'static SceneInfo;
+
+    /// Value of count `index` of [`SceneInfo::counts`]; zero past the last.
+    fn count(&self, index: usize) -> usize {
+        let _ = index;
+        0
+    }
+
+    /// Changes count `index`; the description and all constants are then others.
+    fn set_count(&mut self, index: usize, value: usize) {
+        let _ = (index, value);
+    }
 
     /// Value of parameter `index` of [`SceneInfo::parameters`].
     fn parameter(&self, index: usize) -> f64;
@@ -374,7 +416,8 @@ pub trait Scene: Send + Sync {
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
 
     /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
-    /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished.
+    /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished. A scene without
+    /// elimination ([`SceneInfo::has_elimination`]) writes nothing and marks every row.
     fn accelerations(
         &self,
         c: &[f64],
@@ -383,18 +426,27 @@ pub trait Scene: Send + Sync {
         v: &[f64],
         a: &mut [f64],
         lambda: &mut [f64],
-    ) -> DeficientRows;
+    ) -> DeficientRows {
+        let _ = (c, t, q, v, a, lambda);
+        DeficientRows::ALL
+    }
 
     /// Generated mass-weighted correction: the `delta` of smallest `deltaᵀ M delta` with `G(q, t) delta = −residual`.
-    /// Reads `n_c` residuals, writes `n_q`; needs M > 0, meaningless when a pivot vanished.
-    fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows;
+    /// Reads `n_c` residuals, writes `n_q`; needs M > 0, meaningless when a pivot vanished. A scene without
+    /// elimination writes nothing and marks every row.
+    fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
+        let _ = (c, t, q, residual, delta);
+        DeficientRows::ALL
+    }
 }
 
 /// A scene of a model, for registries.
 #[derive(Debug, Clone, Copy)]
 pub struct SceneEntry {
-    /// What is known at compile time.
-    pub info: &'static SceneInfo,
+    /// Name of the scene, as written.
+    pub name: &'static str,
+    /// Names, sizes and equations; with the declared counts where there are any.
+    pub info: fn() -> &'static SceneInfo,
     /// Makes the scene with its declared parameters.
     pub new: fn() -> Box<dyn Scene>,
 }

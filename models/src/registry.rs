@@ -23,7 +23,7 @@ pub fn find(path: &str) -> Result<Selection, UnknownName> {
     let (model, scene) = path.split_once('/').map_or((path, None), |(model, scene)| (model, Some(scene)));
     let model = MODELS[position("model", model, MODELS.iter().map(|m| m.name))?];
     let Some(scene) = scene else { return Ok(Selection { model, scene: None }) };
-    let i = position("scene", scene, model.scenes.iter().map(|s| s.info.name))?;
+    let i = position("scene", scene, model.scenes.iter().map(|s| s.name))?;
     Ok(Selection { model, scene: Some(&model.scenes[i]) })
 }
 

@@ -1,45 +1,128 @@
-//! A chain of equal rods under gravity, hung from the origin: as many rows as one likes.
+//! A chain of equal rods under gravity, hung from the origin: as many rods as one likes.
 //!
-//! Without a generated elimination: its kernels answer through a dense solution, so that the dense and the sparse
-//! backend can be compared with it at any size.
+//! Written by hand as `model!` writes it for a model with a count: descriptions from loops, kernels in loops, no
+//! generated elimination.
 
-use crate::leaked::{Description, info};
-use ezy_core::model::{DeficientRows, EffectInfo, Scene, SceneInfo, Start};
-use nalgebra::{DMatrix, DVector};
+use ezy_core::layout::{Bodies, Known, Layout};
+use ezy_core::model::{
+    CountInfo, EffectInfo, Formula, Operations, Repeats, RowInfo, RowTemplate, Scene, SceneInfo, SlotCoordinate,
+    SparsityPattern, Start, TemplateInfo,
+};
 
 const LENGTH: f64 = 1.0;
 const MASS: f64 = 1.0;
 const INERTIA: f64 = MASS * LENGTH * LENGTH / 12.0;
 const GRAVITY: f64 = 9.81;
-const EFFECTS: [EffectInfo; 1] = [EffectInfo { name: "gravity", documentation: "" }];
 
 /// `n` rods; hinge `i` joins rod `i − 1` (the ground for the first) and rod `i`.
 pub struct Chain {
-    n: usize,
-    info: &'static SceneInfo,
+    /// Number of rods.
+    pub n: usize,
 }
+
+const fn f(text: &'static str) -> Formula {
+    Formula { text, latex: text, mathml: text }
+}
+
+const fn on(slot: usize, component: usize, text: &'static str) -> SlotCoordinate {
+    SlotCoordinate { slot, component, symbol: f(text) }
+}
+
+const fn row(name: &'static str, suffix: &'static str, entries: &'static [(SlotCoordinate, Formula)]) -> RowTemplate {
+    let (constraint, convective_term) = (f("end - beginning"), f("centripetal"));
+    RowTemplate {
+        suffix,
+        row: RowInfo { name, kind: "hinge", multiplier_unit: "N", constraint, convective_term },
+        position: true,
+        entries,
+    }
+}
+
+const fn hinge(name: &'static str, ranges: &'static [&'static str], rows: &'static [RowTemplate]) -> TemplateInfo {
+    TemplateInfo { name, word: "hinge", ranges, effect: None, rows, forces: &[], masses: &[] }
+}
+
+static TOP: TemplateInfo = hinge(
+    "top",
+    &[],
+    &[
+        row("top.x", ".x", &[(on(0, 0, "rod[0].x"), f("-1")), (on(0, 2, "rod[0].phi"), f("-l/2*sin(rod[0].phi)"))]),
+        row("top.y", ".y", &[(on(0, 1, "rod[0].y"), f("-1")), (on(0, 2, "rod[0].phi"), f("l/2*cos(rod[0].phi)"))]),
+    ],
+);
+
+static PIN: TemplateInfo = hinge(
+    "pin",
+    &["i in 1..n"],
+    &[
+        row(
+            "pin[i].x",
+            ".x",
+            &[
+                (on(0, 0, "rod[i-1].x"), f("1")),
+                (on(0, 2, "rod[i-1].phi"), f("-l/2*sin(rod[i-1].phi)")),
+                (on(1, 0, "rod[i].x"), f("-1")),
+                (on(1, 2, "rod[i].phi"), f("-l/2*sin(rod[i].phi)")),
+            ],
+        ),
+        row(
+            "pin[i].y",
+            ".y",
+            &[
+                (on(0, 1, "rod[i-1].y"), f("1")),
+                (on(0, 2, "rod[i-1].phi"), f("l/2*cos(rod[i-1].phi)")),
+                (on(1, 1, "rod[i].y"), f("-1")),
+                (on(1, 2, "rod[i].phi"), f("l/2*cos(rod[i].phi)")),
+            ],
+        ),
+    ],
+);
+
+static FIXED: SceneInfo = SceneInfo {
+    model: "Chain",
+    name: "swing",
+    documentation: "",
+    bodies: &[],
+    coordinates: &[],
+    points: &[],
+    rows: &[],
+    n_position_rows: 0,
+    parameters: &[],
+    inputs: &[],
+    outputs: &[],
+    effects: &[EffectInfo { name: "gravity", documentation: "" }],
+    until_s: 1.0,
+    n_constants: 0,
+    jacobian: SparsityPattern { starts: &[0], columns: &[] },
+    jacobian_entries: &[],
+    mass_entries: &[],
+    force_entries: &[],
+    elimination: &[],
+    acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+    correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+    repeats: Some(Repeats {
+        counts: &[CountInfo { name: "n", default: 100, documentation: "rods" }],
+        values: &[100],
+        templates: &[TOP, PIN],
+        fault: None,
+    }),
+};
 
 impl Chain {
     /// A chain of `n` rods.
     pub fn new(n: usize) -> Self {
-        let axes = |i: usize| ["x", "y"].map(|axis| format!("pin{i}.{axis}"));
-        let columns = |i: usize| {
-            [0, 1].map(|axis| {
-                let before = if i == 0 { vec![] } else { vec![3 * i - 3 + axis, 3 * i - 1] };
-                [before, vec![3 * i + axis, 3 * i + 2]].concat()
-            })
-        };
-        let description = Description {
-            model: "Chain",
-            n_bodies: n,
-            rows: (0..n).flat_map(axes).collect(),
-            n_position_rows: 2 * n,
-            columns: (0..n).flat_map(columns).collect(),
-            parameters: &[],
-            effects: &EFFECTS,
-            until_s: 1.0,
-        };
-        Self { n, info: info(description) }
+        Self { n }
+    }
+
+    fn describe(&self, layout: &mut Layout) {
+        let rods = Bodies { name: "rod", first: 0, length: self.n };
+        layout.bodies("rod", self.n);
+        let slots = [layout.member(&TOP, &[], rods, 0)];
+        layout.rows(&TOP, &[], &slots);
+        for i in layout.range(1, self.n as i64) {
+            let slots = [layout.member(&PIN, &[i], rods, i - 1), layout.member(&PIN, &[i], rods, i)];
+            layout.rows(&PIN, &[i], &slots);
+        }
     }
 
     /// Rows of C at position level for angles and their first and second time derivatives: the end of rod `i − 1`
@@ -52,29 +135,6 @@ impl Chain {
             }
         }
     }
-
-    fn solve(&self, q: &[f64], f: &[f64], r: &[f64], x: &mut [f64], y: &mut [f64]) -> DeficientRows {
-        let (n_q, n_c) = (3 * self.n, 2 * self.n);
-        let mut entries = vec![0.0; self.info.jacobian.n_nonzeros()];
-        self.velocity_jacobian(&[], 0.0, q, &mut entries);
-        let mut kkt = DMatrix::zeros(n_q + n_c, n_q + n_c);
-        let mut mass = vec![0.0; n_q];
-        self.mass_matrix(&[], &mut mass);
-        (0..n_q).for_each(|i| kkt[(i, i)] = mass[i]);
-        for (k, row, column) in self.info.jacobian.entries() {
-            kkt[(n_q + row, column)] = entries[k];
-            kkt[(column, n_q + row)] = entries[k];
-        }
-        let right_side = DVector::from_iterator(n_q + n_c, f.iter().chain(r).copied());
-        match kkt.full_piv_lu().solve(&right_side) {
-            None => DeficientRows(u64::MAX),
-            Some(solution) => {
-                x.copy_from_slice(&solution.as_slice()[..n_q]);
-                y.copy_from_slice(&solution.as_slice()[n_q..]);
-                DeficientRows::default()
-            }
-        }
-    }
 }
 
 /// Half a rod along its axis.
@@ -84,7 +144,18 @@ fn half(phi: f64) -> [f64; 2] {
 
 impl Scene for Chain {
     fn info(&self) -> &'static SceneInfo {
-        self.info
+        static KNOWN: Known = Known::new();
+        KNOWN.info(&FIXED, &[self.n], |layout| self.describe(layout))
+    }
+
+    fn count(&self, index: usize) -> usize {
+        if index == 0 { self.n } else { 0 }
+    }
+
+    fn set_count(&mut self, index: usize, value: usize) {
+        if index == 0 {
+            self.n = value;
+        }
     }
 
     fn parameter(&self, _index: usize) -> f64 {
@@ -116,16 +187,20 @@ impl Scene for Chain {
     }
 
     fn velocity_jacobian(&self, _c: &[f64], _t: f64, q: &[f64], out: &mut [f64]) {
-        for (k, row, column) in self.info.jacobian.entries() {
-            let (i, axis) = (row / 2, row % 2);
-            let [x, y] = half(q[3 * (column / 3) + 2]);
+        let mut out = out.iter_mut();
+        let mut put = |value: f64| *out.next().expect("room for every entry") = value;
+        for i in 0..self.n {
+            let [x, y] = half(q[3 * i + 2]);
             // on the angle: the half rod, turned; the same sign on both sides of a hinge
-            let angle = [-y, x][axis];
-            out[k] = match (column % 3 == 2, column / 3 == i) {
-                (true, _) => angle,
-                (false, true) => -1.0,
-                (false, false) => 1.0,
-            };
+            for (axis, turned) in [-y, x].into_iter().enumerate() {
+                if i > 0 {
+                    let [x, y] = half(q[3 * i - 1]);
+                    put(1.0);
+                    put([-y, x][axis]);
+                }
+                put(-1.0);
+                put(turned);
+            }
         }
     }
 
@@ -149,25 +224,4 @@ impl Scene for Chain {
     fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
 
     fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
-
-    fn accelerations(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> DeficientRows {
-        let (mut f, mut h) = (vec![0.0; 3 * self.n], vec![0.0; 2 * self.n]);
-        self.applied_force(c, t, q, v, &mut f);
-        self.convective_term(c, t, q, v, &mut h);
-        h.iter_mut().for_each(|h| *h = -*h);
-        self.solve(q, &f, &h, a, lambda)
-    }
-
-    fn correction(&self, _c: &[f64], _t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
-        let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
-        self.solve(q, &vec![0.0; 3 * self.n], &minus, delta, &mut vec![0.0; 2 * self.n])
-    }
 }

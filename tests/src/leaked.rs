@@ -85,5 +85,6 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         elimination: &[],
         acceleration_operations: Operations::default(),
         correction_operations: Operations::default(),
+        repeats: None,
     }))
 }

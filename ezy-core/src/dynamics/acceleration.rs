@@ -1,8 +1,9 @@
 //! Accelerations and multipliers; corrections with the same matrix.
 
+use super::projection::Euclidean;
 use super::system::Solver;
 use super::{Metric, MotionError, System};
-use crate::linalg::{DenseKkt, KktFactorization, diagnose};
+use crate::linalg::{DenseKkt, KktFactorization, LARGEST_DIAGNOSED, diagnose};
 use crate::model::{Scene, SceneInfo};
 
 impl<S: Scene + ?Sized> System<'_, S> {
@@ -94,8 +95,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
             (Solver::Factored(_), Metric::Mass) => self.factored_correction(t, q, residual, delta),
             (_, Metric::Euclidean) => {
                 self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-                let euclidean =
-                    self.euclidean.get_or_insert_with(|| Box::new(super::projection::Euclidean::new(self.info)));
+                let euclidean = Euclidean::of(&mut self.euclidean, self.info)?;
                 euclidean.velocity_correction(&self.buffers.jacobian, residual, delta)
             }
         };
@@ -132,7 +132,9 @@ impl<S: Scene + ?Sized> System<'_, S> {
     fn factor(&mut self, t: f64, q: &[f64]) -> bool {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let kkt = factored(&mut self.solver, &mut self.second_opinion, self.info);
-        kkt.factor(&self.mass, &self.buffers.jacobian).is_ok()
+        let outcome = kkt.factor(&self.mass, &self.buffers.jacobian);
+        self.vanished_row = outcome.err().and_then(|pivot| pivot.row);
+        outcome.is_ok()
     }
 
     /// Names what makes K singular. Slow; only for reports.
@@ -140,6 +142,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
     pub(super) fn why_singular(&mut self, t: f64, q: &[f64]) -> MotionError {
         let (scene, info) = (self.scene, self.info);
         scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        if info.n_unknowns() > LARGEST_DIAGNOSED {
+            let finite = self.buffers.jacobian.iter().all(|x| x.is_finite());
+            return match self.vanished_row {
+                Some(row) if finite => MotionError::VanishedRow { t, row: info.rows[row].name },
+                _ => MotionError::NotFinite { t, quantity: "the constraint Jacobian or an entry of its factors" },
+            };
+        }
         match diagnose(&self.mass, &info.jacobian, &self.buffers.jacobian) {
             None => MotionError::NotFinite { t, quantity: "the constraint Jacobian" },
             Some(found) if found.rows.is_empty() => MotionError::UndeterminedMotion {

@@ -1,6 +1,7 @@
 //! What can go wrong at one state.
 
 use crate::linalg::SparseKktError;
+use crate::model::LayoutFault;
 
 /// A system cannot be set up with these numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -38,6 +39,42 @@ pub enum SystemError {
     /// The sparse backend could not be prepared.
     #[error(transparent)]
     Sparse(#[from] SparseKktError),
+    /// Only the dense backend solves with massless bodies, and there are too many equations for it.
+    #[error(
+        "the {quantity} of body `{body}` is zero, and a system of {n} equations is too large for the dense backend \
+         (at most {limit}), the only one that solves with massless bodies; give it a mass and an inertia, or give \
+         smaller counts"
+    )]
+    MasslessInLargeScene {
+        /// Name of the body.
+        body: &'static str,
+        /// `mass` or `inertia`.
+        quantity: &'static str,
+        /// Number of equations.
+        n: usize,
+        /// Largest number for the dense backend.
+        limit: usize,
+    },
+    /// The dense backend was asked for with too many equations.
+    #[error("a system of {n} equations is too large for the dense backend (at most {limit}); use `auto` or `sparse`")]
+    TooLargeForDense {
+        /// Number of equations.
+        n: usize,
+        /// Largest number that is accepted.
+        limit: usize,
+    },
+    /// A scene with counts has no generated elimination.
+    #[error(
+        "scene `{scene}` has counts: its sizes are not known when it is compiled, so there is no generated \
+         elimination; use `auto`, `sparse` or `dense`"
+    )]
+    NoElimination {
+        /// Name of the scene.
+        scene: &'static str,
+    },
+    /// The counts make no scene.
+    #[error(transparent)]
+    Layout(#[from] LayoutFault),
 }
 
 /// The motion cannot be continued from a state.
@@ -47,7 +84,7 @@ pub enum MotionError {
     #[error(
         "constraint rows depend on each other at t = {t} s: {}; smallest singular value {smallest_singular_value:.1e} \
          of the largest. The reactions, and where the motion goes on, are undetermined: change the geometry or the \
-         start so that the rows are independent, or remove one of them", .rows.join(", ")
+         start so that the rows are independent, or remove one of them", list(.rows)
     )]
     DependentRows {
         /// Time, s.
@@ -57,16 +94,38 @@ pub enum MotionError {
         /// Smallest singular value of the scaled K relative to the largest.
         smallest_singular_value: f64,
     },
+    /// In a system too large to work out which rows depend on each other, one row has no pivot.
+    #[error(
+        "constraint row `{row}` depends on other rows at t = {t} s: its pivot vanishes. The system is too large to \
+         work out which: look at the joints around it, or at the same scene with smaller counts"
+    )]
+    VanishedRow {
+        /// Time, s.
+        t: f64,
+        /// Name of the row.
+        row: &'static str,
+    },
     /// A coordinate has neither mass nor a row that determines its acceleration.
     #[error(
         "the acceleration of {} is undetermined at t = {t} s: no mass and no constraint row moves it; \
-         give its body a mass or an inertia, or constrain it", .coordinates.join(", ")
+         give its body a mass or an inertia, or constrain it", list(.coordinates)
     )]
     UndeterminedMotion {
         /// Time, s.
         t: f64,
         /// Names of the coordinates.
         coordinates: Vec<&'static str>,
+    },
+    /// The Euclidean metric needs dense factors.
+    #[error(
+        "a system of {n} equations is too large for the Euclidean metric (at most {limit}), which is there for \
+         comparison; project in the metric of the masses"
+    )]
+    EuclideanTooLarge {
+        /// Number of equations.
+        n: usize,
+        /// Largest number that is accepted.
+        limit: usize,
     },
     /// A number overflowed or is undefined.
     #[error(
@@ -122,7 +181,7 @@ pub enum StartError {
     /// The given values and the constraints contradict each other.
     #[error(
         "the start contradicts the constraints: {} of {} cannot be met, the best start leaves {residual:.3e} \
-         (tolerance {tolerance:.1e}); held: {}. Give fewer values, or values that fit", .level, .rows.join(", "), list_or_nothing(.held)
+         (tolerance {tolerance:.1e}); held: {}. Give fewer values, or values that fit", .level, list(.rows), list_or_nothing(.held)
     )]
     Contradiction {
         /// `position` or `velocity`.
@@ -139,5 +198,16 @@ pub enum StartError {
 }
 
 fn list_or_nothing(names: &[&str]) -> String {
-    if names.is_empty() { "nothing".to_owned() } else { names.join(", ") }
+    if names.is_empty() { "nothing".to_owned() } else { list(names) }
+}
+
+/// Names that a message lists; of more the rest is counted.
+const MAX_LISTED: usize = 40;
+
+fn list(names: &[&str]) -> String {
+    let listed = names[..names.len().min(MAX_LISTED)].join(", ");
+    match names.len().saturating_sub(MAX_LISTED) {
+        0 => listed,
+        more => format!("{listed} and {more} more"),
+    }
 }

@@ -1,7 +1,7 @@
 //! Back onto the constraints: positions first, then velocities at the projected positions.
 
 use super::{MotionError, System, max_abs};
-use crate::linalg::{DenseKkt, KktFactorization};
+use crate::linalg::{DenseKkt, KktFactorization, LARGEST_DENSE};
 use crate::model::{Scene, SceneInfo};
 
 /// What is projected after each step.
@@ -143,7 +143,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.counters.factorizations += 1;
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let info = self.info;
-        let euclidean = self.euclidean.get_or_insert_with(|| Box::new(Euclidean::new(info)));
+        let euclidean = Euclidean::of(&mut self.euclidean, info)?;
         let regular = euclidean.position_correction(&self.buffers.jacobian, &residual[..info.n_position_rows], delta);
         if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
     }
@@ -164,7 +164,16 @@ pub(super) struct Euclidean {
 }
 
 impl Euclidean {
-    pub fn new(info: &SceneInfo) -> Self {
+    /// The one of a system, made when it is first asked for.
+    pub fn of<'e>(made: &'e mut Option<Box<Self>>, info: &SceneInfo) -> Result<&'e mut Self, MotionError> {
+        let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
+        if n > limit {
+            return Err(MotionError::EuclideanTooLarge { n, limit });
+        }
+        Ok(made.get_or_insert_with(|| Box::new(Self::new(info))))
+    }
+
+    fn new(info: &SceneInfo) -> Self {
         let n_q = info.n_coordinates();
         Self {
             ones: vec![1.0; n_q],

@@ -2,6 +2,7 @@
 
 use super::projection::{ROUNDING_OF_ROWS, position_tolerance};
 use super::{StartError, State, System, max_abs};
+use crate::linalg::{KktFactorization, SparseKkt};
 use crate::model::{Scene, Start};
 use nalgebra::{DMatrix, DVector};
 
@@ -16,6 +17,19 @@ const RANK_TOLERANCE: f64 = 1e-10;
 
 /// Beyond this a coordinate keeps less than a micrometre, and the geometry of a body drowns in its rounding.
 const LARGEST_VALUE: f64 = 1e9;
+
+/// Coordinates beyond which corrections come from a sparse factorisation instead of singular values.
+const LARGEST_DENSE_START: usize = 150;
+
+/// Share of the diagonal of G M⁻¹ Gᵀ that is added to it in sparse corrections, so that rows which repeat others, or
+/// that given values alone decide, leave it regular. Rounding is 1e-4 of it; directions with a singular value of
+/// 1e-4 of the largest still converge by four digits a pass.
+const DAMPING: f64 = 1e-12;
+
+/// Passes over the velocity rows, which are linear: one solve and one that removes its rounding; with damping, some
+/// more for directions of small singular values.
+const VELOCITY_PASSES: usize = 2;
+const DAMPED_VELOCITY_PASSES: usize = 10;
 
 /// Residual of the velocity rows that counts as zero at moderate speeds, m/s and rad/s.
 const VELOCITY_TOLERANCE: f64 = 1e-12;
@@ -37,7 +51,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Errors
     /// [`StartError`] when a value is not finite, or when the rows cannot be met with the given values held.
     /// # Cost
-    /// A dense singular value decomposition a pass.
+    /// A dense singular value decomposition a pass; beyond 150 coordinates a sparse factorisation.
     pub fn consistent_start(&mut self, start: &Start) -> Result<State, StartError> {
         self.check_finite(start)?;
         let mut state = State::zero(self.info.n_coordinates(), self.info.n_effects());
@@ -105,8 +119,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let mut norm = self.velocity_residual(t, q, v);
         let mut length = self.residual_length(n_c);
         let mut trial = v.to_vec();
-        // the rows are linear in v: one solve, and a second one that removes its rounding
-        for _ in 0..2 {
+        let passes = if self.starts_sparse() { DAMPED_VELOCITY_PASSES } else { VELOCITY_PASSES };
+        for _ in 0..passes {
             if norm <= velocity_tolerance(v) {
                 return Ok(());
             }
@@ -133,19 +147,53 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// Change of the coordinates (or velocities) that are not given, smallest in the mass matrix, that removes the
     /// residual of the first `n_rows` rows in the buffer to first order, in the least-squares sense.
     fn free_correction(&mut self, t: f64, q: &[f64], n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        let finite = self.buffers.residual[..n_rows].iter().chain(&self.buffers.jacobian).all(|x| x.is_finite());
+        if !finite || given.iter().all(|given| *given) {
+            return None;
+        }
+        if self.starts_sparse() { self.sparse_correction(n_rows, given) } else { self.dense_correction(n_rows, given) }
+    }
+
+    fn starts_sparse(&self) -> bool {
+        self.info.n_coordinates() > LARGEST_DENSE_START
+    }
+
+    /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]` over the free coordinates, with D a small share of `G W⁻¹ Gᵀ`.
+    fn sparse_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
+        let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
+        let mut place = vec![None; given.len()];
+        free.iter().enumerate().for_each(|(i, &column)| place[column] = Some(i));
+        let root_weight = root_weights(&self.mass);
+        let weight: Vec<f64> = free.iter().map(|&i| root_weight[i] * root_weight[i]).collect();
+        let (mut entries, mut jacobian) = (Vec::new(), Vec::new());
+        for (k, row, column) in self.info.jacobian.entries().filter(|e| e.1 < n_rows) {
+            if let Some(i) = place[column] {
+                entries.push((row, i));
+                jacobian.push(self.buffers.jacobian[k]);
+            }
+        }
+        let mut kkt = SparseKkt::from_entries(free.len(), n_rows, entries).ok()?;
+        kkt.factor_damped(&weight, &jacobian, DAMPING).ok()?;
+        let mut solution = vec![0.0; free.len()];
+        solution.extend(self.buffers.residual[..n_rows].iter().map(|r| -r));
+        kkt.solve(&mut solution);
+        let mut step = vec![0.0; given.len()];
+        free.iter().zip(&solution).for_each(|(&column, x)| step[column] = *x);
+        Some(step)
+    }
+
+    /// By the singular values of `G W^(−1/2)` over the free coordinates.
+    fn dense_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
         let info = self.info;
         let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
         let residual = DVector::from_column_slice(&self.buffers.residual[..n_rows]);
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let jacobian = &self.buffers.jacobian;
-        if free.is_empty() || !residual.iter().chain(jacobian).all(|x| x.is_finite()) {
-            return None;
-        }
         let root_weight = root_weights(&self.mass);
-        let mut G = DMatrix::zeros(n_rows, free.len());
+        let mut G = DMatrix::<f64>::zeros(n_rows, free.len());
         for (k, row, column) in info.jacobian.entries().filter(|e| e.1 < n_rows) {
             if let Ok(i) = free.binary_search(&column) {
-                G[(row, i)] = jacobian[k] / root_weight[column];
+                G[(row, i)] += jacobian[k] / root_weight[column];
             }
         }
         let svd = G.try_svd(true, true, f64::EPSILON, 0)?;

@@ -2,7 +2,7 @@
 
 use super::SystemError;
 use super::projection::Euclidean;
-use crate::linalg::{Backend, DenseKkt, KktFactorization, SparseKkt};
+use crate::linalg::{Backend, DenseKkt, KktFactorization, LARGEST_DENSE, SparseKkt};
 use crate::model::{Scene, SceneInfo};
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
@@ -21,6 +21,8 @@ pub struct System<'s, S: Scene + ?Sized> {
     pub(super) solver: Solver,
     /// Made when a pivot of the generated elimination vanishes for the first time.
     pub(super) second_opinion: Option<Box<DenseKkt>>,
+    /// The row at which the last factorisation failed, where the method knows.
+    pub(super) vanished_row: Option<usize>,
     /// Made at the first Euclidean correction.
     pub(super) euclidean: Option<Box<Euclidean>>,
     pub(super) buffers: Buffers,
@@ -56,9 +58,12 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     /// Checks parameters and masses, computes the constants, chooses the solver.
     ///
     /// # Errors
-    /// [`SystemError`] naming the parameter or body that cannot be used.
+    /// [`SystemError`] naming the parameter, count or body that cannot be used.
     pub fn new(scene: &'s S, backend: Backend) -> Result<Self, SystemError> {
         let info = scene.info();
+        if let Some(fault) = info.repeats.and_then(|repeats| repeats.fault) {
+            return Err(fault.into());
+        }
         for (i, parameter) in info.parameters.iter().enumerate() {
             let value = scene.parameter(i);
             if !value.is_finite() {
@@ -80,6 +85,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             info,
             solver: solver(info, &mass, backend)?,
             second_opinion: None,
+            vanished_row: None,
             fixed,
             mass,
             euclidean: None,
@@ -142,18 +148,37 @@ fn solver(info: &'static SceneInfo, mass: &[f64], backend: Backend) -> Result<So
             Err(SystemError::BackendNeedsMass { body, quantity, backend })
         }
     };
-    let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
     let heaviest = mass.iter().copied().fold(0.0, f64::max);
     let light = massless.is_some() || mass.iter().any(|m| *m < LIGHTEST * heaviest);
-    Ok(match (backend, massless) {
-        (Backend::Auto, _) if !light => Solver::Generated,
-        (Backend::Auto | Backend::Dense, _) => Solver::Factored(Box::new(DenseKkt::new(n_q, &info.jacobian, n_c))),
-        (Backend::Generated, _) => needs_mass("generated").map(|()| Solver::Generated)?,
-        (Backend::Sparse, _) => {
-            needs_mass("sparse")?;
-            Solver::Factored(Box::new(SparseKkt::new(n_q, &info.jacobian)?))
-        }
-    })
+    let small = info.n_unknowns() <= LARGEST_DENSE;
+    match backend {
+        Backend::Auto if light && small => dense(info),
+        Backend::Auto if !info.has_elimination() => match massless.map(|i| body_of(info, i)) {
+            None => sparse(info),
+            Some((body, quantity)) => {
+                let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
+                Err(SystemError::MasslessInLargeScene { body, quantity, n, limit })
+            }
+        },
+        Backend::Auto if light => dense(info),
+        Backend::Auto => Ok(Solver::Generated),
+        Backend::Dense => dense(info),
+        Backend::Generated if !info.has_elimination() => Err(SystemError::NoElimination { scene: info.name }),
+        Backend::Generated => needs_mass("generated").map(|()| Solver::Generated),
+        Backend::Sparse => needs_mass("sparse").and_then(|()| sparse(info)),
+    }
+}
+
+fn dense(info: &'static SceneInfo) -> Result<Solver, SystemError> {
+    let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
+    if n > limit {
+        return Err(SystemError::TooLargeForDense { n, limit });
+    }
+    Ok(Solver::Factored(Box::new(DenseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows()))))
+}
+
+fn sparse(info: &'static SceneInfo) -> Result<Solver, SystemError> {
+    Ok(Solver::Factored(Box::new(SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())?)))
 }
 
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.

@@ -5,6 +5,9 @@ use super::{KktFactorization, VanishedPivot};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 use nalgebra::{DMatrix, DVectorViewMut, linalg};
 
+/// Largest n_q + n_c for which a dense K is made: 70 MB and some seconds a factorisation.
+pub const LARGEST_DENSE: usize = 3_000;
+
 /// LU factors of the scaled K. M may be singular as long as K is not: massless bodies that are held by rows.
 ///
 /// K is scaled on both sides by one diagonal, so that pivots of heavy and light bodies, of metres and radians,
@@ -40,7 +43,7 @@ impl KktFactorization for DenseKkt {
             let i_pivot = i + self.factors.view((i, i), (n - i, 1)).column(0).icamax();
             let pivot = self.factors[(i_pivot, i)];
             if pivot.is_nan() || pivot.abs() <= PIVOT_TOLERANCE {
-                return Err(VanishedPivot { relative: pivot.abs() });
+                return Err(VanishedPivot { relative: pivot.abs(), row: None });
             }
             self.pivot_rows[i] = i_pivot;
             if i_pivot != i {

@@ -10,24 +10,26 @@
 #![allow(non_snake_case)]
 
 mod dense;
+mod lower;
+mod order;
 mod rank;
 mod scaled;
 mod sparse;
 
-pub use dense::DenseKkt;
-pub use rank::{RankDiagnosis, diagnose};
+pub use dense::{DenseKkt, LARGEST_DENSE};
+pub use rank::{LARGEST_DIAGNOSED, RankDiagnosis, diagnose};
 pub use sparse::{SparseKkt, SparseKktError};
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Backend {
-    /// [`Backend::Generated`] unless a mass or inertia is zero or less than 1e-7 of the largest; then
-    /// [`Backend::Dense`].
+    /// [`Backend::Generated`], in scenes with counts [`Backend::Sparse`]; [`Backend::Dense`] when a mass or inertia is
+    /// zero or less than 1e-7 of the largest.
     #[default]
     Auto,
-    /// Straight-line elimination of the scene; needs positive masses and inertias.
+    /// Straight-line elimination of the scene; needs positive masses and inertias, and a scene without counts.
     Generated,
-    /// Pivoted dense LU; the only one for massless bodies.
+    /// Pivoted dense LU; the only one for massless bodies. Up to [`LARGEST_DENSE`] equations.
     Dense,
     /// Sparse LDLᵀ; needs positive masses and inertias.
     Sparse,
@@ -50,4 +52,6 @@ pub trait KktFactorization: Send {
 pub struct VanishedPivot {
     /// Size of the pivot, relative to the entry that it started from.
     pub relative: f64,
+    /// The row whose pivot it is, where the method knows.
+    pub row: Option<usize>,
 }

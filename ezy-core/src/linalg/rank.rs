@@ -25,8 +25,11 @@ const NULL_SPACE_TOLERANCE: f64 = 1e-5;
 /// next to singular values 1e-5 apart from the rest.
 const PARTICIPATION: f64 = 1e-4;
 
-/// Null space of K by the singular value decomposition of the scaled K. Slow: for reports only. `None` when M or G
-/// is not finite or the decomposition does not converge.
+/// Largest n_q + n_c that is diagnosed: beyond it the decomposition takes longer than anyone waits for a message.
+pub const LARGEST_DIAGNOSED: usize = 500;
+
+/// Null space of K by the singular value decomposition of the scaled K. Slow: for reports on up to
+/// [`LARGEST_DIAGNOSED`] unknowns only. `None` when M or G is not finite or the decomposition does not converge.
 pub fn diagnose(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Option<RankDiagnosis> {
     if !mass.iter().chain(jacobian).all(|x| x.is_finite()) {
         return None;

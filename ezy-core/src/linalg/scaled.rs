@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 /// Index of the value, row and column of an entry of G.
 pub type Entry = (usize, usize, usize);
 
-/// Writes D K D for the diagonal `d` of [`scale`].
+/// Writes D K D for the diagonal `d` of [`scale`]; entries of G at one place add up.
 pub fn assemble(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &[f64], K: &mut DMatrix<f64>) {
     let n_q = mass.len();
     K.fill(0.0);
@@ -14,8 +14,8 @@ pub fn assemble(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &[f64], K:
     }
     for &(k, row, column) in entries {
         let g = d[n_q + row] * jacobian[k] * d[column];
-        K[(n_q + row, column)] = g;
-        K[(column, n_q + row)] = g;
+        K[(n_q + row, column)] += g;
+        K[(column, n_q + row)] += g;
     }
 }
 

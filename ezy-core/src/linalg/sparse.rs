@@ -1,9 +1,11 @@
-//! Sparse LDLᵀ of K in an order known beforehand. Every call of faer is in this file.
+//! Sparse LDLᵀ of K in an order known beforehand.
 
+use super::lower::LowerTriangle;
+use super::order::{Order, bodies_before_rows};
 use super::{KktFactorization, VanishedPivot};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
+use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};
 use faer::perm::Perm;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
@@ -13,22 +15,36 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, MatMut, Par, Side, Spec};
 
-/// LDLᵀ factors of K, without pivoting: every row of G comes after all coordinates that it touches, so that the
+/// LDLᵀ factors of K, without pivoting: every row of G comes after the coordinates that it touches, so that the
 /// pivots are the masses and, for rows, minus the part of `g M⁻¹ gᵀ` that earlier rows leave. They vanish only
 /// with a mass or with the rank of G.
+///
+/// A body with very many joints comes after these joints instead, so that trees cost O(n) whatever their shape. A row
+/// that its other bodies alone do not support has no pivot in that order; then the first one is taken from there on.
 pub struct SparseKkt {
     n_q: usize,
-    pattern: SymbolicSparseColMat<usize>,
-    values: Vec<f64>,
-    /// Where the masses and the entries of G stand in `values`.
-    mass_places: Vec<usize>,
-    jacobian_places: Vec<usize>,
     /// (row, column) of each entry of G.
     entries: Vec<(usize, usize)>,
+    analysis: Analysis,
+    pivot_starts: Vec<f64>,
+}
+
+/// What follows from pattern and order.
+struct Analysis {
+    pattern: SymbolicSparseColMat<usize>,
+    values: Vec<f64>,
+    /// Where the masses, the entries of G and the diagonal of its rows stand in `values`.
+    mass_places: Vec<usize>,
+    jacobian_places: Vec<usize>,
+    row_places: Vec<usize>,
+    /// Whether an entry of G supports the pivot of its row: its coordinate comes first.
+    supports: Vec<bool>,
+    hubs_last: bool,
     symbolic: SymbolicCholesky<usize>,
+    /// Unknown at each position of the order.
+    order: Vec<usize>,
     /// Where the pivot of each row of G stands in `factors`.
     pivot_places: Vec<usize>,
-    pivot_starts: Vec<f64>,
     factors: Vec<f64>,
     scratch: MemBuffer,
 }
@@ -44,17 +60,84 @@ pub struct SparseKktError {
 }
 
 impl SparseKkt {
-    /// Analyses the pattern and allocates everything.
+    /// Analyses the pattern of the first `n_rows` rows and allocates everything.
     ///
     /// # Errors
     /// [`SparseKktError`] when the analysis fails, for want of memory.
-    pub fn new(n_q: usize, jacobian: &SparsityPattern) -> Result<Self, SparseKktError> {
-        let n = n_q + jacobian.n_rows();
+    pub fn new(n_q: usize, jacobian: &SparsityPattern, n_rows: usize) -> Result<Self, SparseKktError> {
+        let entries = jacobian.entries().filter(|(_, row, _)| *row < n_rows).map(|(_, row, column)| (row, column));
+        Self::from_entries(n_q, n_rows, entries.collect())
+    }
+
+    /// As [`Self::new`], from the (row, column) of each entry of G, in any order.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn from_entries(n_q: usize, n_rows: usize, entries: Vec<(usize, usize)>) -> Result<Self, SparseKktError> {
+        let analysis = Analysis::new(n_q, n_rows, &entries, true)?;
+        Ok(Self { n_q, entries, analysis, pivot_starts: vec![0.0; n_rows] })
+    }
+
+    /// Stored entries of L.
+    pub fn n_factor_entries(&self) -> usize {
+        self.analysis.factors.len()
+    }
+
+    /// As [`KktFactorization::factor`], with `share` times the diagonal of `G M⁻¹ Gᵀ` added to the rows:
+    /// `K = [M Gᵀ; G −D]`. Such a K is regular whatever the rank of G; a row without entries gets a one.
+    ///
+    /// # Errors
+    /// [`VanishedPivot`] when a number is not finite.
+    pub fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], share: f64) -> Result<(), VanishedPivot> {
+        self.assemble(mass, jacobian);
+        let Analysis { values, row_places, .. } = &mut self.analysis;
+        for (place, start) in row_places.iter().zip(&self.pivot_starts) {
+            values[*place] = if *start > 0.0 { -share * start } else { -1.0 };
+        }
+        self.analysis.eliminate()?;
+        let finite = self.analysis.factors.iter().all(|x| x.is_finite());
+        if finite { Ok(()) } else { Err(VanishedPivot { relative: f64::NAN, row: None }) }
+    }
+
+    /// Writes values, and for each row the part of `g M⁻¹ gᵀ` that its pivot starts from.
+    fn assemble(&mut self, mass: &[f64], jacobian: &[f64]) {
+        let Analysis { values, mass_places, jacobian_places, supports, .. } = &mut self.analysis;
+        values.fill(0.0);
+        for (place, m) in mass_places.iter().zip(mass) {
+            values[*place] = *m;
+        }
+        self.pivot_starts.fill(0.0);
+        let places = jacobian_places.iter().zip(supports).zip(&self.entries);
+        for (((place, supports), (row, column)), g) in places.zip(jacobian) {
+            values[*place] += *g;
+            if *supports {
+                self.pivot_starts[*row] += g * g / mass[*column];
+            }
+        }
+    }
+
+    fn try_factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
+        self.assemble(mass, jacobian);
+        self.analysis.eliminate()?;
+        let pivots = self.analysis.pivot_places.iter().map(|place| -self.analysis.factors[*place]);
+        for (row, (pivot, start)) in pivots.zip(&self.pivot_starts).enumerate() {
+            let relative = pivot / start;
+            if relative.is_nan() || relative <= PIVOT_TOLERANCE {
+                return Err(VanishedPivot { relative, row: Some(row) });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Analysis {
+    fn new(n_q: usize, n_rows: usize, entries: &[(usize, usize)], hubs_last: bool) -> Result<Self, SparseKktError> {
+        let n = n_q + n_rows;
         let error = |cause: &dyn std::fmt::Debug| SparseKktError { n, cause: format!("{cause:?}") };
-        let lower = LowerTriangle::new(n_q, jacobian);
-        let (forward, inverse) = bodies_before_rows(n_q, jacobian);
+        let lower = LowerTriangle::new(n_q, n_rows, entries);
+        let Order { forward, inverse, hubs_last } = bodies_before_rows(n_q, n_rows, entries, hubs_last)?;
         let pattern = SymbolicSparseColMat::new_checked(n, n, lower.column_starts, None, lower.row_indices);
-        let order = Perm::new_checked(forward.into(), inverse.clone().into(), n);
+        let permutation = Perm::new_checked(forward.clone().into(), inverse.clone().into(), n);
         let params = CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SIMPLICIAL,
             ..Default::default()
@@ -62,7 +145,7 @@ impl SparseKkt {
         let symbolic = factorize_symbolic_cholesky(
             pattern.as_ref(),
             Side::Lower,
-            SymmetricOrdering::Custom(order.as_ref()),
+            SymmetricOrdering::Custom(permutation.as_ref()),
             params,
         )
         .map_err(|e| error(&e))?;
@@ -70,36 +153,29 @@ impl SparseKkt {
             return Err(error(&"supernodal factors where simplicial ones were asked for"));
         };
         let pivot_places = inverse[n_q..].iter().map(|&position| simplicial.col_ptr()[position]).collect();
-        let scratch = MemBuffer::new(StackReq::any_of(&[
+        let scratch = MemBuffer::try_new(StackReq::any_of(&[
             symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default()),
             symbolic.solve_in_place_scratch::<f64>(1, Par::Seq),
-        ]));
+        ]))
+        .map_err(|e| error(&e))?;
         Ok(Self {
-            n_q,
             values: vec![0.0; pattern.as_ref().compute_nnz()],
             mass_places: lower.mass_places,
             jacobian_places: lower.jacobian_places,
-            entries: jacobian.entries().map(|(_, row, column)| (row, column)).collect(),
+            row_places: lower.row_places,
+            supports: entries.iter().map(|&(row, column)| inverse[column] < inverse[n_q + row]).collect(),
+            hubs_last,
+            order: forward,
             pivot_places,
-            pivot_starts: vec![0.0; n - n_q],
             factors: vec![0.0; symbolic.len_val()],
             pattern,
             symbolic,
             scratch,
         })
     }
-}
 
-impl KktFactorization for SparseKkt {
-    fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
-        for (place, m) in self.mass_places.iter().zip(mass) {
-            self.values[*place] = *m;
-        }
-        self.pivot_starts.fill(0.0);
-        for ((place, g), (row, column)) in self.jacobian_places.iter().zip(jacobian).zip(&self.entries) {
-            self.values[*place] = *g;
-            self.pivot_starts[*row] += g * g / mass[*column];
-        }
+    /// Factors what stands in `values`.
+    fn eliminate(&mut self) -> Result<(), VanishedPivot> {
         self.symbolic
             .factorize_numeric_ldlt(
                 &mut self.factors,
@@ -110,81 +186,40 @@ impl KktFactorization for SparseKkt {
                 MemStack::new(&mut self.scratch),
                 Spec::default(),
             )
-            .map_err(|_| VanishedPivot { relative: 0.0 })?;
-        for (place, start) in self.pivot_places.iter().zip(&self.pivot_starts) {
-            let relative = -self.factors[*place] / start;
-            if relative.is_nan() || relative <= PIVOT_TOLERANCE {
-                return Err(VanishedPivot { relative });
+            .map(|_| ())
+            .map_err(|LdltError::ZeroPivot { index }| {
+                // faer counts from one
+                let unknown = index.checked_sub(1).and_then(|position| self.order.get(position));
+                let row = unknown.and_then(|unknown| unknown.checked_sub(self.mass_places.len()));
+                VanishedPivot { relative: 0.0, row }
+            })
+    }
+}
+
+impl KktFactorization for SparseKkt {
+    fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
+        let outcome = self.try_factor(mass, jacobian);
+        if outcome.is_ok() || !self.analysis.hubs_last {
+            return outcome;
+        }
+        match Analysis::new(self.n_q, self.pivot_starts.len(), &self.entries, false) {
+            Err(_) => outcome,
+            Ok(analysis) => {
+                self.analysis = analysis;
+                self.try_factor(mass, jacobian)
             }
         }
-        Ok(())
     }
 
     fn solve(&mut self, right_side: &mut [f64]) {
         debug_assert_eq!(right_side.len(), self.n_q + self.pivot_starts.len());
         let n = right_side.len();
-        LdltRef::new(&self.symbolic, &self.factors).solve_in_place_with_conj(
+        let Analysis { symbolic, factors, scratch, .. } = &mut self.analysis;
+        LdltRef::new(symbolic, factors).solve_in_place_with_conj(
             Conj::No,
             MatMut::from_column_major_slice_mut(right_side, n, 1),
             Par::Seq,
-            MemStack::new(&mut self.scratch),
+            MemStack::new(scratch),
         );
     }
-}
-
-/// Compressed columns of the lower triangle of K, with an explicit zero on the diagonal of each row of G.
-struct LowerTriangle {
-    column_starts: Vec<usize>,
-    row_indices: Vec<usize>,
-    mass_places: Vec<usize>,
-    jacobian_places: Vec<usize>,
-}
-
-impl LowerTriangle {
-    fn new(n_q: usize, jacobian: &SparsityPattern) -> Self {
-        let mut column_starts = vec![0];
-        let mut row_indices = Vec::new();
-        let mut mass_places = Vec::with_capacity(n_q);
-        let mut jacobian_places = vec![0; jacobian.n_nonzeros()];
-        let mut by_column = vec![Vec::new(); n_q];
-        for (k, row, column) in jacobian.entries() {
-            by_column[column].push((k, row));
-        }
-        for (column, entries) in by_column.iter().enumerate() {
-            mass_places.push(row_indices.len());
-            row_indices.push(column);
-            for &(k, row) in entries {
-                jacobian_places[k] = row_indices.len();
-                row_indices.push(n_q + row);
-            }
-            column_starts.push(row_indices.len());
-        }
-        for row in 0..jacobian.n_rows() {
-            row_indices.push(n_q + row);
-            column_starts.push(row_indices.len());
-        }
-        Self { column_starts, row_indices, mass_places, jacobian_places }
-    }
-}
-
-/// Elimination order and its inverse: rows in declared order, each right after the last coordinate it touches;
-/// coordinates that no row touches at the end.
-fn bodies_before_rows(n_q: usize, jacobian: &SparsityPattern) -> (Vec<usize>, Vec<usize>) {
-    let n = n_q + jacobian.n_rows();
-    let mut forward = Vec::with_capacity(n);
-    let mut placed = vec![false; n_q];
-    for row in 0..jacobian.n_rows() {
-        for &column in &jacobian.columns[jacobian.starts[row]..jacobian.starts[row + 1]] {
-            if !std::mem::replace(&mut placed[column], true) {
-                forward.push(column);
-            }
-        }
-        forward.push(n_q + row);
-    }
-    forward.extend((0..n_q).filter(|&i| !placed[i]));
-    let mut inverse = vec![0; n];
-    for (position, &i) in forward.iter().enumerate() {
-        inverse[i] = position;
-    }
-    (forward, inverse)
 }

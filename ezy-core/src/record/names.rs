@@ -2,7 +2,7 @@
 
 /// A name that is not known.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{kind} `{name}` is not known{}; known: {}", suggestion(.nearest), .known.join(", "))]
+#[error("{kind} `{name}` is not known{}; known: {}", suggestion(.nearest), list(.known))]
 pub struct UnknownName {
     /// What the name should have been: `coordinate`, `column`, …
     pub kind: &'static str,
@@ -16,6 +16,17 @@ pub struct UnknownName {
 
 fn suggestion(nearest: &Option<String>) -> String {
     nearest.as_ref().map(|n| format!(" (did you mean `{n}`?)")).unwrap_or_default()
+}
+
+/// Known names that a message lists; of more the rest is counted.
+const MAX_LISTED: usize = 60;
+
+fn list(known: &[String]) -> String {
+    let listed = known[..known.len().min(MAX_LISTED)].join(", ");
+    match known.len().saturating_sub(MAX_LISTED) {
+        0 => listed,
+        more => format!("{listed} and {more} more"),
+    }
 }
 
 /// Jaro–Winkler similarity from which a name is worth suggesting: one or two slips in a short word.

@@ -48,9 +48,13 @@ const MINUS_H: Formula = Formula { text: "-h", latex: "-h", mathml: "<mrow><mo>â
 const MINUS_S: Formula = Formula { text: "-s", latex: "-s", mathml: "<mrow><mo>âˆ’</mo><mi>s</mi></mrow>" };
 
 /// Every equation of a scene, from the coordinates to the equations of motion in matrix form; what a scene
-/// does not have (position rows, velocity rows) is left out.
+/// does not have (position rows, velocity rows) is left out. Of a scene with counts only the equations of motion:
+/// the others are those of [`super::templates::templates`].
 pub fn equations(info: &SceneInfo) -> Vec<Equation> {
     let n_h = info.n_position_rows;
+    if info.repeats.is_some() {
+        return vec![motion(n_h > 0, info.n_rows() > n_h)];
+    }
     let (position_rows, velocity_rows) = info.rows.split_at(n_h);
     let none = || Names(Vec::new());
     let mut list = vec![
@@ -91,14 +95,14 @@ fn motion(position: bool, velocity: bool) -> Equation {
     equation("equations of motion", &[&product, &column(kept([F, MINUS_H, MINUS_S]))], Names(Vec::new()))
 }
 
-fn equation(name: &'static str, sides: &[&dyn Cell], names: Names) -> Equation {
+pub(super) fn equation(name: &'static str, sides: &[&dyn Cell], names: Names) -> Equation {
     let text = equation_lines(sides, &names);
     let latex = sides.iter().map(|side| side.latex()).collect::<Vec<_>>().join(" = ");
     let mathml = sides.iter().map(|side| side.mathml()).collect::<Vec<_>>().join("<mo>=</mo>");
     Equation { name, text, latex, mathml: format!("<math display=\"block\">{mathml}</math>") }
 }
 
-fn column(entries: impl IntoIterator<Item = Formula>) -> Matrix {
+pub(super) fn column(entries: impl IntoIterator<Item = Formula>) -> Matrix {
     Matrix::new(entries.into_iter().map(|entry| vec![entry]))
 }
 
@@ -167,6 +171,7 @@ mod tests {
         elimination: &[],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+        repeats: None,
     };
 
     fn named(name: &str) -> Equation {

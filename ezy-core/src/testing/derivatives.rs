@@ -23,18 +23,15 @@ pub fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let (info, n_h) = (probe.info, probe.info.n_position_rows);
     let mut worst = Worst::default();
     let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
-    let mut G = vec![0.0; info.n_rows() * info.n_coordinates()];
+    let directions = probe.directions();
     for RandomState { t, q, .. } in &probe.states {
         probe.scene.velocity_jacobian(&probe.fixed, *t, q, &mut entries);
-        spread(probe, &entries, &mut G);
-        for j in 0..q.len() {
+        for d in &directions {
             let difference = central(n_h, |e, out| {
-                let mut moved = q.clone();
-                moved[j] += e;
-                probe.scene.position_constraint(&probe.fixed, *t, &moved, out);
+                probe.scene.position_constraint(&probe.fixed, *t, &along(q, e, d), out);
             });
-            for (row, oracle) in difference.iter().enumerate() {
-                worst.compare(G[row * q.len() + j], *oracle, max_abs(&entries).max(max_abs(q)));
+            for (slope, oracle) in probe.product(&entries, d).iter().zip(&difference) {
+                worst.compare(*slope, *oracle, max_abs(&entries).max(max_abs(q)));
             }
         }
     }
@@ -80,19 +77,16 @@ pub fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check 
     let (info, n_c) = (probe.info, probe.info.n_rows());
     let mut worst = Worst::default();
     let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
-    let mut G = vec![0.0; n_c * info.n_coordinates()];
+    let directions = probe.directions();
     let (mut rows, mut moved_rows) = (vec![0.0; n_c], vec![0.0; n_c]);
     for RandomState { t, q, v } in &probe.states {
         probe.scene.velocity_jacobian(&probe.fixed, *t, q, &mut entries);
-        spread(probe, &entries, &mut G);
         probe.scene.velocity_constraint(&probe.fixed, *t, q, v, &mut rows);
-        for j in 0..v.len() {
-            let mut moved = v.clone();
-            moved[j] += 1.0;
-            probe.scene.velocity_constraint(&probe.fixed, *t, q, &moved, &mut moved_rows);
-            for row in 0..n_c {
-                let size = max_abs(&rows).max(max_abs(&entries));
-                worst.compare(G[row * v.len() + j], moved_rows[row] - rows[row], size);
+        let size = max_abs(&rows).max(max_abs(&entries));
+        for d in &directions {
+            probe.scene.velocity_constraint(&probe.fixed, *t, q, &along(v, 1.0, d), &mut moved_rows);
+            for (row, slope) in probe.product(&entries, d).iter().enumerate() {
+                worst.compare(*slope, moved_rows[row] - rows[row], size);
             }
         }
     }
@@ -138,12 +132,4 @@ fn central(n: usize, f: impl Fn(f64, &mut [f64])) -> Vec<f64> {
 
 fn along(q: &[f64], e: f64, v: &[f64]) -> Vec<f64> {
     q.iter().zip(v).map(|(q, v)| q + e * v).collect()
-}
-
-/// The full matrix, by rows.
-fn spread<S: Scene + ?Sized>(probe: &Probe<'_, S>, entries: &[f64], G: &mut [f64]) {
-    G.fill(0.0);
-    for (k, row, column) in probe.info.jacobian.entries() {
-        G[row * probe.info.n_coordinates() + column] = entries[k];
-    }
 }

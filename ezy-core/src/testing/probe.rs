@@ -2,8 +2,17 @@
 
 use crate::model::{Scene, SceneInfo};
 
-/// Number of random states.
-pub const N_STATES: usize = 1000;
+/// Number of random states, of a scene with at most sixty unknowns.
+const N_STATES: usize = 1000;
+
+/// Larger scenes get fewer, so that the dense oracle takes no longer than on sixty; at least these.
+const FEWEST_STATES: usize = 3;
+
+/// Scenes with more coordinates are looked at along random directions instead of along each coordinate.
+const MAX_UNIT_DIRECTIONS: usize = 100;
+
+/// As many directions then; a wrong entry escapes each of them with a probability of zero.
+const N_DIRECTIONS: usize = 8;
 
 /// A scene with its inputs and constants, and the states at which it is looked at. The states need not fulfil the constraints:
 /// the equations hold everywhere.
@@ -26,7 +35,9 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
         let mut random = SplitMix64(0x9E37_79B9_7F4A_7C15);
         // lengths and speeds of the order of one, angles all around
         let size = |unit: &str| if unit == "rad" { std::f64::consts::PI } else { 2.0 };
-        let states = (0..N_STATES)
+        let n = info.n_unknowns().max(1) as f64;
+        let n_states = ((N_STATES as f64 * (60.0 / n).powi(3)) as usize).clamp(FEWEST_STATES, N_STATES);
+        let states = (0..n_states)
             .map(|_| RandomState {
                 t: info.until_s * 0.5 * (1.0 + random.symmetric()),
                 q: info.coordinates.iter().map(|c| size(c.unit) * random.symmetric()).collect(),
@@ -34,6 +45,27 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
             })
             .collect();
         Self { scene, info, fixed: fixed.to_vec(), states }
+    }
+}
+
+impl<S: Scene + ?Sized> Probe<'_, S> {
+    /// Directions in the space of coordinates: each coordinate alone or, of many, random ones.
+    pub fn directions(&self) -> Vec<Vec<f64>> {
+        let n_q = self.info.n_coordinates();
+        if n_q <= MAX_UNIT_DIRECTIONS {
+            return (0..n_q).map(|i| (0..n_q).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+        }
+        let mut random = SplitMix64(0xD1B5_4A32_D192_ED03);
+        (0..N_DIRECTIONS).map(|_| (0..n_q).map(|_| random.symmetric()).collect()).collect()
+    }
+
+    /// G d from the entries of G.
+    pub fn product(&self, entries: &[f64], d: &[f64]) -> Vec<f64> {
+        let mut rows = vec![0.0; self.info.n_rows()];
+        for (k, row, column) in self.info.jacobian.entries() {
+            rows[row] += entries[k] * d[column];
+        }
+        rows
     }
 }
 

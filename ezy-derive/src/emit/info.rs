@@ -69,6 +69,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             elimination: &[#(#elimination),*],
             acceleration_operations: #acceleration_operations,
             correction_operations: #correction_operations,
+            repeats: ::core::option::Option::None,
         }
     }
 }

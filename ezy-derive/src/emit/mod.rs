@@ -25,10 +25,11 @@ pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
     let (scenes, summaries): (Vec<_>, Vec<_>) = scenes.unzip();
     let page = page::model(model, &summaries);
     let entries = model.scenes.iter().map(|scene| {
-        let type_name = scene_type(scene);
+        let (type_name, name) = (scene_type(scene), scene.name.to_string());
         quote! {
             ::ezy_core::model::SceneEntry {
-                info: &#type_name::INFO,
+                name: #name,
+                info: || &#type_name::INFO,
                 new: || ::std::boxed::Box::new(<#type_name as ::core::default::Default>::default()),
             }
         }

@@ -109,7 +109,7 @@ pub struct RunArguments {
     /// In which metric that correction is smallest
     #[arg(long, value_enum, default_value_t)]
     pub metric: MetricName,
-    /// Change a parameter; may be repeated
+    /// Change a parameter or a count; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub set: Vec<Assignment>,
     /// Hold a start value: seat.x, seat.y, seat.phi, seat.vx, seat.vy, seat.omega, …; may be repeated

@@ -11,17 +11,17 @@ pub fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     let selection = find(&arguments.path)?;
     let mut failed = Vec::new();
     for entry in selection.model.scenes {
-        if selection.scene.is_some_and(|chosen| chosen.info.name != entry.info.name) {
+        if selection.scene.is_some_and(|chosen| chosen.name != entry.name) {
             continue;
         }
         match check_scene((entry.new)().as_ref()) {
             Ok(report) => print(&report.to_string())?,
             Err(CheckError::Failed(report)) => {
                 print(&report.to_string())?;
-                failed.push(format!("{}/{}", selection.model.name, entry.info.name));
+                failed.push(format!("{}/{}", selection.model.name, entry.name));
             }
             Err(error) => {
-                let (model, scene) = (selection.model.name, entry.info.name);
+                let (model, scene) = (selection.model.name, entry.name);
                 return Err(Failure::stopped(format!("{model}/{scene} could not be checked: {error}")));
             }
         }

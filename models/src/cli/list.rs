@@ -26,7 +26,7 @@ fn model_text(model: &ModelInfo) -> String {
     let mut table =
         Table::new(["scene", "effects", "bodies", "position rows", "velocity rows", "freedom", "until [s]"]);
     for scene in model.scenes {
-        let info = scene.info;
+        let info = (scene.info)();
         let effects = info.effects.iter().map(|effect| effect.name).collect::<Vec<_>>().join(", ");
         table.push([
             format!("{}/{}", typed(model.name), info.name),
@@ -38,7 +38,25 @@ fn model_text(model: &ModelInfo) -> String {
             info.until_s.to_string(),
         ]);
     }
-    format!("{}: {}\n\n{table}", model.name, model.documentation.trim())
+    let counts = model.scenes.first().map_or(&[][..], |scene| (scene.info)().counts());
+    let counts: Vec<String> = counts.iter().map(|count| format!("{} = {}", count.name, count.default)).collect();
+    let sizes = match counts.join(", ") {
+        counts if counts.is_empty() => counts,
+        counts => format!("sizes for {counts}\n"),
+    };
+    format!("{}: {}\n\n{table}{sizes}", model.name, model.documentation.trim())
+}
+
+/// Names and declared values of the counts of a scene.
+pub fn counts_json(info: &SceneInfo) -> Json {
+    let count = |count: &ezy_core::model::CountInfo| {
+        Json::object([
+            ("name", Json::text(count.name)),
+            ("default", Json::Count(count.default as u64)),
+            ("documentation", Json::text(count.documentation.trim())),
+        ])
+    };
+    Json::list(info.counts().iter().map(count))
 }
 
 fn model_json(model: &ModelInfo) -> Json {
@@ -59,6 +77,7 @@ fn model_json(model: &ModelInfo) -> Json {
             ("effects", names(info.effects)),
             ("bodies", Json::list(info.bodies.iter().map(|body| Json::text(*body)))),
             ("parameters", Json::list(info.parameters.iter().map(parameter))),
+            ("counts", counts_json(info)),
             ("coordinates", Json::Count(info.n_coordinates() as u64)),
             ("position_rows", Json::Count(info.n_position_rows as u64)),
             ("velocity_rows", Json::Count((info.n_rows() - info.n_position_rows) as u64)),
@@ -70,6 +89,6 @@ fn model_json(model: &ModelInfo) -> Json {
         ("name", Json::text(model.name)),
         ("documentation", Json::text(model.documentation.trim())),
         ("effects", names(model.effects)),
-        ("scenes", Json::list(model.scenes.iter().map(|entry| scene(entry.info)))),
+        ("scenes", Json::list(model.scenes.iter().map(|entry| scene((entry.info)())))),
     ])
 }

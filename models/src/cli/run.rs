@@ -26,7 +26,10 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
     let mut scene = (entry.new)();
     for assignment in &arguments.set {
-        scene.set_parameter(parameter(model, entry, &assignment.name)?, assignment.value);
+        match (entry.info)().counts().iter().position(|count| count.name == assignment.name) {
+            Some(i) => scene.set_count(i, whole_number(assignment)?),
+            None => scene.set_parameter(parameter(model, entry, &assignment.name)?, assignment.value),
+        }
     }
     let method = match arguments.method {
         MethodName::Rk4 => Method::rk4(arguments.step),
@@ -34,7 +37,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     match simulate(arguments, scene.as_ref(), method) {
         Ok(run) => {
             if arguments.json {
-                print(&format!("{}\n", run_json(entry.info, method, Some(&run), &run.outcome.to_string())))?;
+                print(&format!("{}\n", run_json(scene.info(), method, Some(&run), &run.outcome.to_string())))?;
             } else {
                 print(&run_text(&run, method))?;
             }
@@ -45,7 +48,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         }
         Err(failure) => {
             if let (Failure::Stopped(outcome), true) = (&failure, arguments.json) {
-                print(&format!("{}\n", run_json(entry.info, method, None, outcome)))?;
+                print(&format!("{}\n", run_json(scene.info(), method, None, outcome)))?;
             }
             Err(failure)
         }
@@ -65,13 +68,27 @@ fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Failure>
     Ok(())
 }
 
+/// Counts up to here are exact as numbers typed with a point or a power of ten.
+const LARGEST_COUNT: f64 = 1e15;
+
+/// The value of a count: `--set n=1000`.
+fn whole_number(assignment: &Assignment) -> Result<usize, Failure> {
+    let (name, value) = (&assignment.name, assignment.value);
+    if value.fract() == 0.0 && (1.0..=LARGEST_COUNT).contains(&value) {
+        return Ok(value as usize);
+    }
+    Err(Failure::wrong_use(format!("`{name}` is a count, but was given {value}; give it a whole number from 1 on")))
+}
+
 /// The parameter of a scene by its name.
 fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize, Failure> {
-    let known = entry.info.parameters.iter().map(|parameter| parameter.name);
+    let info = (entry.info)();
+    let parameters = info.parameters.iter().map(|parameter| parameter.name);
+    let known = parameters.chain(info.counts().iter().map(|count| count.name));
     find_name("parameter", name, known).map_err(|unknown| {
-        let with_it = |other: &&SceneEntry| other.info.parameters.iter().any(|parameter| parameter.name == name);
+        let with_it = |other: &&SceneEntry| (other.info)().parameters.iter().any(|parameter| parameter.name == name);
         let others: Vec<&SceneEntry> = model.scenes.iter().filter(with_it).collect();
-        let all = others.first().map_or(&[][..], |other| other.info.parameters);
+        let all = others.first().map_or(&[][..], |other| (other.info)().parameters);
         let Some(effect) = all.iter().find(|parameter| parameter.name == name).and_then(|parameter| parameter.effect)
         else {
             return unknown.into();
@@ -86,7 +103,7 @@ fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize,
 }
 
 fn path(model: &ModelInfo, entry: &SceneEntry) -> String {
-    format!("{}/{}", typed(model.name), entry.info.name)
+    format!("{}/{}", typed(model.name), entry.name)
 }
 
 fn scene_entry(text: &str) -> Result<(&'static ModelInfo, &'static SceneEntry), Failure> {

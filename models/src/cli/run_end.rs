@@ -61,12 +61,13 @@ pub fn run_text(run: &Run, method: Method) -> String {
     let (info, last, cost) = (run.info(), run.last(), run.cost);
     let mut text = format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_word(&run.outcome), last.t);
     text += &motion_table(&last).to_string();
+    text += &left_out(info.n_coordinates(), "coordinates");
     if info.n_rows() > 0 {
         let mut table = Table::new(["row", "multiplier", "unit"]);
-        for (row, lambda) in info.rows.iter().zip(last.multipliers) {
+        for (row, lambda) in info.rows.iter().zip(last.multipliers).take(MAX_LINES) {
             table.push([row.name.to_owned(), fixed(*lambda, 12), row.multiplier_unit.to_owned()]);
         }
-        text += &format!("\n{table}");
+        text += &format!("\n{table}{}", left_out(info.n_rows(), "rows"));
     }
     let energy = last.energy;
     text += &format!(
@@ -109,9 +110,20 @@ fn outcome_word(outcome: &Outcome) -> &'static str {
     if outcome.reached_end() { "reached the end" } else { "stopped" }
 }
 
+/// Coordinates and rows that the text lists; of more the rest is counted.
+const MAX_LINES: usize = 60;
+
+/// What a table leaves out.
+fn left_out(n: usize, what: &str) -> String {
+    if n <= MAX_LINES {
+        return String::new();
+    }
+    format!("and {} more {what}; --json or --out FILE.csv has all\n", n - MAX_LINES)
+}
+
 fn motion_table(last: &Sample<'_>) -> Table {
     let mut table = Table::new(["coordinate", "value", "velocity", "acceleration", "unit"]);
-    for (i, coordinate) in last.info.coordinates.iter().enumerate() {
+    for (i, coordinate) in last.info.coordinates.iter().enumerate().take(MAX_LINES) {
         let [q, v, a] = [last.coordinates[i], last.velocities[i], last.accelerations[i]].map(|x| fixed(x, 12));
         table.push([coordinate.name, &q, &v, &a, coordinate.unit]);
     }

@@ -1,20 +1,22 @@
 //! `ezy show`.
 
-use ezy_core::model::{Formula, Operations, SceneInfo};
-use ezy_core::report::equations::equations;
+use ezy_core::model::{Formula, Operations, Repeats, SceneInfo};
+use ezy_core::report::equations::{Equation, equations};
 use ezy_core::report::table::Table;
+use ezy_core::report::templates::{TemplateEquations, templates};
 use ezy_models::registry::find;
 
 use super::arguments::{Format, ShowArguments};
 use super::failure::Failure;
 use super::json::Json;
+use super::list::counts_json;
 use super::output::print;
 
 pub fn show(arguments: &ShowArguments) -> Result<(), Failure> {
     let selection = find(&arguments.path)?;
     let all = selection.model.scenes.iter();
-    let chosen = all.filter(|entry| selection.scene.is_none_or(|scene| scene.info.name == entry.info.name));
-    let infos: Vec<&SceneInfo> = chosen.map(|entry| entry.info).collect();
+    let chosen = all.filter(|entry| selection.scene.is_none_or(|scene| scene.name == entry.name));
+    let infos: Vec<&SceneInfo> = chosen.map(|entry| (entry.info)()).collect();
     let each = |write: fn(&SceneInfo) -> String| infos.iter().map(|info| write(info) + "\n").collect();
     let text: String = match (arguments.format, &infos[..]) {
         (Format::Text, _) => each(scene_text),
@@ -36,9 +38,16 @@ fn scene_text(info: &SceneInfo) -> String {
         parameters.push([p.name, p.default_text, p.unit, effect, p.documentation.trim()]);
     }
     text += &format!("\n{parameters}");
-    for equation in equations(info) {
-        text += &format!("\n{}\n\n{}", equation.name, indent(&equation.text));
+    let written = |equation: &Equation| format!("\n{}\n\n{}", equation.name, indent(&equation.text));
+    if let Some(repeats) = &info.repeats {
+        text += &sizes_text(info, repeats);
+        for template in templates(repeats) {
+            text += &format!("\n{}\n", template.title);
+            text += &indent(&template.equations.iter().map(written).collect::<String>());
+        }
+        return text + &equations(info).iter().map(written).collect::<String>();
     }
+    text += &equations(info).iter().map(written).collect::<String>();
     text += &format!("\nsparsity of the Jacobian [C_q; S]\n\n{}", indent(&sparsity_text(info)));
     text += &format!("\norder of elimination\n\n{}", indent(&elimination_text(info)));
     let mut operations =
@@ -48,6 +57,21 @@ fn scene_text(info: &SceneInfo) -> String {
         operations.push(std::iter::once(name.to_owned()).chain(numbers.map(|n| n.to_string())));
     }
     text + &format!("\n{operations}")
+}
+
+/// Counts and what they make; the equations of a scene with counts are told by template.
+fn sizes_text(info: &SceneInfo, repeats: &Repeats) -> String {
+    let mut counts = Table::new(["count", "value", "what it is"]);
+    for (count, value) in repeats.counts.iter().zip(repeats.values) {
+        counts.push([count.name, &value.to_string(), count.documentation.trim()]);
+    }
+    format!(
+        "\n{counts}\n{} bodies, {} position rows, {} velocity rows, {} entries of the Jacobian\n",
+        info.bodies.len(),
+        info.n_position_rows,
+        info.n_rows() - info.n_position_rows,
+        info.jacobian.n_nonzeros()
+    )
 }
 
 fn indent(text: &str) -> String {
@@ -79,8 +103,13 @@ fn kernels(info: &SceneInfo) -> [(&'static str, Operations); 2] {
 }
 
 fn scene_latex(info: &SceneInfo) -> String {
-    let display = |e: &ezy_core::report::equations::Equation| format!("% {}\n\\[\n{}\n\\]\n", e.name, e.latex);
-    format!("% {}/{}\n", info.model, info.name) + &equations(info).iter().map(display).collect::<String>()
+    let display = |e: &Equation| format!("% {}\n\\[\n{}\n\\]\n", e.name, e.latex);
+    let mut text = format!("% {}/{}\n", info.model, info.name);
+    for template in info.repeats.iter().flat_map(templates) {
+        text += &format!("% {}\n", template.title);
+        text += &template.equations.iter().map(display).collect::<String>();
+    }
+    text + &equations(info).iter().map(display).collect::<String>()
 }
 
 fn formula_json(formula: &Formula) -> Json {
@@ -103,8 +132,16 @@ fn scene_json(info: &SceneInfo) -> Json {
         Json::object([
             ("row", Json::text(info.rows[i].name)),
             ("coordinate", Json::text(info.coordinates[j].name)),
-            ("value", formula_json(&info.jacobian_entries[k])),
+            ("value", info.jacobian_entries.get(k).map_or(Json::Null, formula_json)),
         ])
+    };
+    let template = |template: TemplateEquations| {
+        let equation = |e: &Equation| {
+            let [text, latex, mathml] = [&e.text, &e.latex, &e.mathml].map(Json::text);
+            Json::object([("name", Json::text(e.name)), ("text", text), ("latex", latex), ("mathml", mathml)])
+        };
+        let equations = template.equations.iter().map(equation);
+        Json::object([("title", Json::text(&template.title)), ("equations", Json::list(equations))])
     };
     let parameter = |p: &ezy_core::model::ParameterInfo| {
         Json::object([("name", Json::text(p.name)), ("unit", Json::text(p.unit)), ("default", Json::Number(p.default))])
@@ -123,6 +160,8 @@ fn scene_json(info: &SceneInfo) -> Json {
     Json::object([
         ("model", Json::text(info.model)),
         ("scene", Json::text(info.name)),
+        ("counts", counts_json(info)),
+        ("templates", Json::list(info.repeats.iter().flat_map(templates).map(template))),
         ("bodies", texts(info.bodies)),
         ("coordinates", Json::list(info.coordinates.iter().map(|c| Json::text(c.name)))),
         ("parameters", Json::list(info.parameters.iter().map(parameter))),

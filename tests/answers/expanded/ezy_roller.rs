@@ -17,19 +17,22 @@ pub mod ezy_roller {
         ],
         scenes: &[
             ::ezy_core::model::SceneEntry {
-                info: &Coast::INFO,
+                name: "coast",
+                info: || &Coast::INFO,
                 new: || ::std::boxed::Box::new(
                     <Coast as ::core::default::Default>::default(),
                 ),
             },
             ::ezy_core::model::SceneEntry {
-                info: &Driven::INFO,
+                name: "driven",
+                info: || &Driven::INFO,
                 new: || ::std::boxed::Box::new(
                     <Driven as ::core::default::Default>::default(),
                 ),
             },
             ::ezy_core::model::SceneEntry {
-                info: &DrivenOnTarmac::INFO,
+                name: "driven_on_tarmac",
+                info: || &DrivenOnTarmac::INFO,
                 new: || ::std::boxed::Box::new(
                     <DrivenOnTarmac as ::core::default::Default>::default(),
                 ),
@@ -530,6 +533,7 @@ pub mod ezy_roller {
                 trig: 2usize,
                 calls: 0usize,
             },
+            repeats: ::core::option::Option::None,
         };
     }
     #[automatically_derived]
@@ -1658,6 +1662,7 @@ pub mod ezy_roller {
                 trig: 2usize,
                 calls: 0usize,
             },
+            repeats: ::core::option::Option::None,
         };
     }
     #[automatically_derived]
@@ -2852,6 +2857,7 @@ pub mod ezy_roller {
                 trig: 2usize,
                 calls: 0usize,
             },
+            repeats: ::core::option::Option::None,
         };
     }
     #[automatically_derived]

@@ -16,6 +16,7 @@ const DERIVE: &[(&str, &[&str])] = &[
 const CORE: &[(&str, &[&str])] = &[
     ("model", &["model"]),
     ("kernel", &["kernel"]),
+    ("layout", &["layout", "model"]),
     ("linalg", &["linalg", "model"]),
     ("dynamics", &["dynamics", "linalg", "model"]),
     ("integrate", &["integrate", "dynamics", "linalg", "model"]),

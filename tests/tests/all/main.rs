@@ -6,6 +6,7 @@ mod architecture;
 mod backends;
 mod exact_start;
 mod hand_and_generated;
+mod large;
 mod massless;
 mod order;
 mod other_mechanisms;

@@ -99,7 +99,7 @@ fn order_rk4_is_four_in_every_scene() {
         // a scene that RK4 integrates exactly, or nearly so, shows no order
         let [.., before, last] = changes[..] else { continue };
         let order = (before / last).log2();
-        let name = format!("{}/{}", entry.info.model, entry.info.name);
+        let name = format!("{}/{}", (entry.info)().model, entry.name);
         assert!((order - ORDER).abs() <= SELF_TOLERANCE, "{name}: order {order:.3}, changes {changes:?}");
         n_measured += 1;
     }

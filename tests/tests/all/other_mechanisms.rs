@@ -21,7 +21,7 @@ fn cross_backends_on_chains_of_any_length() {
     for n in [1, 2, 10, 20] {
         let chain = Chain::new(n);
         let mut solutions = Vec::new();
-        for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
+        for backend in [Backend::Dense, Backend::Sparse] {
             let mut system = System::new(&chain, backend).unwrap();
             let state = system.consistent_start(&system.scene_start()).unwrap();
             let (mut a, mut lambda) = (vec![0.0; 3 * n], vec![0.0; 2 * n]);

@@ -1,0 +1,200 @@
+//! Descriptions of scenes with counts, made at run time by the loops that generated code runs.
+//!
+//! A description is made once for each set of counts and kept until the program ends, so that all scenes are
+//! described by `&'static` data.
+
+use crate::model::{
+    CoordinateInfo, Formula, LARGEST_N_MEMBERS, LayoutFault, PointInfo, Repeats, RowInfo, SceneInfo, SparsityPattern,
+    TemplateInfo,
+};
+use std::fmt::Write;
+use std::sync::{Mutex, PoisonError};
+
+/// The descriptions of one scene that were made so far, by counts.
+#[derive(Debug, Default)]
+pub struct Known(Mutex<Vec<(Vec<usize>, &'static SceneInfo)>>);
+
+impl Known {
+    /// None yet.
+    pub const fn new() -> Self {
+        Self(Mutex::new(Vec::new()))
+    }
+
+    /// The description for these counts. `fixed` is what does not depend on them, its `repeats` with the declared
+    /// counts and templates; `fill` adds bodies, points and rows.
+    pub fn info(&self, fixed: &SceneInfo, counts: &[usize], fill: impl FnOnce(&mut Layout)) -> &'static SceneInfo {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, info)) = known.iter().find(|(of, _)| of == counts) {
+            return info;
+        }
+        let declared = fixed.counts();
+        let empty = counts.iter().zip(declared).find(|(count, _)| **count == 0);
+        let mut layout =
+            Layout { fault: empty.map(|(_, c)| LayoutFault::NoMembers { name: c.name }), ..Layout::default() };
+        fill(&mut layout);
+        let values = counts.to_vec().leak();
+        let info: &'static SceneInfo = Box::leak(Box::new(layout.finish(fixed, values)));
+        known.push((values.to_vec(), info));
+        info
+    }
+}
+
+/// An array of bodies, or a single body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Bodies {
+    /// Name of the array.
+    pub name: &'static str,
+    /// Index of its first member among all bodies.
+    pub first: usize,
+    /// Its number of members.
+    pub length: usize,
+}
+
+/// A description that is being made.
+#[derive(Debug, Default)]
+pub struct Layout {
+    /// Bodies and members of `for` so far.
+    n_members: usize,
+    bodies: Vec<&'static str>,
+    coordinates: Vec<CoordinateInfo>,
+    points: Vec<PointInfo>,
+    position_rows: Rows,
+    velocity_rows: Rows,
+    fault: Option<LayoutFault>,
+}
+
+#[derive(Debug, Default)]
+struct Rows {
+    rows: Vec<RowInfo>,
+    /// End of each row in `columns`.
+    ends: Vec<usize>,
+    columns: Vec<usize>,
+}
+
+/// Formulas of single coordinates are their names: equations are printed by template.
+const fn symbol(name: &'static str) -> Formula {
+    Formula { text: name, latex: name, mathml: name }
+}
+
+impl Layout {
+    /// A body that stands alone.
+    pub fn body(&mut self, name: &'static str) {
+        if self.has_room(1) {
+            self.push_body(name);
+        }
+    }
+
+    /// An array of `length` bodies.
+    pub fn bodies(&mut self, name: &str, length: usize) {
+        if self.has_room(length) {
+            (0..length).for_each(|i| self.push_body(member(name, &[i as i64], "")));
+        }
+    }
+
+    /// The indices of a `for`; none once the description is faulty.
+    pub fn range(&mut self, from: i64, to: i64) -> std::ops::Range<i64> {
+        let length = usize::try_from(to.saturating_sub(from)).unwrap_or(0);
+        if self.has_room(length) { from..to } else { 0..0 }
+    }
+
+    fn has_room(&mut self, more: usize) -> bool {
+        self.n_members = self.n_members.saturating_add(more);
+        if self.n_members > LARGEST_N_MEMBERS {
+            self.fault = self.fault.or(Some(LayoutFault::TooManyMembers { n_members: self.n_members }));
+        }
+        self.fault.is_none()
+    }
+
+    fn push_body(&mut self, name: &'static str) {
+        let of = |part: &str| &*String::leak([name, part].concat());
+        for (position, velocity, unit) in [(".x", ".vx", "m"), (".y", ".vy", "m"), (".phi", ".omega", "rad")] {
+            let (name, velocity_name) = (of(position), of(velocity));
+            let (symbol, velocity_symbol) = (symbol(name), symbol(velocity_name));
+            self.coordinates.push(CoordinateInfo { name, velocity_name, unit, symbol, velocity_symbol });
+        }
+        self.bodies.push(name);
+    }
+
+    /// Index among all bodies of the member `index` of an array, which the item `template` with the indices `at` uses.
+    /// A member that does not exist is a fault of the description, and stands for the first body.
+    pub fn member(&mut self, template: &TemplateInfo, at: &[i64], array: Bodies, index: i64) -> usize {
+        match usize::try_from(index) {
+            Ok(i) if i < array.length => array.first + i,
+            _ => {
+                if self.fault.is_none() {
+                    let item = item_name(template, at);
+                    let (array, length) = (array.name, array.length);
+                    self.fault = Some(LayoutFault::IndexOutOfRange { item, array, index, length });
+                }
+                0
+            }
+        }
+    }
+
+    /// The rows of the member `at` of a template, on the bodies `slots` that it refers to.
+    pub fn rows(&mut self, template: &TemplateInfo, at: &[i64], slots: &[usize]) {
+        if self.fault.is_some() {
+            return;
+        }
+        for row in template.rows {
+            let name = member(template.name, at, row.suffix);
+            let rows = if row.position { &mut self.position_rows } else { &mut self.velocity_rows };
+            rows.columns.extend(row.entries.iter().map(|(place, _)| 3 * slots[place.slot] + place.component));
+            rows.ends.push(rows.columns.len());
+            rows.rows.push(RowInfo { name, ..row.row });
+        }
+    }
+
+    /// A named point on a body; `None`: on the ground.
+    pub fn point(&mut self, name: &str, at: &[i64], body: Option<usize>) {
+        self.points.push(PointInfo { name: member(name, at, ""), body });
+    }
+
+    fn finish(self, fixed: &SceneInfo, values: &'static [usize]) -> SceneInfo {
+        let (position, velocity) = (self.position_rows, self.velocity_rows);
+        let n_position_entries = position.columns.len();
+        let ends = position.ends.iter().copied().chain(velocity.ends.iter().map(|end| n_position_entries + end));
+        let starts: Vec<usize> = std::iter::once(0).chain(ends).collect();
+        SceneInfo {
+            bodies: self.bodies.leak(),
+            coordinates: self.coordinates.leak(),
+            points: self.points.leak(),
+            n_position_rows: position.rows.len(),
+            rows: [position.rows, velocity.rows].concat().leak(),
+            jacobian: SparsityPattern {
+                starts: starts.leak(),
+                columns: [position.columns, velocity.columns].concat().leak(),
+            },
+            repeats: fixed.repeats.map(|repeats| Repeats { values, fault: self.fault, ..repeats }),
+            ..*fixed
+        }
+    }
+}
+
+/// `pin[3].x`, or `node[2,3]`; without brackets when there is no index.
+fn member(name: &str, at: &[i64], suffix: &str) -> &'static str {
+    let mut text = name.to_owned();
+    for (i, index) in at.iter().enumerate() {
+        // writing to a string cannot fail
+        let _ = write!(text, "{}{index}", if i == 0 { '[' } else { ',' });
+    }
+    if !at.is_empty() {
+        text.push(']');
+    }
+    text.push_str(suffix);
+    text.leak()
+}
+
+/// How a message calls a member of a template: hinge `pin[3]`, or force at i = 3.
+fn item_name(template: &TemplateInfo, at: &[i64]) -> &'static str {
+    let word = template.word;
+    if !template.name.is_empty() {
+        return String::leak(format!("{word} `{}`", member(template.name, at, "")));
+    }
+    let indices = template.ranges.iter().zip(at).map(|(range, i)| {
+        let variable = range.split(" in ").next().unwrap_or_default();
+        format!("{variable} = {i}")
+    });
+    let place = indices.collect::<Vec<_>>().join(", ");
+    String::leak(if place.is_empty() { format!("a `{word}`") } else { format!("the `{word}` at {place}") })
+}

@@ -1,0 +1,116 @@
+//! Scenes in which a number of the run says how often bodies, rows and forces are repeated.
+
+use super::{Formula, RowInfo};
+
+/// A count: a whole number, at least one, that can be changed without compiling again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CountInfo {
+    /// Name in the model file and of the field.
+    pub name: &'static str,
+    /// Declared value.
+    pub default: usize,
+    /// Doc comment of the declaration.
+    pub documentation: &'static str,
+}
+
+/// Place of a coordinate that a template refers to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SlotCoordinate {
+    /// Index into the bodies that the template refers to.
+    pub slot: usize,
+    /// 0 for x, 1 for y, 2 for the angle.
+    pub component: usize,
+    /// How the coordinate is printed: `link[i-1].x`.
+    pub symbol: Formula,
+}
+
+/// One scalar row of a template.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowTemplate {
+    /// What follows the name of the item: `.x`, or nothing.
+    pub suffix: &'static str,
+    /// What every member shares; its name is that of the template.
+    pub row: RowInfo,
+    /// Whether it is a position row.
+    pub position: bool,
+    /// Coordinates and entries of the row of G, in the order in which the kernel writes them.
+    pub entries: &'static [(SlotCoordinate, Formula)],
+}
+
+/// Equations that all members of one repeated item share, written with its index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TemplateInfo {
+    /// Name of the item without its index, `pin`; empty for a force.
+    pub name: &'static str,
+    /// The word that declares it: `hinge`, `body`, …
+    pub word: &'static str,
+    /// The ranges of its indices as written, outermost first: `i in 1..n`. Empty outside `for`.
+    pub ranges: &'static [&'static str],
+    /// The effect that declares it; `None` when the model itself does.
+    pub effect: Option<&'static str>,
+    /// Its rows.
+    pub rows: &'static [RowTemplate],
+    /// What it adds to F, by coordinate.
+    pub forces: &'static [(SlotCoordinate, Formula)],
+    /// Diagonal of M for a body, none for other items.
+    pub masses: &'static [(SlotCoordinate, Formula)],
+}
+
+/// What a scene with counts knows besides: sizes of this run, and equations by template.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Repeats {
+    /// The counts in declared order.
+    pub counts: &'static [CountInfo],
+    /// Their present values.
+    pub values: &'static [usize],
+    /// Equations of each item, in declared order.
+    pub templates: &'static [TemplateInfo],
+    /// What keeps the scene from being set up with these counts. Its other descriptions are then of no use.
+    pub fault: Option<LayoutFault>,
+}
+
+/// Bodies, and members of each `for`, together beyond which a scene is not set up: they take some gigabytes.
+pub const LARGEST_N_MEMBERS: usize = 4_000_000;
+
+/// Counts that make no scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum LayoutFault {
+    /// A count is zero.
+    #[error("count `{name}` is 0; give it at least 1")]
+    NoMembers {
+        /// Name of the count.
+        name: &'static str,
+    },
+    /// More than anyone can wait for.
+    #[error(
+        "the counts ask for {n_members} bodies and repeated items; at most {LARGEST_N_MEMBERS} are set up: give a \
+         smaller count"
+    )]
+    TooManyMembers {
+        /// Members asked for, as far as they were counted.
+        n_members: usize,
+    },
+    /// An item refers to a member that its array does not have.
+    #[error(
+        "{item} uses `{array}[{index}]`, but `{array}` has {length} member{}: {}; change the range of the `for`, the \
+         index or the count", if *length == 1 { "" } else { "s" }, members(array, *length)
+    )]
+    IndexOutOfRange {
+        /// The item with its indices: hinge `pin[0]`.
+        item: &'static str,
+        /// The array.
+        array: &'static str,
+        /// The index that it does not have.
+        index: i64,
+        /// Its number of members.
+        length: usize,
+    },
+}
+
+fn members(array: &str, length: usize) -> String {
+    match length {
+        0 => "none".to_owned(),
+        1 => format!("`{array}[0]`"),
+        _ => format!("`{array}[0]` to `{array}[{}]`", length - 1),
+    }
+}

@@ -1,0 +1,166 @@
+//! Scenes with counts: sizes at run time, cost that grows with the number of bodies and no faster, refusals.
+
+use ezy_core::dynamics::{MotionError, SystemError};
+use ezy_core::linalg::{KktFactorization, SparseKkt};
+use ezy_core::model::{LayoutFault, Scene, Start};
+use ezy_core::prelude::*;
+use ezy_core::testing::check_scene;
+use ezy_tests::chain::Chain;
+
+/// The projection's promise, with the rounding of coordinates of some thousand metres.
+const POSITION: f64 = 2e-11;
+
+/// Stored entries of L for the chain.
+fn factor_entries(n: usize) -> usize {
+    let info = Chain::new(n).info();
+    SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows()).unwrap().n_factor_entries()
+}
+
+#[test]
+fn invariant_factors_of_a_chain_grow_with_its_length() {
+    let entries = [10, 100, 1_000, 10_000].map(|n| factor_entries(n) as f64 / n as f64);
+    println!("entries of L for each rod: {entries:.1?}");
+    for pair in entries.windows(2) {
+        // the ends count less and less, the rest is the same for each rod
+        assert!(pair[1] <= 1.2 * pair[0], "{entries:?}");
+    }
+}
+
+/// Entries of L for `n` bodies of which body i is joined to body `parent(i)` by two rows.
+fn tree_entries(n: usize, parent: impl Fn(usize) -> usize) -> usize {
+    let joints = (1..n).flat_map(|i| {
+        let (p, row) = (parent(i), 2 * (i - 1));
+        (0..2).flat_map(move |axis| [i, p].map(|body| [(row + axis, 3 * body + axis), (row + axis, 3 * body + 2)]))
+    });
+    let entries = joints.flatten().collect();
+    SparseKkt::from_entries(3 * n, 2 * (n - 1), entries).unwrap().n_factor_entries()
+}
+
+#[test]
+fn invariant_factors_of_any_tree_grow_with_its_size() {
+    for name in ["binary", "star", "broom", "scattered"] {
+        let parent = |i: usize| match name {
+            "binary" => (i - 1) / 2,
+            "star" => 0,
+            "broom" => (i - 1).min(19),
+            _ => (i * 7919 + 13) % i,
+        };
+        let (small, large) = (tree_entries(1_000, parent), tree_entries(10_000, parent));
+        println!("{name}: {small} and {large} entries of L");
+        assert!(large <= 12 * small && large <= 60 * 10_000, "{name}: {small}, then {large}");
+    }
+}
+
+#[test]
+fn cross_star_is_solved_as_by_the_dense_backend() {
+    // a heavy hub with 60 rods around it: more joints than a hub needs to be taken last
+    let (n, rows) = (61, 120);
+    let angle = |i: usize| 0.1 * i as f64;
+    let (mut entries, mut jacobian) = (Vec::new(), Vec::new());
+    for i in 1..n {
+        for axis in 0..2 {
+            let arm = [-angle(i).sin(), angle(i).cos()][axis];
+            let row = 2 * (i - 1) + axis;
+            for (column, g) in [(3 * i + axis, -1.0), (3 * i + 2, 0.5 * arm), (axis, 1.0), (2, 0.3 * arm)] {
+                entries.push((row, column));
+                jacobian.push(g);
+            }
+        }
+    }
+    let mass: Vec<f64> = (0..3 * n).map(|i| if i < 3 { 50.0 } else { 1.0 + 0.01 * i as f64 }).collect();
+    let right_side: Vec<f64> = (0..3 * n + rows).map(|i| (i as f64 * 0.7).sin()).collect();
+    let mut kkt = SparseKkt::from_entries(3 * n, rows, entries.clone()).unwrap();
+    kkt.factor(&mass, &jacobian).unwrap();
+    let mut sparse = right_side.clone();
+    kkt.solve(&mut sparse);
+    let size = 3 * n + rows;
+    let mut dense = nalgebra::DMatrix::zeros(size, size);
+    (0..3 * n).for_each(|i| dense[(i, i)] = mass[i]);
+    for (&(row, column), g) in entries.iter().zip(&jacobian) {
+        dense[(3 * n + row, column)] = *g;
+        dense[(column, 3 * n + row)] = *g;
+    }
+    let oracle = dense.lu().solve(&nalgebra::DVector::from_vec(right_side)).unwrap();
+    let error = sparse.iter().zip(oracle.iter()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    // rounding times the condition of K, about 1e3
+    assert!(error <= 1e-12 * oracle.amax(), "{error:.1e}");
+}
+
+#[test]
+fn fd_chains_pass_their_checks() {
+    for n in [1, 6] {
+        if let Err(error) = check_scene(&Chain::new(n)) {
+            panic!("{n} rods: {error}");
+        }
+    }
+}
+
+#[test]
+fn invariant_ten_thousand_rods_start_and_move_consistently() {
+    let scene = Chain::new(10_000);
+    let run = Simulation::new(&scene).method(Method::rk4(1e-5)).until(3e-5).run().unwrap();
+    assert!(run.outcome.reached_end(), "{}", run.outcome);
+    assert!(run.last().position_residual <= POSITION, "{:.1e}", run.last().position_residual);
+    assert!(run.last().velocity_residual <= POSITION, "{:.1e}", run.last().velocity_residual);
+}
+
+#[test]
+fn invariant_consistent_start_of_a_long_chain_is_not_touched() {
+    let scene = Chain::new(1_000);
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let state = system.consistent_start(&system.scene_start()).unwrap();
+    let mut again = Start::free(3_000);
+    (again.q, again.v) = (state.q.clone(), state.v.clone());
+    let second = system.consistent_start(&again).unwrap();
+    assert!(second.q == state.q && second.v == state.v);
+}
+
+#[test]
+fn analytic_held_rods_of_a_long_chain_carry_the_rest_along() {
+    // every angle is held, so that the centres follow by themselves; a held speed of the last rod moves it alone
+    let scene = Chain::new(200);
+    let run = Simulation::new(&scene).until(0.0).give("rod[199].omega", 2.0);
+    let run = (0..199).fold(run, |run, i| run.give(format!("rod[{i}].omega"), 0.0)).run().unwrap();
+    let (sin, cos) = (0.1_f64 * 199.0).sin_cos();
+    let first = run.first();
+    let [x, y] = ["rod[199].vx", "rod[199].vy"].map(|name| first.get(name).unwrap());
+    assert!((x + sin).abs() <= POSITION && (y - cos).abs() <= POSITION, "{x}, {y}");
+}
+
+#[test]
+fn invariant_start_that_cannot_be_met_is_refused_at_any_length() {
+    let scene = Chain::new(500);
+    let refused = Simulation::new(&scene).until(0.0).give("rod[499].x", 1e4).run();
+    let message = refused.err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(message.contains("contradicts the constraints") && message.contains("more"), "{message}");
+    assert!(message.len() < 5_000, "{} bytes", message.len());
+}
+
+#[test]
+fn invariant_backends_that_do_not_fit_are_refused() {
+    let refused = |scene: &Chain, backend| System::new(scene, backend).err();
+    let (short, long) = (Chain::new(3), Chain::new(1_000));
+    assert!(matches!(refused(&short, Backend::Generated), Some(SystemError::NoElimination { .. })));
+    assert!(matches!(refused(&long, Backend::Dense), Some(SystemError::TooLargeForDense { n: 5_000, .. })));
+    let mut system = System::new(&long, Backend::Auto).unwrap();
+    let result = system.project_velocities(0.0, &[0.1; 3_000], &mut [0.1; 3_000], Metric::Euclidean);
+    assert!(matches!(result, Err(MotionError::EuclideanTooLarge { .. })), "{result:?}");
+}
+
+#[test]
+fn invariant_count_of_zero_and_far_too_many_are_refused() {
+    let fault = |n| match System::new(&Chain::new(n), Backend::Auto).err() {
+        Some(SystemError::Layout(fault)) => fault,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(fault(0), LayoutFault::NoMembers { name: "n" });
+    assert!(matches!(fault(1 << 50), LayoutFault::TooManyMembers { .. }));
+}
+
+#[test]
+fn invariant_description_is_made_once_for_each_count() {
+    assert!(std::ptr::eq(Chain::new(12).info(), Chain::new(12).info()));
+    let info = Chain::new(12).info();
+    assert_eq!((info.rows[2].name, info.rows[23].name), ("pin[1].x", "pin[11].y"));
+    assert_eq!((info.n_coordinates(), info.n_position_rows), (36, 24));
+}

@@ -15,5 +15,7 @@ mod rows;
 pub mod scene;
 pub mod solve;
 pub mod symbols;
+#[cfg(test)]
+mod tests;
 
 pub use scene::{Equations, Group};

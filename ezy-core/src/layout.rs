@@ -147,7 +147,7 @@ impl Layout {
 
     /// A named point on a body; `None`: on the ground.
     pub fn point(&mut self, name: &str, at: &[i64], body: Option<usize>) {
-        self.points.push(PointInfo { name: member(name, at, ""), body });
+        self.points.push(PointInfo { name: member(name, at, ""), body, position: None });
     }
 
     fn finish(self, fixed: &SceneInfo, values: &'static [usize]) -> SceneInfo {

@@ -112,6 +112,8 @@ pub struct PointInfo {
     pub name: &'static str,
     /// Index of the body that carries it; `None` for the ground.
     pub body: Option<usize>,
+    /// Where it is: x, y; `None` in a scene with counts.
+    pub position: Option<[Formula; 2]>,
 }
 
 /// An effect that the scene calls for.
@@ -222,6 +224,8 @@ pub struct SceneInfo {
     pub mass_entries: &'static [Formula],
     /// F.
     pub force_entries: &'static [Formula],
+    /// V: 0 where no force has a potential.
+    pub potential_energy: Formula,
     /// Order in which the generated elimination takes the rows.
     pub elimination: &'static [EliminationStep],
     /// Operations of [`Scene::accelerations`].

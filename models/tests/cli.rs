@@ -57,8 +57,18 @@ fn invariant_list_json_tells_effects_sizes_and_freedom() {
 #[test]
 fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
     let show = output(&["show", "ezyroller/driven"]);
-    for part in ["C_q = [", "S v + s_t = [", "m0*cos(omega*t)", "sparsity", "order of elimination", "arithmetic in all"]
-    {
+    let parts = [
+        "freedom: 4 of positions, 2 of velocities",
+        "A = (seat.x - a*cos(seat.phi), seat.y - a*sin(seat.phi))",
+        "C_q = [",
+        "S v + s_t = [",
+        "m0*cos(omega*t)",
+        "sparsity",
+        "front  ...   xxx",
+        "order of elimination",
+        "arithmetic in all",
+    ];
+    for part in parts {
         assert!(show.contains(part), "{part} in {show}");
     }
 }
@@ -68,6 +78,11 @@ fn invariant_show_latex_of_a_model_holds_every_scene() {
     let show = output(&["show", "ezyroller", "--format", "latex"]);
     assert_eq!(show.matches("% equations of motion").count(), 3);
     assert!(show.contains("\\begin{bmatrix} M & C_q^T & S^T"), "{show}");
+    assert!(show.contains("\\section*{EzyRoller/driven\\_on\\_tarmac}"), "{show}");
+    for environment in ["tabular", "enumerate", "bmatrix", "aligned", "center"] {
+        let count = |word: &str| show.matches(&format!("\\{word}{{{environment}}}")).count();
+        assert!(count("begin") > 0 && count("begin") == count("end"), "{environment} in {show}");
+    }
 }
 
 #[test]

@@ -97,6 +97,7 @@ static FIXED: SceneInfo = SceneInfo {
     jacobian_entries: &[],
     mass_entries: &[],
     force_entries: &[],
+    potential_energy: Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
     elimination: &[],
     acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
     correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

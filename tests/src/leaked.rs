@@ -82,6 +82,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         jacobian_entries: &[],
         mass_entries: &[],
         force_entries: &[],
+        potential_energy: Formula { text: "0", latex: "0", mathml: "" },
         elimination: &[],
         acceleration_operations: Operations::default(),
         correction_operations: Operations::default(),

@@ -6,7 +6,7 @@
 use crate::model::{Formula, SceneInfo};
 
 pub use super::matrix::bracketed;
-use super::matrix::{Cell, Matrix, Names, equation_lines};
+use super::matrix::{Cell, Listing, Matrix, Names, equation_lines};
 
 /// One equation in the three renderings.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,6 +20,9 @@ pub struct Equation {
     /// A `<math>` element.
     pub mathml: String,
 }
+
+/// Matrices of more columns are listed by rows: three bodies still fit on a page.
+const WIDEST_MATRIX: usize = 9;
 
 const ZERO: Formula = Formula { text: "0", latex: "0", mathml: "<mrow><mn>0</mn></mrow>" };
 const C: Formula = Formula { text: "C", latex: "C", mathml: "<mi>C</mi>" };
@@ -36,6 +39,7 @@ const M: Formula = Formula { text: "M", latex: "M", mathml: "<mi>M</mi>" };
 const F: Formula = Formula { text: "F", latex: "F", mathml: "<mi>F</mi>" };
 const A: Formula = Formula { text: "a", latex: "a", mathml: "<mi>a</mi>" };
 const Q: Formula = Formula { text: "q", latex: "q", mathml: "<mi>q</mi>" };
+const V_ENERGY: Formula = Formula { text: "V", latex: "V", mathml: "<mi>V</mi>" };
 const V: Formula = Formula { text: "v", latex: "v", mathml: "<mi>v</mi>" };
 const C_Q_T: Formula =
     Formula { text: "C_q^T", latex: "C_q^T", mathml: "<msubsup><mi>C</mi><mi>q</mi><mi>T</mi></msubsup>" };
@@ -61,12 +65,15 @@ pub fn equations(info: &SceneInfo) -> Vec<Equation> {
         equation("coordinates", &[&Q, &column(info.coordinates.iter().map(|c| c.symbol))], none()),
         equation("velocities", &[&V, &column(info.coordinates.iter().map(|c| c.velocity_symbol))], none()),
     ];
+    if !info.points.is_empty() {
+        list.push(points(info));
+    }
     if !position_rows.is_empty() {
         let names = || Names(position_rows.iter().map(|row| row.name).collect());
         let c = column(position_rows.iter().map(|row| row.constraint));
         let h = column(position_rows.iter().map(|row| row.convective_term));
         list.push(equation("position constraint", &[&C, &c, &ZERO], names()));
-        list.push(equation("Jacobian of the position constraint", &[&C_Q, &jacobian(info, 0..n_h)], names()));
+        list.push(jacobian("Jacobian of the position constraint", &C_Q, info, 0..n_h));
         list.push(equation("convective term of the position constraint", &[&H, &h], names()));
     }
     if !velocity_rows.is_empty() {
@@ -74,11 +81,14 @@ pub fn equations(info: &SceneInfo) -> Vec<Equation> {
         let s_v = column(velocity_rows.iter().map(|row| row.constraint));
         let s = column(velocity_rows.iter().map(|row| row.convective_term));
         list.push(equation("velocity constraint", &[&S_V, &s_v, &ZERO], names()));
-        list.push(equation("Jacobian of the velocity constraint", &[&S, &jacobian(info, n_h..info.n_rows())], names()));
+        list.push(jacobian("Jacobian of the velocity constraint", &S, info, n_h..info.n_rows()));
         list.push(equation("convective term of the velocity constraint", &[&S_TERM, &s], names()));
     }
-    list.push(equation("mass matrix", &[&M, &diagonal(info.mass_entries)], none()));
+    list.push(mass_matrix(info));
     list.push(equation("applied force", &[&F, &column(info.force_entries.iter().copied())], none()));
+    if info.potential_energy.text != "0" {
+        list.push(equation("potential energy", &[&V_ENERGY, &info.potential_energy], none()));
+    }
     list.push(motion(!position_rows.is_empty(), !velocity_rows.is_empty()));
     list
 }
@@ -106,23 +116,58 @@ pub(super) fn column(entries: impl IntoIterator<Item = Formula>) -> Matrix {
     Matrix::new(entries.into_iter().map(|entry| vec![entry]))
 }
 
-fn diagonal(entries: &[Formula]) -> Matrix {
-    let row = |i: usize| (0..entries.len()).map(|j| if i == j { entries[i] } else { ZERO }).collect();
-    Matrix::new((0..entries.len()).map(row))
+/// Where the named points are.
+fn points(info: &SceneInfo) -> Equation {
+    let (mut text, mut latex, mut mathml) = (String::new(), Vec::new(), String::new());
+    let width = info.points.iter().map(|point| point.name.chars().count()).max().unwrap_or(0);
+    for (point, [x, y]) in info.points.iter().filter_map(|point| Some((point, point.position?))) {
+        let position = column([x, y]);
+        text += &format!("{:width$} = ({}, {})\n", point.name, x.text, y.text);
+        latex.push(format!("\\mathrm{{{}}} &= {}", point.name.replace('_', "\\_"), position.latex()));
+        let name = format!("<mtext>{}</mtext>", point.name);
+        mathml += &format!("<mtr><mtd>{name}</mtd><mtd><mo>=</mo></mtd><mtd>{}</mtd></mtr>", position.mathml());
+    }
+    Equation {
+        name: "points",
+        text,
+        latex: format!("\\begin{{aligned}} {} \\end{{aligned}}", latex.join(" \\\\ ")),
+        mathml: format!("<math display=\"block\"><mtable>{mathml}</mtable></math>"),
+    }
 }
 
-fn jacobian(info: &SceneInfo, rows: std::ops::Range<usize>) -> Matrix {
+fn mass_matrix(info: &SceneInfo) -> Equation {
+    let entries = info.mass_entries;
+    let n = entries.len();
+    if n > WIDEST_MATRIX {
+        let rows = info.coordinates.iter().zip(entries).map(|(c, &mass)| (c.name, vec![(c.symbol, mass)]));
+        return equation("mass matrix", &[&M, &Listing(rows.collect())], Names(Vec::new()));
+    }
+    let row = |i: usize| (0..n).map(|j| if i == j { entries[i] } else { ZERO }).collect();
+    equation("mass matrix", &[&M, &Matrix::new((0..n).map(row))], Names(Vec::new()))
+}
+
+/// Some rows of G: a matrix, or what is not zero in each row when it is wide.
+fn jacobian(name: &'static str, symbol: &Formula, info: &SceneInfo, rows: std::ops::Range<usize>) -> Equation {
+    if info.n_coordinates() > WIDEST_MATRIX {
+        let entries = |i: usize| {
+            let row = info.jacobian.entries().filter(move |&(_, row, _)| row == i);
+            row.map(|(k, _, j)| (info.coordinates[j].symbol, info.jacobian_entries[k])).collect()
+        };
+        let listing = Listing(rows.map(|i| (info.rows[i].name, entries(i))).collect());
+        return equation(name, &[symbol, &listing], Names(Vec::new()));
+    }
     let mut dense = vec![vec![ZERO; info.n_coordinates()]; info.n_rows()];
     for (k, i, j) in info.jacobian.entries() {
         dense[i][j] = info.jacobian_entries[k];
     }
-    Matrix::new(dense.drain(rows))
+    let names = Names(info.rows[rows.clone()].iter().map(|row| row.name).collect());
+    equation(name, &[symbol, &Matrix::new(dense.drain(rows))], names)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{CoordinateInfo, Operations, RowInfo, SparsityPattern};
+    use crate::model::{CoordinateInfo, Operations, PointInfo, RowInfo, SparsityPattern};
 
     const fn formula(text: &'static str) -> Formula {
         Formula { text, latex: text, mathml: text }
@@ -168,6 +213,7 @@ mod tests {
         jacobian_entries: &[formula("1"), formula("2")],
         mass_entries: &[formula("m"), formula("m"), formula("i")],
         force_entries: &[formula("p"), formula("0"), formula("0")],
+        potential_energy: formula("0"),
         elimination: &[],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
@@ -181,6 +227,23 @@ mod tests {
     #[test]
     fn analytic_jacobian_sledge_fills_zeros() {
         assert_eq!(named("Jacobian of the position constraint").text, "C_q = [ 1  2  0 ]   rail\n");
+    }
+
+    #[test]
+    fn analytic_points_and_potential_energy_are_shown_when_there_are_some() {
+        let x = PointInfo { name: "P", body: Some(0), position: Some([formula("sledge.x"), formula("0")]) };
+        let points: &'static [PointInfo] = Box::leak(Box::new([x]));
+        let info = SceneInfo { points, potential_energy: formula("m*g*sledge.y"), ..SLEDGE };
+        let texts: Vec<String> = equations(&info).into_iter().map(|equation| equation.text).collect();
+        assert!(texts.contains(&"P = (sledge.x, 0)\n".to_owned()), "{texts:?}");
+        assert!(texts.contains(&"V = m*g*sledge.y\n".to_owned()), "{texts:?}");
+    }
+
+    #[test]
+    fn analytic_wide_matrix_is_listed_by_rows() {
+        let listing = Listing(vec![("rail", vec![(formula("x"), formula("1")), (formula("y"), formula("2*b"))])]);
+        assert_eq!(listing.lines(), ["rail  x: 1, y: 2*b"]);
+        assert_eq!(listing.latex(), "\\begin{array}{ll} \\text{rail} & x\\colon 1,\\; y\\colon 2*b \\end{array}");
     }
 
     #[test]

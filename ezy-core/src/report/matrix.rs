@@ -93,6 +93,41 @@ impl Cell for Matrix {
     }
 }
 
+/// Rows too wide for a matrix: for each its name, then the columns that are not zero with their entries.
+pub(super) struct Listing(pub Vec<(&'static str, Vec<(Formula, Formula)>)>);
+
+impl Cell for Listing {
+    fn lines(&self) -> Vec<String> {
+        let width = self.0.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+        let row = |(name, entries): &(&str, Vec<(Formula, Formula)>)| {
+            let entries: Vec<String> =
+                entries.iter().map(|(column, entry)| format!("{}: {}", column.text, entry.text)).collect();
+            format!("{name:width$}  {}", entries.join(", "))
+        };
+        self.0.iter().map(row).collect()
+    }
+
+    fn latex(&self) -> String {
+        let row = |(name, entries): &(&str, Vec<(Formula, Formula)>)| {
+            let entries: Vec<String> =
+                entries.iter().map(|(column, entry)| format!("{}\\colon {}", column.latex, entry.latex)).collect();
+            format!("\\text{{{}}} & {}", name.replace('_', "\\_"), entries.join(",\\; "))
+        };
+        let rows: Vec<String> = self.0.iter().map(row).collect();
+        format!("\\begin{{array}}{{ll}} {} \\end{{array}}", rows.join(" \\\\ "))
+    }
+
+    fn mathml(&self) -> String {
+        let row = |(name, entries): &(&str, Vec<(Formula, Formula)>)| {
+            let entries: Vec<String> =
+                entries.iter().map(|(column, entry)| format!("{}<mo>:</mo>{}", column.mathml, entry.mathml)).collect();
+            let entries = entries.join("<mo>,</mo><mspace width=\"0.8em\"/>");
+            format!("<mtr><mtd><mtext>{name}</mtext></mtd><mtd>{entries}</mtd></mtr>")
+        };
+        format!("<mtable>{}</mtable>", self.0.iter().map(row).collect::<String>())
+    }
+}
+
 /// The sides of an equation on one height, joined by `=` in the middle line; names of rows to the right.
 pub(super) fn equation_lines(sides: &[&dyn Cell], names: &Names) -> String {
     let blocks: Vec<Vec<String>> = sides.iter().map(|side| side.lines()).collect();

@@ -26,7 +26,9 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     let coordinates = coordinates(equations);
     let points = equations.points.iter().map(|point| {
         let (name, body) = (&point.name, option(point.body.map(|body| body.0)));
-        quote!(::ezy_core::model::PointInfo { name: #name, body: #body })
+        let position = point.position.map(|x| formula_of(equations, x));
+        let position = option(Some(quote!([#(#position),*])));
+        quote!(::ezy_core::model::PointInfo { name: #name, body: #body, position: #position })
     });
     let rows = rows(equations);
     let n_position_rows = equations.constraints.n_position_rows;
@@ -41,6 +43,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     let jacobian_entries = entries.map(|&(_, entry)| formula_of(equations, entry));
     let mass_entries = equations.mass_entries.iter().map(|&mass| formula_of(equations, mass));
     let force_entries = equations.force.iter().map(|&force| formula_of(equations, force));
+    let potential_energy = formula_of(equations, equations.potential);
     let elimination = emitted.accelerations.order.iter().map(|(rows, constant_pivot)| {
         quote!(::ezy_core::model::EliminationStep { rows: &[#(#rows),*], constant_pivot: #constant_pivot })
     });
@@ -66,6 +69,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             jacobian_entries: &[#(#jacobian_entries),*],
             mass_entries: &[#(#mass_entries),*],
             force_entries: &[#(#force_entries),*],
+            potential_energy: #potential_energy,
             elimination: &[#(#elimination),*],
             acceleration_operations: #acceleration_operations,
             correction_operations: #correction_operations,

@@ -178,14 +178,50 @@ pub mod ezy_roller {
                 ::ezy_core::model::PointInfo {
                     name: "A",
                     body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x - a*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y - a*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
                 ::ezy_core::model::PointInfo {
                     name: "C",
                     body: ::core::option::Option::Some(1usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "bar.x + c*cos(bar.phi)",
+                            latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "bar.y + c*sin(bar.phi)",
+                            latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
                 ::ezy_core::model::PointInfo {
                     name: "B",
                     body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x + b*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y + b*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
             ],
             rows: &[
@@ -505,6 +541,11 @@ pub mod ezy_roller {
                     mathml: "<mrow><mn>0</mn></mrow>",
                 },
             ],
+            potential_energy: ::ezy_core::model::Formula {
+                text: "0",
+                latex: "0",
+                mathml: "<mrow><mn>0</mn></mrow>",
+            },
             elimination: &[
                 ::ezy_core::model::EliminationStep {
                     rows: &[2usize],
@@ -1276,14 +1317,50 @@ pub mod ezy_roller {
                 ::ezy_core::model::PointInfo {
                     name: "A",
                     body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x - a*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y - a*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
                 ::ezy_core::model::PointInfo {
                     name: "C",
                     body: ::core::option::Option::Some(1usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "bar.x + c*cos(bar.phi)",
+                            latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "bar.y + c*sin(bar.phi)",
+                            latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
                 ::ezy_core::model::PointInfo {
                     name: "B",
                     body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x + b*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y + b*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
             ],
             rows: &[
@@ -1634,6 +1711,11 @@ pub mod ezy_roller {
                     mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
             ],
+            potential_energy: ::ezy_core::model::Formula {
+                text: "0",
+                latex: "0",
+                mathml: "<mrow><mn>0</mn></mrow>",
+            },
             elimination: &[
                 ::ezy_core::model::EliminationStep {
                     rows: &[2usize],
@@ -2454,14 +2536,50 @@ pub mod ezy_roller {
                 ::ezy_core::model::PointInfo {
                     name: "A",
                     body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x - a*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y - a*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
                 ::ezy_core::model::PointInfo {
                     name: "C",
                     body: ::core::option::Option::Some(1usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "bar.x + c*cos(bar.phi)",
+                            latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "bar.y + c*sin(bar.phi)",
+                            latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
                 ::ezy_core::model::PointInfo {
                     name: "B",
                     body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x + b*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y + b*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
             ],
             rows: &[
@@ -2829,6 +2947,11 @@ pub mod ezy_roller {
                     mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
             ],
+            potential_energy: ::ezy_core::model::Formula {
+                text: "0",
+                latex: "0",
+                mathml: "<mrow><mn>0</mn></mrow>",
+            },
             elimination: &[
                 ::ezy_core::model::EliminationStep {
                     rows: &[2usize],

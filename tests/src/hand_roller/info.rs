@@ -21,6 +21,10 @@ const fn row(
     RowInfo { name, kind, multiplier_unit: "N", constraint: f(constraint), convective_term: f(convective_term) }
 }
 
+const fn point(name: &'static str, body: usize, position: [&'static str; 2]) -> PointInfo {
+    PointInfo { name, body: Some(body), position: Some([f(position[0]), f(position[1])]) }
+}
+
 const fn parameter(name: &'static str, unit: &'static str, default: f64, default_text: &'static str) -> ParameterInfo {
     ParameterInfo { name, unit, default, default_text, documentation: "", effect: None, symbol: f(name) }
 }
@@ -63,6 +67,12 @@ const ROWS: [RowInfo; 4] = [
         "-bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi) + c*bar.omega",
         "-(bar.vx*cos(bar.phi) + bar.vy*sin(bar.phi))*bar.omega",
     ),
+];
+
+const POINTS: [PointInfo; 3] = [
+    point("A", 0, ["seat.x - a*cos(seat.phi)", "seat.y - a*sin(seat.phi)"]),
+    point("C", 1, ["bar.x + c*cos(bar.phi)", "bar.y + c*sin(bar.phi)"]),
+    point("B", 0, ["seat.x + b*cos(seat.phi)", "seat.y + b*sin(seat.phi)"]),
 ];
 
 const PARAMETERS: [ParameterInfo; 10] = [
@@ -112,11 +122,7 @@ const fn scene(
         documentation: "",
         bodies: &["seat", "bar"],
         coordinates: &COORDINATES,
-        points: &[
-            PointInfo { name: "A", body: Some(0) },
-            PointInfo { name: "C", body: Some(1) },
-            PointInfo { name: "B", body: Some(0) },
-        ],
+        points: &POINTS,
         rows: &ROWS,
         n_position_rows: 2,
         parameters,
@@ -129,6 +135,7 @@ const fn scene(
         jacobian_entries: &JACOBIAN_ENTRIES,
         mass_entries: &MASS_ENTRIES,
         force_entries,
+        potential_energy: f("0"),
         elimination: &[],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

@@ -45,8 +45,8 @@ impl Matrix {
         }
         for k in (0..n).rev() {
             x[k].iter_mut().for_each(|entry| *entry /= rows[k][k]);
-            for i in 0..k {
-                let factor = rows[i][k];
+            for (i, row) in rows[..k].iter().enumerate() {
+                let factor = row[k];
                 if factor != 0.0 {
                     subtract(&mut x, i, k, factor);
                 }

@@ -9,54 +9,69 @@ mod random;
 mod run;
 mod solutions;
 
-use super::Equations;
-use super::check;
+use std::sync::OnceLock;
+
+use super::solve::{self, Correction, Solver};
 use super::symbols::Meaning;
+use super::{Equations, check};
 use crate::diag::Diagnostics;
-use crate::model::{self, Model};
-use crate::parse;
 use crate::symbolic::evaluate::Point;
+use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::{SumId, Symbol};
+use crate::{model, parse};
 use mechanism::Mechanism;
 use oracle::State;
 use random::Random;
 
-/// Four mechanisms of each size from 1 to 12 bodies.
-const N_MECHANISMS: u64 = 48;
+/// Three mechanisms of each size from 1 to 12 bodies.
+const N_MECHANISMS: u64 = 36;
 const MOST_BODIES: u64 = 12;
 
 /// Differences of sums of some hundred products of values of order one to ten.
 const ROUNDING: f64 = 1e-11;
 
-/// A mechanism, its equations, and states to compare them at.
+/// A mechanism with all that is derived of it.
 struct Trial {
     seed: u64,
     made: Mechanism,
-    model: Model,
+    parameters: Vec<f64>,
     equations: Equations,
+    constants: ConstantPool,
+    accelerations: Solver,
+    correction: Correction,
 }
 
-/// Every mechanism that the macro accepts; what it refuses must have dependent rows.
-fn trials() -> impl Iterator<Item = Trial> {
-    (0..N_MECHANISMS).filter_map(|seed| {
-        let made = mechanism::mechanism(seed, 1 + (seed % MOST_BODIES) as usize);
+/// Every mechanism that the macro accepts.
+fn trials() -> &'static [Trial] {
+    static TRIALS: OnceLock<Vec<Trial>> = OnceLock::new();
+    TRIALS.get_or_init(|| {
+        let made = |seed| mechanism::mechanism(seed, 1 + (seed % MOST_BODIES) as usize);
+        (0..N_MECHANISMS).filter_map(|seed| Trial::new(seed, made(seed))).collect()
+    })
+}
+
+impl Trial {
+    /// `None` when the macro refuses it, which it must where rows are dependent and nowhere else.
+    fn new(seed: u64, made: Mechanism) -> Option<Self> {
         let text = made.text("Random");
         let mut diag = Diagnostics::default();
         let syntax = parse::parse(text.parse().expect("the text has tokens"), &mut diag);
         let Some(model) = model::resolve(syntax, &mut diag).filter(|_| diag.is_empty()) else {
             panic!("seed {seed}: {}\n{text}", diag.into_compile_errors());
         };
-        let equations = Equations::derive(&model, &model.scenes[0]);
+        let mut equations = Equations::derive(&model, &model.scenes[0]);
         check::rows(&model, &equations, &mut diag);
         let accepted = diag.is_empty();
-        let trial = Trial { seed, made, model, equations };
+        let mut constants = ConstantPool::default();
+        let accelerations = solve::accelerations(&mut equations, &mut constants);
+        let correction = solve::correction(&mut equations, &mut constants);
+        let parameters = model.parameters.iter().map(|parameter| parameter.default).collect();
+        let trial = Self { seed, made, parameters, equations, constants, accelerations, correction };
         let independent = trial.states().iter().any(|state| trial.is_regular(state));
         assert_eq!(accepted, independent, "seed {seed}: {}\n{text}", diag.into_compile_errors());
         accepted.then_some(trial)
-    })
-}
+    }
 
-impl Trial {
     /// The assembled configuration, and states that are special in no way.
     fn states(&self) -> Vec<State> {
         let mut random = Random::new(!self.seed);
@@ -133,6 +148,7 @@ impl Point for At<'_> {
             Meaning::Time => self.state.t,
             Meaning::Coordinate(i) => self.state.q[i],
             Meaning::Velocity(i) => self.state.v[i],
+            Meaning::Input(_) => f64::NAN,
             Meaning::Named(_) => {
                 let row = self.trial.equations.multipliers.iter().find(|(other, _)| *other == symbol);
                 row.and_then(|&(_, row)| self.lambda.get(row)).copied().unwrap_or(f64::NAN)
@@ -141,6 +157,6 @@ impl Point for At<'_> {
     }
 
     fn parameter(&self, index: usize) -> f64 {
-        self.trial.model.parameters[index].default
+        self.trial.parameters[index]
     }
 }

@@ -5,20 +5,13 @@ use super::oracle::State;
 use crate::mechanics::solve::Solver;
 use crate::mechanics::symbols::Meaning;
 use crate::symbolic::Symbol;
-use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::program::Node;
 
 /// The solution that a program computes at a state; `other` gives what it reads besides.
-pub fn solution(
-    trial: &Trial,
-    solver: &Solver,
-    pool: &ConstantPool,
-    state: &State,
-    other: &dyn Fn(Symbol) -> f64,
-) -> Vec<f64> {
+pub fn solution(trial: &Trial, solver: &Solver, state: &State, other: &dyn Fn(Symbol) -> f64) -> Vec<f64> {
     let at = super::At { trial, state, lambda: &[] };
     let coefficient = |i: usize| {
-        let id = pool.coefficients()[i];
+        let id = trial.constants.coefficients()[i];
         trial.equations.algebra.evaluate_coefficient(crate::symbolic::coefficient::unsigned(id), &at)
     };
     let program = &solver.program;

@@ -5,8 +5,7 @@ use super::differences::{DIFFERENCE, slope};
 use super::oracle::{State, forces};
 use super::run::solution;
 use super::{At, Trial, trials};
-use crate::mechanics::solve::{self, Correction};
-use crate::symbolic::lower::ConstantPool;
+use crate::mechanics::solve::Correction;
 
 /// Elimination and comparison each err by some hundred roundings times the condition of K.
 const PER_CONDITION: f64 = 1e-13;
@@ -22,12 +21,10 @@ fn dense_solution(trial: &Trial, state: &State) -> (Matrix, Vec<f64>) {
 
 #[test]
 fn cross_generated_accelerations_of_random_mechanisms_are_the_dense_ones() {
-    for mut trial in trials() {
-        let mut pool = ConstantPool::default();
-        let solver = solve::accelerations(&mut trial.equations, &mut pool);
+    for trial in trials() {
         for state in trial.states().iter().filter(|state| trial.is_regular(state)) {
-            let (k, expected) = dense_solution(&trial, state);
-            let found = solution(&trial, &solver, &pool, state, &|_| f64::NAN);
+            let (k, expected) = dense_solution(trial, state);
+            let found = solution(trial, &trial.accelerations, state, &|_| f64::NAN);
             trial.compare("a and λ", &found, &expected, PER_CONDITION * k.condition());
         }
     }
@@ -35,9 +32,8 @@ fn cross_generated_accelerations_of_random_mechanisms_are_the_dense_ones() {
 
 #[test]
 fn cross_generated_corrections_of_random_mechanisms_are_the_dense_ones() {
-    for mut trial in trials() {
-        let mut pool = ConstantPool::default();
-        let Correction { solver, residuals } = solve::correction(&mut trial.equations, &mut pool);
+    for trial in trials() {
+        let Correction { solver, residuals } = &trial.correction;
         for state in trial.states().iter().filter(|state| trial.is_regular(state)) {
             let residual: Vec<f64> = (0..residuals.len()).map(|i| 0.3 * i as f64 - 1.0).collect();
             let k = trial.kkt(state);
@@ -45,7 +41,7 @@ fn cross_generated_corrections_of_random_mechanisms_are_the_dense_ones() {
             let right_side: Vec<f64> = std::iter::repeat_n(0.0, n_q).chain(residual.iter().map(|r| -r)).collect();
             let expected = k.solve(&right_side).expect("the state is regular");
             let other = |symbol| residuals.iter().position(|&r| r == symbol).map_or(f64::NAN, |i| residual[i]);
-            let found = solution(&trial, &solver, &pool, state, &other);
+            let found = solution(trial, solver, state, &other);
             trial.compare("delta", &found, &expected[..n_q], PER_CONDITION * k.condition());
         }
     }
@@ -64,13 +60,13 @@ fn admissible(trial: &Trial, state: &State) -> State {
 fn invariant_power_of_random_mechanisms_is_the_rate_of_their_energy() {
     for trial in trials() {
         for state in trial.states().iter().filter(|state| trial.is_regular(state)) {
-            let state = admissible(&trial, state);
-            let (k, solved) = dense_solution(&trial, &state);
+            let state = admissible(trial, state);
+            let (k, solved) = dense_solution(trial, &state);
             let (acceleration, lambda) = solved.split_at(state.q.len());
             let momenta = trial.masses().into_iter().zip(&state.v).map(|(m, v)| m * v);
             let kinetic: Vec<f64> = momenta.zip(acceleration).map(|(p, a)| p * a).collect();
             let potential = slope(|tau| vec![forces(&trial.made, &state.ahead(tau)).1])[0];
-            let at = At { trial: &trial, state: &state, lambda };
+            let at = At { trial, state: &state, lambda };
             let power = trial.equations.power.iter().map(|&(_, power)| trial.equations.algebra.evaluate(power, &at));
             let (rate, power) = (kinetic.iter().sum::<f64>() + potential, power.sum::<f64>());
             // sums of products whose signs differ

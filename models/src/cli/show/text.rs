@@ -1,0 +1,97 @@
+//! A scene as text.
+
+use ezy_core::model::{EffectInfo, EliminationStep, SceneInfo};
+use ezy_core::report::equations::{Equation, equations};
+use ezy_core::report::table::Table;
+use ezy_core::report::templates::templates;
+
+use super::{OPERATIONS, freedom, kernels, pattern, pivot};
+
+pub fn scene(info: &SceneInfo) -> String {
+    let mut text = format!("{}/{}\n{}\n", info.model, info.name, info.documentation.trim());
+    let [positions, velocities] = freedom(info);
+    text += &format!(
+        "\nfreedom: {positions} of positions, {velocities} of velocities; {} bodies, {} position rows, {} velocity rows, \
+         {} entries of the Jacobian\n",
+        info.bodies.len(),
+        info.n_position_rows,
+        info.n_rows() - info.n_position_rows,
+        info.jacobian.n_nonzeros()
+    );
+    for table in tables(info) {
+        text += &format!("\n{table}");
+    }
+    let written = |equation: &Equation| format!("\n{}\n\n{}", equation.name, indent(&equation.text));
+    for item in info.repeats.iter().flat_map(templates) {
+        text += &format!("\n{}\n{}", item.title, indent(&item.equations.iter().map(written).collect::<String>()));
+    }
+    text += &equations(info).iter().map(written).collect::<String>();
+    if !info.has_elimination() {
+        return text;
+    }
+    text += &format!("\nsparsity of the Jacobian [C_q; S]: x, y and phi of each body\n\n{}", indent(&sparsity(info)));
+    text += &format!("\norder of elimination\n\n{}", indent(&elimination(info)));
+    let mut operations = Table::new(std::iter::once("operations").chain(OPERATIONS));
+    for (name, numbers) in kernels(info) {
+        operations.push(std::iter::once(name.to_owned()).chain(numbers.map(|n| n.to_string())));
+    }
+    text + &format!("\n{operations}")
+}
+
+/// What the scene declares; tables without rows are left out, and lists of members where there are counts.
+fn tables(info: &SceneInfo) -> Vec<Table> {
+    let mut tables = Vec::new();
+    let mut put = |heads: [&str; 5], rows: Vec<[&str; 5]>| {
+        let used = heads.iter().filter(|head| !head.is_empty()).count();
+        if !rows.is_empty() {
+            let mut table = Table::new(heads[..used].iter().copied());
+            rows.iter().for_each(|row| table.push(row[..used].iter().copied()));
+            tables.push(table);
+        }
+    };
+    let counts: Vec<String> = info.repeats.iter().flat_map(|repeats| repeats.values).map(ToString::to_string).collect();
+    let counts = info.counts().iter().zip(&counts).map(|(c, value)| [c.name, value, c.documentation.trim(), "", ""]);
+    put(["count", "value", "what it is", "", ""], counts.collect());
+    let parameters = info.parameters.iter();
+    let parameters =
+        parameters.map(|p| [p.name, p.default_text, p.unit, p.effect.unwrap_or("-"), p.documentation.trim()]);
+    put(["parameter", "value", "unit", "effect", "what it is"], parameters.collect());
+    let inputs = info.inputs.iter();
+    let inputs = inputs.map(|p| [p.name, p.default_text, p.unit, p.effect.unwrap_or("-"), p.documentation.trim()]);
+    put(["input", "until it is set", "unit", "effect", "what it is"], inputs.collect());
+    let effects = info.effects.iter().map(|e: &EffectInfo| [e.name, e.documentation.trim(), "", "", ""]);
+    put(["effect", "what it is", "", "", ""], effects.collect());
+    let outputs = info.outputs.iter().map(|o| [o.name, o.unit, o.formula.text, o.documentation.trim(), ""]);
+    put(["output", "unit", "formula", "what it is", ""], outputs.collect());
+    if info.repeats.is_some() {
+        return tables;
+    }
+    let coordinates = info.coordinates.iter().map(|c| [c.name, c.unit, c.velocity_name, "", ""]);
+    put(["coordinate", "unit", "velocity", "", ""], coordinates.collect());
+    let rows = info.rows.iter().enumerate().map(|(i, row)| {
+        let level = if i < info.n_position_rows { "position" } else { "velocity" };
+        [row.name, row.kind, level, row.multiplier_unit, ""]
+    });
+    put(["row", "word", "level", "unit of its multiplier", ""], rows.collect());
+    tables
+}
+
+fn indent(text: &str) -> String {
+    text.lines().map(|line| format!("  {line}\n")).collect()
+}
+
+fn sparsity(info: &SceneInfo) -> String {
+    let mut table = Table::new(std::iter::once("row").chain(info.bodies.iter().copied()));
+    for (row, signs) in info.rows.iter().zip(pattern(info)) {
+        table.push(std::iter::once(row.name.to_owned()).chain(signs));
+    }
+    table.to_string()
+}
+
+fn elimination(info: &SceneInfo) -> String {
+    let step = |(i, step): (usize, &EliminationStep)| {
+        let rows = step.rows.iter().map(|row| info.rows[*row].name).collect::<Vec<_>>().join(", ");
+        format!("{}. {rows}: {}\n", i + 1, pivot(step))
+    };
+    info.elimination.iter().enumerate().map(step).collect()
+}

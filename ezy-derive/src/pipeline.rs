@@ -15,13 +15,11 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(model) = model::resolve(syntax, &mut diag).filter(|_| diag.is_empty()) else {
         return diag.into_compile_errors();
     };
-    let equations: Vec<Equations> = model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect();
-    if let Some(first) = equations.first() {
-        mechanics::check::rows(&model, first, &mut diag);
-    }
+    mechanics::check::rows(&model, &mut diag);
     if !diag.is_empty() {
         return diag.into_compile_errors();
     }
+    let equations = model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect();
     let mut items = diag.into_compile_errors();
     items.extend(emit::model(&model, equations));
     items

@@ -1,7 +1,7 @@
 //! Messages about equations that cannot hold together.
 
-use super::fault_with_help;
 use super::nearest::quoted;
+use super::{Warning, fault_with_help};
 use proc_macro2::Ident;
 
 pub fn restricts_nothing(at: &Ident, row: &str) -> syn::Error {
@@ -22,6 +22,25 @@ pub fn dependent(at: &Ident, row: &str, others: &[&str]) -> syn::Error {
         ),
         "remove one of these rows: for any parameters they restrict the same motion",
     )
+}
+
+pub fn not_linear(at: &Ident, kind: &str, row: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("{kind} `{row}` is not linear in the velocities"),
+        "write sums of velocities times expressions of positions and `t`",
+    )
+}
+
+pub fn integrates(at: &Ident, kind: &str, row: &str) -> Warning {
+    Warning {
+        span: at.span(),
+        name: "row_of_velocities_that_restricts_positions",
+        text: format!(
+            "{kind} `{row}` integrates to a row of positions, which would hold without drift; \
+             write it as `constraint`, `gear` or `drive`, unless its constant is not known"
+        ),
+    }
 }
 
 pub fn too_many_rows(at: &Ident, n_rows: usize, n_coordinates: usize) -> syn::Error {

@@ -24,6 +24,14 @@ pub fn moves_at_rest(rest: &Ident, start: &Ident, name: &str, word: &Ident) -> s
     )
 }
 
+pub fn start_breaks_row(start: &Ident, row: &str, level: &str, value: f64) -> syn::Error {
+    fault_with_help(
+        start,
+        format_args!("start `{start}` fixes too much: its values leave {value:.3} in row `{row}` at {level} level"),
+        "leave one of the values of its bodies out: what is not given is assembled from the rows",
+    )
+}
+
 pub fn scene_without_start(scene: &Ident, starts: &[&str]) -> syn::Error {
     let help = match starts.first() {
         Some(first) => format!("write `start {first};`; declared starts: {}", quoted(starts)),

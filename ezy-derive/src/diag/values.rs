@@ -39,11 +39,19 @@ pub fn expected_vector(at: Extent, what: &str) -> syn::Error {
 
 pub fn arity(function: &Ident, wanted: usize, found: usize) -> syn::Error {
     let plural = if wanted == 1 { "argument" } else { "arguments" };
-    let example = if wanted == 1 { "(a)" } else { "(a, b)" };
+    let example = ["", "(a)", "(a, b)", "(a, b, c)"][wanted.min(3)];
     fault_with_help(
         function,
         format_args!("`{function}` takes {wanted} {plural}, but {found} are given"),
         format_args!("write `{function}{example}`"),
+    )
+}
+
+pub fn expected_name(at: Extent, function: &str, example: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("`{function}` takes the name of a point and the name of a body"),
+        format_args!("write `{example}`"),
     )
 }
 

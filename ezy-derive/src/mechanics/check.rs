@@ -1,13 +1,17 @@
-//! Rules that need the equations: rows that restrict nothing, rows that repeat others, more rows than coordinates.
+//! Rules that need the equations: rows that restrict nothing, rows that repeat others, more rows than coordinates,
+//! rows of velocities that are not linear in them or that integrate to rows of positions.
 //!
 //! Dependence is decided at random states with random parameters, so what is found holds for all of them.
 
 use super::scene::Equations;
 use super::symbols::{Meaning, Symbols};
 use crate::diag::{Diagnostics, equations as message};
-use crate::model::Model;
-use crate::symbolic::Symbol;
+use crate::model::{Model, RowId};
 use crate::symbolic::evaluate::Point;
+use crate::symbolic::{Algebra, SumId, Symbol};
+
+mod integrable;
+mod overfixed;
 
 /// Random states at which rows are compared.
 const SAMPLES: u64 = 3;
@@ -16,24 +20,59 @@ const SAMPLES: u64 = 3;
 /// random independent rows keep 1e-3.
 const DEPENDENT: f64 = 1e-9;
 
-/// Reports faulty rows of a model at the words that declare them.
-pub fn rows(model: &Model, equations: &Equations, diag: &mut Diagnostics) {
-    let constraints = &equations.constraints;
+/// Reports faulty rows of the scenes of a model at the words that declare them, each once. Works on equations of its
+/// own: what it writes down must not change the order of what is emitted.
+pub fn rows(model: &Model, diag: &mut Diagnostics) {
     let mut reported = Vec::new();
+    let mut seen: Vec<Vec<RowId>> = Vec::new();
+    let mut starts = Vec::new();
+    for scene in &model.scenes {
+        let selected: Vec<RowId> = model.rows_of(scene).map(|(id, _)| id).collect();
+        let (known_rows, known_start) = (seen.contains(&selected), starts.contains(&(selected.clone(), scene.start)));
+        if known_start {
+            continue;
+        }
+        let mut equations = Equations::derive(model, scene);
+        starts.push((selected.clone(), scene.start));
+        let n_errors = diag.n_errors();
+        if !known_rows {
+            seen.push(selected);
+            rows_of_scene(model, &mut equations, &mut reported, diag);
+            if diag.n_errors() == n_errors {
+                integrable::rows(model, &mut equations, &mut reported, diag);
+            }
+        }
+        if diag.n_errors() == n_errors {
+            overfixed::start(model, scene, &equations, diag);
+        }
+    }
+}
+
+fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<usize>, diag: &mut Diagnostics) {
+    let n_errors = diag.n_errors();
+    let constraints = &equations.constraints;
     let (n_q, n_c) = (equations.mass.len(), constraints.rows.len());
     for (i, row) in constraints.rows.iter().enumerate() {
+        if reported.contains(&row.family) {
+            continue;
+        }
+        let name = &model.rows[row.family].name;
+        let mut entries = constraints.jacobian[i].iter().map(|&(_, entry)| entry);
         if constraints.jacobian[i].is_empty() {
-            diag.error(message::restricts_nothing(&model.rows[row.family].name, &row.name));
+            diag.error(message::restricts_nothing(name, &row.name));
+            reported.push(row.family);
+        } else if entries.any(|entry| moves_with_velocity(&mut equations.algebra, &equations.symbols, entry)) {
+            diag.error(message::not_linear(name, row.kind, &row.name));
             reported.push(row.family);
         }
     }
     if n_c > n_q {
         diag.error(message::too_many_rows(&model.name, n_c, n_q));
+    }
+    if diag.n_errors() > n_errors {
         return;
     }
-    if !reported.is_empty() {
-        return;
-    }
+    let constraints = &equations.constraints;
     let found: Vec<Vec<(usize, Vec<usize>)>> = (0..SAMPLES).map(|seed| dependent_rows(equations, seed)).collect();
     for (i, others) in &found[0] {
         let family = constraints.rows[*i].family;
@@ -44,6 +83,10 @@ pub fn rows(model: &Model, equations: &Equations, diag: &mut Diagnostics) {
             reported.push(family);
         }
     }
+}
+
+fn moves_with_velocity(algebra: &mut Algebra, symbols: &Symbols, entry: SumId) -> bool {
+    (0..symbols.n_coordinates()).any(|i| !algebra.diff(entry, symbols.velocity_at(i)).is_zero())
 }
 
 /// Rows that are combinations of earlier ones, with the rows they combine.

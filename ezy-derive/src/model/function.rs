@@ -4,7 +4,7 @@ use super::context::{Context, Purpose};
 use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
 use super::value::{Form, Value};
-use super::{Expr, Function};
+use super::{Component, Expr, Function};
 use crate::diag::{Extent, names, values};
 use crate::parse::ast;
 use proc_macro2::{Ident, Span};
@@ -30,6 +30,9 @@ const SCALAR: [(&str, Function, usize, Rule); 14] = [
 /// Functions of vectors, with the number of their arguments.
 const VECTOR: [(&str, usize); 3] = [("dot", 2), ("cross", 2), ("norm", 1)];
 
+/// Functions that are written out: `slip_angle(point, body)`, `smooth_step(x, from, to)`.
+const WRITTEN_OUT: [(&str, usize); 2] = [("slip_angle", 2), ("smooth_step", 3)];
+
 /// What a function asks of dimensions, and what it gives.
 #[derive(Debug, Clone, Copy)]
 enum Rule {
@@ -52,7 +55,8 @@ impl Context<'_> {
         let name = function.to_string();
         let scalar = SCALAR.iter().find(|(known, ..)| *known == name);
         let vector = VECTOR.iter().find(|(known, _)| *known == name);
-        let Some(arity) = scalar.map(|row| row.2).or(vector.map(|row| row.1)) else {
+        let written_out = WRITTEN_OUT.iter().find(|(known, _)| *known == name);
+        let Some(arity) = scalar.map(|row| row.2).or(vector.or(written_out).map(|row| row.1)) else {
             let error = self.not_a_function(function, Extent { first: function.span(), last: end }, purpose);
             self.diag.error(error);
             return None;
@@ -63,6 +67,8 @@ impl Context<'_> {
         }
         match scalar {
             Some((_, function, _, rule)) => self.scalar_call(&name, *function, *rule, arguments, purpose),
+            None if name == "slip_angle" => self.slip_angle(arguments, purpose),
+            None if name == "smooth_step" => self.smooth_step(arguments, purpose),
             None => self.vector_call(&name, arguments, purpose),
         }
     }
@@ -72,7 +78,8 @@ impl Context<'_> {
         if function == "ground" || matches!(symbol, Some(Symbol::Body(_))) {
             return values::place_as_value(call, function);
         }
-        let functions = SCALAR.iter().map(|row| row.0).chain(VECTOR.iter().map(|row| row.0));
+        let others = VECTOR.iter().chain(&WRITTEN_OUT);
+        let functions = SCALAR.iter().map(|row| row.0).chain(others.map(|row| row.0));
         let functions: Vec<&str> = functions.collect();
         match symbol {
             Some(symbol @ (Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Let(_))) => {
@@ -135,5 +142,48 @@ impl Context<'_> {
         };
         let value = if name == "dot" { Value::dot(ax, ay, bx, by) } else { Value::cross(ax, ay, bx, by) };
         Some(Value::scalar(value, a.times(b)))
+    }
+
+    /// `slip_angle(P, body)`: from the x axis of the body, whichever way it rolls, to the velocity of P:
+    /// atan2(v · n, |v · e|).
+    fn slip_angle(&mut self, arguments: &[ast::Expr], purpose: &Purpose) -> Option<Value> {
+        let [ast::Expr::Name(point), ast::Expr::Name(body)] = arguments else {
+            let other = arguments.iter().find(|argument| !matches!(argument, ast::Expr::Name(_)))?;
+            self.diag.error(values::expected_name(other.extent(), "slip_angle", "slip_angle(A, seat)"));
+            return None;
+        };
+        let velocity = self.member(point, &Ident::new("v", point.span()), purpose);
+        let (velocity, body) = (velocity?, self.body(body, false)?);
+        let Form::Vector(vx, vy) = velocity.form else { return None };
+        let angle = |function| Expr::Call(function, vec![Expr::Coordinate(body, Component::Phi)]);
+        let (ex, ey) = (angle(Function::Cos), angle(Function::Sin));
+        let forward = Value::dot(ex.clone(), ey.clone(), vx.clone(), vy.clone());
+        let sideward = Value::cross(ex, ey, vx, vy);
+        let forward = Expr::Call(Function::Abs, vec![forward]);
+        Some(Value::scalar(Expr::Call(Function::Atan2, vec![sideward, forward]), Dimension::NONE))
+    }
+
+    /// `smooth_step(x, from, to)`: 0 before, 1 behind, s³ (10 − 15 s + 6 s²) between, with two continuous derivatives.
+    fn smooth_step(&mut self, arguments: &[ast::Expr], purpose: &Purpose) -> Option<Value> {
+        let what = "an argument of `smooth_step`";
+        let mut resolved = Vec::new();
+        let mut measure = Measure::Unknown;
+        for argument in arguments {
+            let Some((value, found)) = self.scalar_of_any_dimension(argument, purpose, what) else { continue };
+            if self.check_dimension(argument, what, found, measure.known()).is_some() {
+                resolved.push(value);
+            }
+            measure = measure.or(found);
+        }
+        let [x, from, to] = <[Expr; 3]>::try_from(resolved).ok()?;
+        let number = |x| Box::new(Expr::Number(x));
+        let sub = |a: Expr, b: Expr| Expr::Sub(Box::new(a), Box::new(b));
+        let ratio = Expr::Div(Box::new(sub(x, from.clone())), Box::new(sub(to, from)));
+        let above = Expr::Call(Function::Max, vec![ratio, Expr::Number(0.0)]);
+        let s = Expr::Call(Function::Min, vec![above, Expr::Number(1.0)]);
+        let cube = Expr::Pow(Box::new(s.clone()), number(3.0));
+        let inner = sub(Expr::Mul(number(6.0), Box::new(s.clone())), Expr::Number(15.0));
+        let bracket = Expr::Add(Box::new(Expr::Mul(Box::new(s), Box::new(inner))), number(10.0));
+        Some(Value::scalar(Expr::Mul(Box::new(cube), Box::new(bracket)), Measure::Plain))
     }
 }

@@ -174,6 +174,7 @@ pub struct Effect {
 /// A start: what is given; `at rest` gives nothing, since the guess of every velocity is zero.
 #[derive(Debug)]
 pub struct Start {
+    pub name: Ident,
     pub values: Vec<StartValue>,
 }
 

@@ -52,7 +52,7 @@ impl Context<'_> {
                 words.push(&given.word);
             }
         }
-        Start { values }
+        Start { name: start.name.clone(), values }
     }
 }
 

@@ -126,7 +126,7 @@ impl Context<'_> {
             }
             Phrase::Settings(known, given) => {
                 for (setting, value) in known.iter().zip(given) {
-                    let what = format!("the {} of {subject}", setting.word);
+                    let what = format!("`{}` of {subject}", setting.word);
                     arguments.settings.push(match (value, setting.otherwise) {
                         (Some(value), _) => self.scalar(value, purpose, &what, Some(dimension(setting.unit))),
                         (None, Otherwise::Number(number)) => Some(Expr::Number(number)),

@@ -65,7 +65,7 @@ pub fn items(input: ParseStream, level: Level, items: &mut Vec<Item>, log: &mut 
             Ok(item) => items.push(item),
             Err(error) => {
                 log.diag.error(error);
-                log.broken.extend(item_name(&begin));
+                log.broken.extend(item_name(&begin.fork()));
                 skip_to_next_item(input, &begin, level);
             }
         }
@@ -151,6 +151,6 @@ fn skip_to_next_item(input: ParseStream, begin: ParseStream, level: Level) {
 
 /// A word of the table and a name: words alone may be names.
 fn begins_item(input: ParseStream, level: Level) -> bool {
-    let Some((word, behind)) = input.cursor().ident() else { return false };
-    behind.ident().is_some() && level.words().iter().any(|known| known.split(' ').next().is_some_and(|k| word == k))
+    let named = input.cursor().ident().is_some_and(|(_, behind)| behind.ident().is_some());
+    named && level.words().iter().any(|known| is_next(input, known))
 }

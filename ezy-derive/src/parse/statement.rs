@@ -164,9 +164,10 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
         }
         given[i] = Some(expression(input)?);
         words[i] = Some(word);
+        let another = input.cursor().ident().is_some_and(|(word, _)| names.iter().any(|name| word == name));
         if input.peek(Token![,]) {
             input.parse::<Token![,]>()?;
-        } else {
+        } else if !another {
             break;
         }
     }

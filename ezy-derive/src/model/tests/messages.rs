@@ -38,6 +38,11 @@ fn regress_messages_of_mechanisms() {
 }
 
 #[test]
+fn regress_messages_of_rows_and_forces() {
+    check("statements", |items| format!("{BEFORE}{items}{BEHIND}"));
+}
+
+#[test]
 fn regress_messages_of_starts_and_scenes() {
     check("scenes", |items| format!("{BEFORE}{items}{BEHIND}"));
 }

@@ -1,0 +1,73 @@
+//! Starts that give every coordinate of a row, but not so that the row holds.
+
+use crate::diag::{Diagnostics, scenes as message};
+use crate::mechanics::Equations;
+use crate::mechanics::symbols::{Meaning, Symbols};
+use crate::model::{Model, Scene};
+use crate::symbolic::Symbol;
+use crate::symbolic::evaluate::Point;
+
+/// Given values may be rounded to some digits, such as 1.5708 for a right angle of an arm of metres.
+const HOLDS: f64 = 1e-3;
+
+/// Reports rows that the given values break, with the declared parameters.
+pub fn start(model: &Model, scene: &Scene, equations: &Equations, diag: &mut Diagnostics) {
+    let n_q = equations.mass.len();
+    let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let mut state = Given { symbols: &equations.symbols, defaults, q: vec![None; n_q], v: vec![None; n_q] };
+    for given in &equations.start {
+        let value = equations.algebra.evaluate(given.value, &state);
+        let target = if given.rate { &mut state.v } else { &mut state.q };
+        target[given.index] = Some(value);
+    }
+    let constraints = &equations.constraints;
+    for (i, row) in constraints.rows.iter().enumerate() {
+        let mut columns = constraints.jacobian[i].iter().map(|(column, _)| *column);
+        let all_given = columns.clone().all(|column| state.q[column].is_some());
+        let (value, unit) = match constraints.position.get(i) {
+            Some(&c) if all_given => (equations.algebra.evaluate(c, &state), "position"),
+            None if all_given && columns.all(|column| state.v[column].is_some()) && state.knows(equations, i) => {
+                (equations.algebra.evaluate(constraints.velocity[i], &state), "velocity")
+            }
+            _ => continue,
+        };
+        if value.abs() > HOLDS {
+            let start = &model.starts[scene.start.0].name;
+            diag.error(message::start_breaks_row(start, &row.name, unit, value));
+            return;
+        }
+    }
+}
+
+/// The given values; what is not given is never read.
+struct Given<'a> {
+    symbols: &'a Symbols,
+    defaults: Vec<f64>,
+    q: Vec<Option<f64>>,
+    v: Vec<Option<f64>>,
+}
+
+impl Given<'_> {
+    /// Whether the rate of a row depends on given coordinates alone.
+    fn knows(&self, equations: &Equations, row: usize) -> bool {
+        let form = equations.algebra.symbols_of(equations.constraints.velocity[row]);
+        form.into_iter().all(|symbol| match self.symbols.meaning(symbol) {
+            Meaning::Coordinate(i) => self.q[i].is_some(),
+            _ => true,
+        })
+    }
+}
+
+impl Point for Given<'_> {
+    fn symbol(&self, symbol: Symbol) -> f64 {
+        match self.symbols.meaning(symbol) {
+            Meaning::Coordinate(i) => self.q[i].unwrap_or(0.0),
+            Meaning::Velocity(i) => self.v[i].unwrap_or(0.0),
+            Meaning::Time | Meaning::Input(_) | Meaning::Named(_) => 0.0,
+        }
+    }
+
+    fn parameter(&self, index: usize) -> f64 {
+        self.defaults[index]
+    }
+}

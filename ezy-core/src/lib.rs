@@ -7,6 +7,7 @@
 //! and `model ← record ← simulate`; [`report`] reads records and names.
 
 pub mod dynamics;
+mod faulty;
 pub mod integrate;
 pub mod kernel;
 pub mod layout;

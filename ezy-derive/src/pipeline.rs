@@ -12,12 +12,14 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut diag = Diagnostics::default();
     // names are resolved after faults of syntax too, so that both are seen at once
     let syntax = parse::parse(tokens, &mut diag);
+    let names = emit::faulty::model(&syntax);
+    let with_faults = |diag: Diagnostics| diag.into_compile_errors().into_iter().chain(names).collect();
     let Some(model) = model::resolve(syntax, &mut diag).filter(|_| diag.is_empty()) else {
-        return diag.into_compile_errors();
+        return with_faults(diag);
     };
     mechanics::check::rows(&model, &mut diag);
     if !diag.is_empty() {
-        return diag.into_compile_errors();
+        return with_faults(diag);
     }
     let equations = model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect();
     let mut items = diag.into_compile_errors();

@@ -21,7 +21,9 @@ fn section(file: &Path) -> String {
     let header = header.iter().map(|line| line.trim_start_matches("//!").trim()).collect::<Vec<_>>().join(" ");
     let (title, explanation) = header.split_once(": ").unwrap_or((header.trim_end_matches('.'), ""));
     let explanation = if explanation.is_empty() { String::new() } else { format!("{}\n\n", sentence(explanation)) };
-    let code = code.join("\n").replace("\nfn main() {}", "");
+    let code = code.join("\n");
+    // what follows the models is no part of them
+    let code = code.split("\nfn main() {}").next().unwrap_or_default();
     let (code, answer) = (code.trim(), answer.trim_end());
     format!("\n## {title}\n\n{explanation}```rust,compile_fail\n{code}\n```\n\n```text\n{answer}\n```\n")
 }

@@ -13,3 +13,10 @@ ezy_derive::model! {
 }
 
 fn main() {}
+
+// stands for ezy-core, which these tests do without
+extern crate self as ezy_core;
+#[macro_export]
+macro_rules! faulty_model {
+    ($($model:tt)*) => {};
+}

@@ -59,3 +59,10 @@ model! {
 }
 
 fn main() {}
+
+// stands for ezy-core, which these tests do without
+extern crate self as ezy_core;
+#[macro_export]
+macro_rules! faulty_model {
+    ($($model:tt)*) => {};
+}

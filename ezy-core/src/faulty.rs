@@ -1,0 +1,91 @@
+//! What stands for a model that has faults, so that its uses are no faults of their own.
+
+/// The module of a model with faults: its scenes with their fields, and a `MODEL` without scenes. The compiler stops at
+/// the faults, so nothing of this ever runs.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! faulty_model {
+    ($visibility:vis mod $module:ident { $($scene:ident { $($field:ident: $kind:ty),* })* }) => {
+        #[allow(missing_docs, unused_variables, unreachable_code, clippy::all)]
+        $visibility mod $module {
+            pub static MODEL: $crate::model::ModelInfo = $crate::model::ModelInfo {
+                name: ::core::stringify!($module),
+                documentation: "",
+                effects: &[],
+                scenes: &[],
+            };
+            $(
+                #[derive(Debug, Clone, Copy, PartialEq, Default)]
+                pub struct $scene {
+                    $(pub $field: $kind),*
+                }
+
+                impl $scene {
+                    pub const INFO: $crate::model::SceneInfo = ::core::panic!("this model has faults");
+                }
+
+                impl $crate::model::Scene for $scene {
+                    fn info(&self) -> &'static $crate::model::SceneInfo {
+                        ::core::unreachable!()
+                    }
+                    fn parameter(&self, index: usize) -> f64 {
+                        f64::NAN
+                    }
+                    fn set_parameter(&mut self, index: usize, value: f64) {}
+                    fn constants(&self, c: &mut [f64]) {}
+                    fn start(&self, c: &[f64], start: &mut $crate::model::Start) {}
+                    fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {}
+                    fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {}
+                    fn velocity_constraint(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
+                    fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {}
+                    fn convective_term(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
+                    fn applied_force(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
+                    fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {}
+                    fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+                        f64::NAN
+                    }
+                    fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {}
+                    fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
+                    fn accelerations(
+                        &self,
+                        c: &[f64],
+                        t: f64,
+                        q: &[f64],
+                        v: &[f64],
+                        a: &mut [f64],
+                        lambda: &mut [f64],
+                    ) -> $crate::model::DeficientRows {
+                        $crate::model::DeficientRows(u64::MAX)
+                    }
+                    fn correction(
+                        &self,
+                        c: &[f64],
+                        t: f64,
+                        q: &[f64],
+                        residual: &[f64],
+                        delta: &mut [f64],
+                    ) -> $crate::model::DeficientRows {
+                        $crate::model::DeficientRows(u64::MAX)
+                    }
+                }
+            )*
+        }
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::Scene;
+
+    crate::faulty_model! { mod trial { Driven { a: f64, n: usize } Coast {} } }
+
+    #[test]
+    fn analytic_faulty_model_has_the_types_that_programs_name() {
+        fn as_scene(_: &impl Scene) {}
+        let mut driven = trial::Driven { n: 3, ..Default::default() };
+        driven.a = 2.0;
+        as_scene(&driven);
+        as_scene(&trial::Coast::default());
+        assert!(trial::MODEL.scenes.is_empty());
+    }
+}

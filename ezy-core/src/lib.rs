@@ -22,11 +22,11 @@ pub use ezy_derive::model;
 
 /// What a program that runs scenes needs.
 pub mod prelude {
-    pub use crate::dynamics::{Metric, Projection, System};
+    pub use crate::dynamics::{Metric, Projection, State, System};
     pub use crate::integrate::Method;
     pub use crate::linalg::Backend;
     pub use crate::model::Scene;
     pub use crate::record::{CsvWriter, Sample};
-    pub use crate::simulate::{Outcome, Run, Simulation};
+    pub use crate::simulate::{InputTable, Outcome, Run, Simulation, Stepper};
     pub use ezy_derive::model;
 }

@@ -343,6 +343,15 @@ impl Start {
         }
     }
 
+    /// Takes the values of a start of the same scene, without allocation.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.t = other.t;
+        self.q.copy_from_slice(&other.q);
+        self.v.copy_from_slice(&other.v);
+        self.q_given.copy_from_slice(&other.q_given);
+        self.v_given.copy_from_slice(&other.v_given);
+    }
+
     /// Holds coordinate `i` at `value`.
     pub fn give_position(&mut self, i: usize, value: f64) {
         self.q[i] = value;

@@ -4,6 +4,7 @@ use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_models::ezy_roller;
 use ezy_tests::hand_roller::HandRoller;
+use ezy_tests::piloted::piloted;
 
 fn allocations(scene: &dyn Scene, backend: Backend, metric: Metric, n_steps: u32) -> u64 {
     let mut n_done = 0;
@@ -29,5 +30,28 @@ fn invariant_steps_do_not_allocate() {
                 assert_eq!(few, many, "{route} {backend:?} {metric:?}");
             }
         }
+    }
+}
+
+#[test]
+fn invariant_stepper_does_not_allocate() {
+    let scene = piloted::Pushed::default();
+    for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
+        let mut stepper = Simulation::new(&scene).backend(backend).work().stepper().unwrap();
+        let mut episode = |given: &[(&str, f64)], n: u64| {
+            stepper.reset_with(given).unwrap();
+            for _ in 0..n {
+                let seen = stepper.outputs()[0] + stepper.state().q[2] + stepper.energy().kinetic;
+                let reaction = stepper.multipliers().unwrap()[0] + stepper.accelerations().unwrap()[0];
+                stepper.inputs_mut().fill((seen + reaction).sin());
+                stepper.step(2).unwrap();
+            }
+            stepper.reset();
+            stepper.step(1).unwrap();
+        };
+        // the first reset to a start assembles it
+        episode(&[("bar.phi", 1.2)], 10);
+        let info = allocation_counter::measure(|| episode(&[("bar.phi", 1.2)], 100));
+        assert_eq!(info.count_total, 0, "{backend:?}");
     }
 }

@@ -138,6 +138,16 @@ pub enum MotionError {
         /// The coordinate or equation that is not finite.
         quantity: &'static str,
     },
+    /// A controller or a table gave no number.
+    #[error("input `{name}` is set to {value} at t = {t} s; set it to a finite value")]
+    InputNotFinite {
+        /// Time from which it holds, s.
+        t: f64,
+        /// Name of the input.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// Gauss–Newton does not come closer to C = 0.
     #[error(
         "position projection stalled at t = {t} s: |C| = {residual:.3e} after {passes} passes (tolerance \

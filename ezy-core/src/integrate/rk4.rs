@@ -28,6 +28,11 @@ impl Rk4 {
         Self { stage: zero.clone(), slope: zero.clone(), sum: zero.clone(), rest: zero, lambda: vec![0.0; n_rows] }
     }
 
+    /// Forgets what rounding cut off, before another run.
+    pub fn restart(&mut self) {
+        [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));
+    }
+
     /// One step of length `h` from `from`; writes `to`, not yet projected. `t_next` is the time that `to` gets, so that
     /// the clock can say it without rounding. `from` is the (projected) result of the step before. Works are integrated
     /// as far as the states hold them.

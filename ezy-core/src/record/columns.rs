@@ -1,5 +1,6 @@
 //! The columns of a sample, by name and unit.
 
+use super::Wanted;
 use crate::model::SceneInfo;
 
 /// One column of a sample.
@@ -19,10 +20,11 @@ impl Column {
 
 /// The columns of every sample of a scene, in the order in which a sample stores them.
 ///
-/// Time; coordinates; velocities; accelerations (`body.ax`, `body.ay`, `body.alpha`); multipliers
-/// (`lambda.<row>`); work of each effect (`work.<effect>`); total `work`, `kinetic`, `potential` and `balance`;
-/// `residual.position` and `residual.velocity`.
-pub fn columns(info: &SceneInfo) -> Vec<Column> {
+/// Time; coordinates; velocities; accelerations (`body.ax`, `body.ay`, `body.alpha`); multipliers (`lambda.<row>`);
+/// inputs (`input.<name>`); outputs (`output.<name>`), if wanted; work of each effect (`work.<effect>`) and total
+/// `work`, if wanted; `kinetic`, `potential`; `balance`, if work is wanted; `residual.position` and
+/// `residual.velocity`.
+pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
     let mut all = vec![Column::new("t", "s")];
     all.extend(info.coordinates.iter().map(|c| Column::new(c.name, c.unit)));
     all.extend(info.coordinates.iter().map(|c| Column::new(c.velocity_name, format!("{}/s", c.unit))));
@@ -30,8 +32,16 @@ pub fn columns(info: &SceneInfo) -> Vec<Column> {
         info.coordinates.iter().map(|c| Column::new(acceleration_name(c.velocity_name), format!("{}/s^2", c.unit))),
     );
     all.extend(info.rows.iter().map(|r| Column::new(format!("lambda.{}", r.name), r.multiplier_unit)));
-    all.extend(info.effects.iter().map(|e| Column::new(format!("work.{}", e.name), "J")));
-    all.extend(["work", "kinetic", "potential", "balance"].map(|name| Column::new(name, "J")));
+    all.extend(info.inputs.iter().map(|i| Column::new(format!("input.{}", i.name), i.unit)));
+    if wanted.outputs {
+        all.extend(info.outputs.iter().map(|o| Column::new(format!("output.{}", o.name), o.unit)));
+    }
+    if wanted.work {
+        all.extend(info.effects.iter().map(|e| Column::new(format!("work.{}", e.name), "J")));
+    }
+    let energies = ["work", "kinetic", "potential", "balance"].into_iter();
+    let energies = energies.filter(|name| wanted.work || !matches!(*name, "work" | "balance"));
+    all.extend(energies.map(|name| Column::new(name, "J")));
     // hinges leave metres (and metres a second), other rows may leave radians: the largest of a mixture has no unit
     all.extend(["residual.position", "residual.velocity"].map(|name| Column::new(name, "")));
     all

@@ -1,7 +1,6 @@
 //! Samples as rows of a CSV file.
 
 use super::{RecordError, Recorder, Sample, columns};
-use crate::model::SceneInfo;
 use std::io::Write;
 
 /// Writes each sample as one row, and hands it to the file before the next is made, so that a run that is cut
@@ -11,26 +10,26 @@ use std::io::Write;
 /// give back the same `f64`.
 pub struct CsvWriter<W: Write> {
     rows: csv::Writer<W>,
+    /// Whether the row of names has been written.
+    named: bool,
     fields: Vec<String>,
 }
 
 impl<W: Write> CsvWriter<W> {
-    /// Writes the row of names.
-    ///
-    /// # Errors
-    /// What the file answers.
-    pub fn new(file: W, info: &SceneInfo) -> Result<Self, std::io::Error> {
-        let mut rows = csv::Writer::from_writer(file);
-        let header = columns(info).into_iter().map(|c| match c.unit.as_str() {
-            "" => c.name,
-            unit => format!("{} [{unit}]", c.name),
-        });
-        rows.write_record(header)?;
-        rows.flush()?;
-        Ok(Self { rows, fields: Vec::new() })
+    /// Writes nothing before the first sample.
+    pub fn new(file: W) -> Self {
+        Self { rows: csv::Writer::from_writer(file), named: false, fields: Vec::new() }
     }
 
     fn write(&mut self, sample: &Sample<'_>) -> Result<(), std::io::Error> {
+        if !self.named {
+            let names = columns(sample.info, sample.wanted).into_iter().map(|c| match c.unit.as_str() {
+                "" => c.name,
+                unit => format!("{} [{unit}]", c.name),
+            });
+            self.rows.write_record(names)?;
+            self.named = true;
+        }
         self.fields.clear();
         self.fields.extend(sample.numbers().map(|x| format!("{x:.16e}")));
         self.rows.write_record(&self.fields)?;

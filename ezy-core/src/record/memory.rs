@@ -1,20 +1,21 @@
 //! Samples in memory.
 
-use super::{RecordError, Recorder, Sample, UnknownName, columns, find_name};
+use super::{RecordError, Recorder, Sample, UnknownName, Wanted, columns, find_name};
 use crate::model::SceneInfo;
 
 /// Samples of one run, one after the other in a single vector.
 #[derive(Debug, Clone)]
 pub struct Record {
     info: &'static SceneInfo,
+    wanted: Wanted,
     n_numbers: usize,
     numbers: Vec<f64>,
 }
 
 impl Record {
-    /// An empty record.
-    pub fn new(info: &'static SceneInfo) -> Self {
-        Self { info, n_numbers: Sample::n_numbers(info), numbers: Vec::new() }
+    /// An empty record of samples that hold what is wanted.
+    pub fn new(info: &'static SceneInfo, wanted: Wanted) -> Self {
+        Self { info, wanted, n_numbers: Sample::n_numbers(info, wanted), numbers: Vec::new() }
     }
 
     /// Adds a sample.
@@ -39,12 +40,12 @@ impl Record {
 
     /// Sample `i`, which the caller knows to be there.
     pub(crate) fn at(&self, i: usize) -> Sample<'_> {
-        Sample::from_numbers(self.info, &self.numbers[i * self.n_numbers..][..self.n_numbers])
+        Sample::from_numbers(self.info, self.wanted, &self.numbers[i * self.n_numbers..][..self.n_numbers])
     }
 
     /// The samples in order of time.
     pub fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<'_>> + ExactSizeIterator {
-        self.numbers.chunks_exact(self.n_numbers).map(|numbers| Sample::from_numbers(self.info, numbers))
+        self.numbers.chunks_exact(self.n_numbers).map(|numbers| Sample::from_numbers(self.info, self.wanted, numbers))
     }
 
     /// One column of every sample.
@@ -52,7 +53,7 @@ impl Record {
     /// # Errors
     /// [`UnknownName`] with the nearest column.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, UnknownName> {
-        let all = columns(self.info);
+        let all = columns(self.info, self.wanted);
         let i = find_name("column", name, all.iter().map(|c| c.name.as_str()))?;
         Ok(self.numbers.chunks_exact(self.n_numbers).map(|numbers| numbers[i]).collect())
     }

@@ -9,8 +9,17 @@ mod sample;
 pub use columns::{Column, columns};
 pub use csv_writer::CsvWriter;
 pub use memory::Record;
-pub use names::{UnknownName, find_name};
+pub use names::{UnknownName, coordinate_index, find_name, input_index, output_index};
 pub use sample::{EnergyState, Sample};
+
+/// What samples hold besides the motion, because somebody asked for it and pays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Wanted {
+    /// The work of each effect and the energy balance: an evaluation of the powers at every stage of every step.
+    pub work: bool,
+    /// The outputs of the scene: one evaluation a sample.
+    pub outputs: bool,
+}
 
 /// Takes the samples of a run as they are made.
 pub trait Recorder {

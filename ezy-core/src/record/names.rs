@@ -1,5 +1,7 @@
 //! Names that users type, looked up with the nearest known one in the answer.
 
+use crate::model::SceneInfo;
+
 /// A name that is not known.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{kind} `{name}` is not known{}; known: {}", suggestion(.nearest), list(.known))]
@@ -24,6 +26,7 @@ const MAX_LISTED: usize = 60;
 fn list(known: &[String]) -> String {
     let listed = known[..known.len().min(MAX_LISTED)].join(", ");
     match known.len().saturating_sub(MAX_LISTED) {
+        _ if known.is_empty() => "none".to_owned(),
         0 => listed,
         more => format!("{listed} and {more} more"),
     }
@@ -31,6 +34,30 @@ fn list(known: &[String]) -> String {
 
 /// Jaro–Winkler similarity from which a name is worth suggesting: one or two slips in a short word.
 const SIMILAR: f64 = 0.75;
+
+/// Index of a coordinate, `seat.phi`; its velocity has the same one.
+///
+/// # Errors
+/// [`UnknownName`] with the most similar coordinate.
+pub fn coordinate_index(info: &SceneInfo, name: &str) -> Result<usize, UnknownName> {
+    find_name("coordinate", name, info.coordinates.iter().map(|c| c.name))
+}
+
+/// Index of an input.
+///
+/// # Errors
+/// [`UnknownName`] with the most similar input.
+pub fn input_index(info: &SceneInfo, name: &str) -> Result<usize, UnknownName> {
+    find_name("input", name, info.inputs.iter().map(|input| input.name))
+}
+
+/// Index of an output.
+///
+/// # Errors
+/// [`UnknownName`] with the most similar output.
+pub fn output_index(info: &SceneInfo, name: &str) -> Result<usize, UnknownName> {
+    find_name("output", name, info.outputs.iter().map(|output| output.name))
+}
 
 /// Index of `name` among `known`.
 ///

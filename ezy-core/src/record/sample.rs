@@ -1,6 +1,6 @@
 //! One sample of a run.
 
-use super::{UnknownName, columns, find_name};
+use super::{UnknownName, Wanted, columns, find_name};
 use crate::model::SceneInfo;
 
 /// The motion at one time: a view into the record.
@@ -8,6 +8,8 @@ use crate::model::SceneInfo;
 pub struct Sample<'r> {
     /// Names and sizes.
     pub info: &'static SceneInfo,
+    /// What it holds besides the motion.
+    pub wanted: Wanted,
     /// Time, s.
     pub t: f64,
     /// q, `n_q`.
@@ -18,7 +20,11 @@ pub struct Sample<'r> {
     pub accelerations: &'r [f64],
     /// λ, `n_c`; the reaction on the bodies is −Gᵀ λ.
     pub multipliers: &'r [f64],
-    /// Work of each effect since the start, J, `n_e`.
+    /// Inputs that hold from here on, `n_i`.
+    pub inputs: &'r [f64],
+    /// Outputs, `n_o`; empty unless wanted.
+    pub outputs: &'r [f64],
+    /// Work of each effect since the start, J, `n_e`; empty unless wanted.
     pub work: &'r [f64],
     /// Energies, J.
     pub energy: EnergyState,
@@ -35,61 +41,91 @@ pub struct EnergyState {
     pub kinetic: f64,
     /// Potential energy; zero where no force has a potential.
     pub potential: f64,
-    /// Work of all effects since the start.
+    /// Work of all effects since the start; NaN unless wanted.
     pub work: f64,
-    /// `kinetic + potential − work`, less its value at the start: zero but for the error of the method.
+    /// `kinetic + potential − work`, less its value at the start: zero but for the error of the method. NaN unless
+    /// work is wanted.
     pub balance: f64,
 }
 
-/// Numbers of a sample besides those that the scene counts: time, four energies, two residuals.
-const N_FIXED: usize = 7;
+/// Numbers of a sample besides those that the scene counts: time, two energies, two residuals.
+const N_ALWAYS: usize = 5;
+
+impl EnergyState {
+    /// Energies where nobody asked for work.
+    pub(crate) const fn without_work(kinetic: f64, potential: f64) -> Self {
+        Self { kinetic, potential, work: f64::NAN, balance: f64::NAN }
+    }
+}
+
+fn n_outputs(info: &SceneInfo, wanted: Wanted) -> usize {
+    if wanted.outputs { info.n_outputs() } else { 0 }
+}
 
 impl<'r> Sample<'r> {
     /// Numbers in a sample of this scene.
-    pub(super) fn n_numbers(info: &SceneInfo) -> usize {
-        N_FIXED + 3 * info.n_coordinates() + info.n_rows() + info.n_effects()
+    pub(super) fn n_numbers(info: &SceneInfo, wanted: Wanted) -> usize {
+        let works = if wanted.work { info.n_effects() + 2 } else { 0 };
+        N_ALWAYS + 3 * info.n_coordinates() + info.n_rows() + info.n_inputs() + n_outputs(info, wanted) + works
     }
 
     /// Reads a stored sample.
-    pub(super) fn from_numbers(info: &'static SceneInfo, numbers: &'r [f64]) -> Self {
-        let (n_q, n_c, n_e) = (info.n_coordinates(), info.n_rows(), info.n_effects());
+    pub(super) fn from_numbers(info: &'static SceneInfo, wanted: Wanted, numbers: &'r [f64]) -> Self {
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let (coordinates, rest) = numbers[1..].split_at(n_q);
         let (velocities, rest) = rest.split_at(n_q);
         let (accelerations, rest) = rest.split_at(n_q);
         let (multipliers, rest) = rest.split_at(n_c);
-        let (work, rest) = rest.split_at(n_e);
+        let (inputs, rest) = rest.split_at(info.n_inputs());
+        let (outputs, rest) = rest.split_at(n_outputs(info, wanted));
+        let (work, rest) = rest.split_at(if wanted.work { info.n_effects() } else { 0 });
+        let (energy, rest) = if wanted.work {
+            (EnergyState { work: rest[0], kinetic: rest[1], potential: rest[2], balance: rest[3] }, &rest[4..])
+        } else {
+            (EnergyState::without_work(rest[0], rest[1]), &rest[2..])
+        };
         Self {
             info,
+            wanted,
             t: numbers[0],
             coordinates,
             velocities,
             accelerations,
             multipliers,
+            inputs,
+            outputs,
             work,
-            energy: EnergyState { work: rest[0], kinetic: rest[1], potential: rest[2], balance: rest[3] },
-            position_residual: rest[4],
-            velocity_residual: rest[5],
+            energy,
+            position_residual: rest[0],
+            velocity_residual: rest[1],
         }
     }
 
     /// All numbers in the order of [`columns`].
     pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
-        let e = self.energy;
+        let EnergyState { kinetic, potential, work, balance } = self.energy;
+        let of_work = |x: f64| self.wanted.work.then_some(x);
         std::iter::once(self.t)
             .chain(self.coordinates.iter().copied())
             .chain(self.velocities.iter().copied())
             .chain(self.accelerations.iter().copied())
             .chain(self.multipliers.iter().copied())
+            .chain(self.inputs.iter().copied())
+            .chain(self.outputs.iter().copied())
             .chain(self.work.iter().copied())
-            .chain([e.work, e.kinetic, e.potential, e.balance, self.position_residual, self.velocity_residual])
+            .chain(of_work(work))
+            .chain([kinetic, potential])
+            .chain(of_work(balance))
+            .chain([self.position_residual, self.velocity_residual])
     }
 
-    /// The number in the named column: `t`, `seat.x`, `seat.omega`, `lambda.rear`, `work`, … (all in [`columns`]).
+    /// The number in the named column: `t`, `seat.x`, `seat.omega`, `lambda.rear`, `output.speed`, … (all in
+    /// [`columns`]).
     ///
     /// # Errors
     /// [`UnknownName`] with the nearest column.
     pub fn get(&self, name: &str) -> Result<f64, UnknownName> {
-        let all = columns(self.info);
+        let all = columns(self.info, self.wanted);
         let i = find_name("column", name, all.iter().map(|c| c.name.as_str()))?;
         Ok(self.numbers().nth(i).unwrap_or(f64::NAN))
     }

@@ -9,13 +9,16 @@ pub(super) struct Instantaneous {
     pub state: State,
     pub a: Vec<f64>,
     pub lambda: Vec<f64>,
+    /// As many as the state has works.
     pub power: Vec<f64>,
 }
 
 impl Instantaneous {
-    pub fn zero(info: &SceneInfo) -> Self {
-        let (n_q, n_c, n_e) = (info.n_coordinates(), info.n_rows(), info.n_effects());
-        Self { state: State::zero(n_q, n_e), a: vec![0.0; n_q], lambda: vec![0.0; n_c], power: vec![0.0; n_e] }
+    /// Everything zero; without room for works and powers unless they are wanted.
+    pub fn zero(info: &SceneInfo, work: bool) -> Self {
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let n_works = if work { info.n_effects() } else { 0 };
+        Self { state: State::zero(n_q, n_works), a: vec![0.0; n_q], lambda: vec![0.0; n_c], power: vec![0.0; n_works] }
     }
 
     /// Accelerations, multipliers and powers at the state.

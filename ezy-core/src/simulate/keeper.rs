@@ -3,7 +3,7 @@
 use super::instantaneous::Instantaneous;
 use crate::dynamics::{State, System};
 use crate::model::{Scene, SceneInfo};
-use crate::record::{EnergyState, Record, RecordError, Recorder, Sample};
+use crate::record::{EnergyState, Record, RecordError, Recorder, Sample, Wanted};
 
 /// The record of a run and, when there is one, the recorder that a caller gave.
 pub(super) struct Keeper<'s> {
@@ -13,11 +13,21 @@ pub(super) struct Keeper<'s> {
     initial_energy: Option<f64>,
     /// Refined accelerations.
     a: Vec<f64>,
+    wanted: Wanted,
+    /// Empty unless wanted.
+    outputs: Vec<f64>,
 }
 
 impl<'s> Keeper<'s> {
-    pub fn new(info: &'static SceneInfo, recorder: Option<&'s mut dyn Recorder>) -> Self {
-        Self { record: Record::new(info), recorder, initial_energy: None, a: vec![0.0; info.n_coordinates()] }
+    pub fn new(info: &'static SceneInfo, wanted: Wanted, recorder: Option<&'s mut dyn Recorder>) -> Self {
+        Self {
+            record: Record::new(info, wanted),
+            recorder,
+            initial_energy: None,
+            a: vec![0.0; info.n_coordinates()],
+            wanted,
+            outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
+        }
     }
 
     pub fn n_kept(&self) -> usize {
@@ -33,7 +43,8 @@ impl<'s> Keeper<'s> {
         self.record
     }
 
-    /// Adds energies and residuals to an evaluated state and keeps the sample.
+    /// Adds energies, residuals and outputs to an evaluated state and keeps the sample. The system holds the inputs of
+    /// this state.
     pub fn keep<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -41,23 +52,36 @@ impl<'s> Keeper<'s> {
     ) -> Result<(), RecordError> {
         let State { t, q, v, work: works } = &at.state;
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
-        let work = works.iter().sum();
-        let balance = kinetic + potential - work - *self.initial_energy.get_or_insert(kinetic + potential);
+        let initial = *self.initial_energy.get_or_insert(kinetic + potential);
+        let energy = if self.wanted.work {
+            let work = works.iter().sum();
+            EnergyState { kinetic, potential, work, balance: kinetic + potential - work - initial }
+        } else {
+            EnergyState::without_work(kinetic, potential)
+        };
+        if self.wanted.outputs {
+            system.outputs(*t, q, v, &mut self.outputs);
+        }
         self.a.copy_from_slice(&at.a);
         // only for the sample: the motion must not depend on whether it is looked at. The matrix was regular a moment
         // ago; should the correction fail all the same, the accelerations are good without it
         let _ = system.refine_accelerations(*t, q, v, &mut self.a);
+        let (position_residual, velocity_residual) =
+            (system.position_residual(*t, q), system.velocity_residual(*t, q, v));
         let sample = Sample {
             info: system.info(),
+            wanted: self.wanted,
             t: *t,
             coordinates: q,
             velocities: v,
             accelerations: &self.a,
             multipliers: &at.lambda,
+            inputs: system.inputs(),
+            outputs: &self.outputs,
             work: works,
-            energy: EnergyState { kinetic, potential, work, balance },
-            position_residual: system.position_residual(*t, q),
-            velocity_residual: system.velocity_residual(*t, q, v),
+            energy,
+            position_residual,
+            velocity_residual,
         };
         self.record.push(&sample);
         self.recorder.as_mut().map_or(Ok(()), |recorder| recorder.record(&sample))

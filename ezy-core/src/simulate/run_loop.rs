@@ -1,20 +1,21 @@
-//! The loop: step, project, record.
+//! The loop: control, step, project, record.
 
+use super::control::Control;
 use super::instantaneous::Instantaneous;
 use super::keeper::Keeper;
+use super::motion::{Motion, first_not_finite};
 use super::{Cost, Outcome, Run, SetupError, StopReason};
-use crate::dynamics::{Metric, MotionError, Projection, State, System};
-use crate::integrate::{Clock, Rk4, interpolate};
+use crate::dynamics::MotionError;
+use crate::integrate::{Clock, interpolate};
 use crate::model::Scene;
-use crate::record::Recorder;
+use crate::record::{Recorder, Wanted};
 use std::time::Instant;
 
 /// What a run is to do, checked.
 pub(super) struct Plan {
     pub clock: Clock,
     pub every_s: Option<f64>,
-    pub projection: Projection,
-    pub metric: Metric,
+    pub wanted: Wanted,
 }
 
 /// A sample within this fraction of a step of a step's end is that end.
@@ -24,37 +25,39 @@ const ON_STEP: f64 = 1e-9;
 const N_PROGRESS: u64 = 100;
 
 pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
-    system: System<'s, S>,
+    motion: Motion<'s, S>,
+    control: Control<'s>,
     plan: Plan,
-    method: Rk4,
-    now: Instantaneous,
-    next: Instantaneous,
     between: Instantaneous,
+    /// Inputs of the step under way, to come back to when control of the next one fails.
+    inputs: Vec<f64>,
     keeper: Keeper<'s>,
     on_progress: Option<Box<dyn FnMut(f64) + 's>>,
 }
 
 impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
-    /// Evaluates and records the start.
+    /// Evaluates and records the start, where `motion` is.
     pub fn new(
-        mut system: System<'s, S>,
+        mut motion: Motion<'s, S>,
+        mut control: Control<'s>,
         plan: Plan,
-        start: State,
         recorder: Option<&'s mut dyn Recorder>,
         on_progress: Option<Box<dyn FnMut(f64) + 's>>,
     ) -> Result<Self, SetupError> {
-        let info = system.info();
-        let (n_q, n_c, n_e) = (info.n_coordinates(), info.n_rows(), info.n_effects());
-        let [mut now, next, between] = std::array::from_fn(|_| Instantaneous::zero(info));
-        now.state = start;
-        now.evaluate(&mut system)?;
-        if let Some(i) = first_not_finite(&now.a) {
-            let quantity = info.coordinates[i].name;
-            return Err(MotionError::NotFinite { t: now.state.t, quantity }.into());
+        let info = motion.system.info();
+        if !control.is_idle() {
+            control.act(&motion.now.state, plan.clock.step(0), &mut motion.system)?;
         }
-        let mut keeper = Keeper::new(info, recorder);
-        keeper.keep(&mut system, &now)?;
-        Ok(Self { method: Rk4::new(n_q, n_c, n_e), system, plan, now, next, between, keeper, on_progress })
+        motion.evaluate_now()?;
+        if let Some(i) = first_not_finite(&motion.now.a) {
+            let quantity = info.coordinates[i].name;
+            return Err(MotionError::NotFinite { t: motion.now.state.t, quantity }.into());
+        }
+        let mut keeper = Keeper::new(info, plan.wanted, recorder);
+        keeper.keep(&mut motion.system, &motion.now)?;
+        let between = Instantaneous::zero(info, plan.wanted.work);
+        let inputs = motion.system.inputs().to_vec();
+        Ok(Self { motion, control, plan, between, inputs, keeper, on_progress })
     }
 
     pub fn run(mut self) -> Result<Run, SetupError> {
@@ -64,21 +67,22 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let mut outcome = Outcome::ReachedEnd;
         while steps < n_steps {
             if let Err(reason) = self.step(steps) {
-                outcome = Outcome::Stopped { t: self.now.state.t, reason };
+                outcome = Outcome::Stopped { t: self.motion.now.state.t, reason };
+                self.motion.system.inputs_mut().copy_from_slice(&self.inputs);
                 break;
             }
             steps += 1;
             self.tell_progress(steps, n_steps);
         }
-        if self.keeper.last_time() < self.now.state.t {
+        if self.keeper.last_time() < self.motion.now.state.t {
             // the end, or the last good state
-            if let Err(error) = self.keeper.keep(&mut self.system, &self.now)
+            if let Err(error) = self.keeper.keep(&mut self.motion.system, &self.motion.now)
                 && outcome.reached_end()
             {
-                outcome = Outcome::Stopped { t: self.now.state.t, reason: error.into() };
+                outcome = Outcome::Stopped { t: self.motion.now.state.t, reason: error.into() };
             }
         }
-        let counters = self.system.counters();
+        let counters = self.motion.system.counters();
         let cost = Cost {
             steps,
             rejected: 0,
@@ -86,49 +90,62 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             factorizations: counters.factorizations,
             seconds: began.elapsed().as_secs_f64(),
         };
-        Ok(Run { outcome, cost, info: self.system.info(), record: self.keeper.into_record() })
+        Ok(Run { outcome, cost, info: self.motion.system.info(), record: self.keeper.into_record() })
     }
 
     /// One step from `now`, which stays as it is when the step fails.
     fn step(&mut self, n: u64) -> Result<(), StopReason> {
-        let clock = &self.plan.clock;
-        let (h, t_next) = (clock.step(n), clock.time(n + 1));
-        let (system, next) = (&mut self.system, &mut self.next);
-        self.method.step(system, self.now.knot(), h, t_next, &mut next.state)?;
-        check_finite(system, self.now.state.t, &next.state)?;
-        let State { q, v, .. } = &mut next.state;
-        if self.plan.projection.positions() {
-            system.project_positions(t_next, q, self.plan.metric)?;
+        let clock = self.plan.clock;
+        self.motion.advance(clock.step(n), clock.time(n + 1))?;
+        let controlled = !self.control.is_idle() && n + 1 < clock.n_steps();
+        if !controlled || self.sample_is_due_before(n) {
+            self.motion.evaluate_next()?;
         }
-        if self.plan.projection.velocities() {
-            system.project_velocities(t_next, q, v, self.plan.metric)?;
+        self.record_between(n)?;
+        if controlled {
+            // what is evaluated from here on is the start of the next step
+            let (motion, h) = (&mut self.motion, clock.step(n + 1));
+            self.control.act(&motion.next.state, h, &mut motion.system)?;
+            motion.evaluate_next()?;
         }
-        next.evaluate(system)?;
-        self.record_step(n, h)?;
-        std::mem::swap(&mut self.now, &mut self.next);
-        Ok(())
+        self.motion.accept();
+        self.inputs.copy_from_slice(self.motion.system.inputs());
+        self.record_now(n + 1)
     }
 
-    /// Records what falls after `now` and not after `next`; the end itself is recorded when the loop is done.
-    fn record_step(&mut self, n: u64, h: f64) -> Result<(), StopReason> {
-        let Some(every_s) = self.plan.every_s else { return Ok(()) };
-        let (clock, system) = (&self.plan.clock, &mut self.system);
-        let t_next = self.next.state.t;
-        loop {
-            let t = clock.time(0) + self.keeper.n_kept() as f64 * every_s;
-            if (t - t_next).abs() <= ON_STEP * h {
-                if n + 1 < clock.n_steps() {
-                    self.keeper.keep(system, &self.next)?;
-                }
-                return Ok(());
-            }
-            if t > t_next {
-                return Ok(());
-            }
-            interpolate(self.now.knot(), self.next.knot(), t, &mut self.between.state);
+    /// Time of the next sample; infinite when only start and end are kept.
+    fn next_sample(&self) -> f64 {
+        let start = self.plan.clock.time(0);
+        self.plan.every_s.map_or(f64::INFINITY, |every_s| start + self.keeper.n_kept() as f64 * every_s)
+    }
+
+    /// Whether a sample falls into step `n`, not on its end.
+    fn sample_is_due_before(&self, n: u64) -> bool {
+        let (t, t_next) = (self.next_sample(), self.plan.clock.time(n + 1));
+        t <= t_next && !self.is_on_end_of(n, t)
+    }
+
+    fn is_on_end_of(&self, n: u64, t: f64) -> bool {
+        (t - self.plan.clock.time(n + 1)).abs() <= ON_STEP * self.plan.clock.step(n)
+    }
+
+    /// Records what falls between `now` and `next`, both evaluated with the inputs of this step.
+    fn record_between(&mut self, n: u64) -> Result<(), StopReason> {
+        while self.sample_is_due_before(n) {
+            let (t, Motion { system, now, next, .. }) = (self.next_sample(), &mut self.motion);
+            interpolate(now.knot(), next.knot(), t, &mut self.between.state);
             self.between.evaluate(system)?;
             self.keeper.keep(system, &self.between)?;
         }
+        Ok(())
+    }
+
+    /// Records `now` when a sample falls on it; the end itself is recorded when the loop is done.
+    fn record_now(&mut self, n: u64) -> Result<(), StopReason> {
+        if n < self.plan.clock.n_steps() && self.is_on_end_of(n - 1, self.next_sample()) {
+            self.keeper.keep(&mut self.motion.system, &self.motion.now)?;
+        }
+        Ok(())
     }
 
     fn tell_progress(&mut self, steps: u64, n_steps: u64) {
@@ -138,21 +155,4 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             progress(steps as f64 / n_steps as f64);
         }
     }
-}
-
-fn first_not_finite(x: &[f64]) -> Option<usize> {
-    x.iter().position(|x| !x.is_finite())
-}
-
-fn check_finite<S: Scene + ?Sized>(system: &System<'_, S>, t: f64, state: &State) -> Result<(), MotionError> {
-    let coordinates = system.info().coordinates;
-    let quantity = match (first_not_finite(&state.q), first_not_finite(&state.v)) {
-        (Some(i), _) => coordinates[i].name,
-        (None, Some(i)) => coordinates[i].velocity_name,
-        (None, None) => match first_not_finite(&state.work) {
-            Some(i) => system.info().effects[i].name,
-            None => return Ok(()),
-        },
-    };
-    Err(MotionError::NotFinite { t, quantity })
 }

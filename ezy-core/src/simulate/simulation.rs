@@ -1,12 +1,14 @@
 //! A run, as a user orders it.
 
+use super::control::{Control, Law};
+use super::motion::Motion;
 use super::run_loop::{Plan, RunLoop};
-use super::{Run, SetupError};
-use crate::dynamics::{Metric, Projection, StartError, System};
+use super::{InputTable, Run, SetupError, Stepper};
+use crate::dynamics::{Metric, Projection, StartError, State, System};
 use crate::integrate::{Clock, Method};
 use crate::linalg::Backend;
 use crate::model::{Scene, SceneInfo, Start};
-use crate::record::{Recorder, find_name};
+use crate::record::{Recorder, UnknownName, Wanted, find_name, input_index};
 
 /// An order for one run of a scene.
 ///
@@ -23,6 +25,9 @@ pub struct Simulation<'s, S: Scene + ?Sized> {
     metric: Metric,
     backend: Backend,
     given: Vec<(String, f64)>,
+    inputs: Vec<(String, InputTable)>,
+    law: Option<Law<'s>>,
+    wanted: Wanted,
     recorder: Option<&'s mut dyn Recorder>,
     on_progress: Option<Box<dyn FnMut(f64) + 's>>,
 }
@@ -45,6 +50,9 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             metric: Metric::default(),
             backend: Backend::default(),
             given: Vec::new(),
+            inputs: Vec::new(),
+            law: None,
+            wanted: Wanted::default(),
             recorder: None,
             on_progress: None,
         }
@@ -104,6 +112,62 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self
     }
 
+    /// Sets an input: a number, or an [`InputTable`] that is read once a step and held over it.
+    #[must_use]
+    pub fn input(mut self, name: impl Into<String>, value: impl Into<InputTable>) -> Self {
+        self.inputs.push((name.into(), value.into()));
+        self
+    }
+
+    /// Calls `law` at the start of every step with time, state and the inputs in their order ([`SceneInfo::inputs`]),
+    /// each in its unit. What it leaves there is held over the step. It may keep a state of its own, and has the last
+    /// word after [`Simulation::input`].
+    ///
+    /// ```
+    /// # use ezy_core::prelude::*;
+    /// model! {
+    ///     pub model Cart {
+    ///         body cart { mass: 2, inertia: 1 }
+    ///         input push: N = 0;
+    ///         force at cart(0, 0): (push, 0);
+    ///         start here { cart at (0, 0) angle 0; at rest; }
+    ///         scene pushed { start here; until 8 s; }
+    ///     }
+    /// }
+    /// // to x = 1 m by a controller with an integral of its own
+    /// let scene = cart::Pushed::default();
+    /// let mut integral = 0.0;
+    /// let run = Simulation::new(&scene)
+    ///     .control(|_t, state, inputs| {
+    ///         let error = 1.0 - state.q[0];
+    ///         integral += error * 1e-3;
+    ///         inputs[0] = 60.0 * error + 40.0 * integral - 20.0 * state.v[0];
+    ///     })
+    ///     .run()?;
+    /// assert!((run.last().get("cart.x")? - 1.0).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn control(mut self, law: impl FnMut(f64, &State, &mut [f64]) + 's) -> Self {
+        self.law = Some(Box::new(law));
+        self
+    }
+
+    /// Integrates the work of every effect with the motion, so that samples hold works and energy balance. The motion
+    /// is the same to the last bit without.
+    #[must_use]
+    pub fn work(mut self) -> Self {
+        self.wanted.work = true;
+        self
+    }
+
+    /// Samples hold the outputs of the scene, too.
+    #[must_use]
+    pub fn outputs(mut self) -> Self {
+        self.wanted.outputs = true;
+        self
+    }
+
     /// Also hands every sample to `recorder`, as it is made.
     #[must_use]
     pub fn record_to(mut self, recorder: &'s mut dyn Recorder) -> Self {
@@ -123,16 +187,51 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// # Errors
     /// [`SetupError`] when the run cannot start. A run that stops on the way is not an error: [`Run::outcome`] says
     /// so, and everything up to there is kept.
-    pub fn run(self) -> Result<Run, SetupError> {
+    pub fn run(mut self) -> Result<Run, SetupError> {
         let mut system = System::new(self.scene, self.backend)?;
+        let start = self.start(&system)?;
+        let plan = Plan { clock: self.clock(start.t)?, every_s: self.every_s, wanted: self.wanted };
+        let state = system.consistent_start(&start)?;
+        let control = self.take_control(system.info())?;
+        let mut motion = Motion::new(system, self.projection, self.metric, self.wanted.work);
+        motion.place(&state);
+        RunLoop::new(motion, control, plan, self.recorder, self.on_progress)?.run()
+    }
+
+    /// Hands the scene over to be stepped by the caller; end, recording and progress are left to the caller, too.
+    ///
+    /// # Errors
+    /// [`SetupError`] when the start or the step cannot be used.
+    pub fn stepper(mut self) -> Result<Stepper<'s, S>, SetupError> {
+        let mut system = System::new(self.scene, self.backend)?;
+        let start = self.start(&system)?;
+        let step_s = self.check_step()?;
+        let state = system.consistent_start(&start)?;
+        let control = self.take_control(system.info())?;
+        let motion = Motion::new(system, self.projection, self.metric, self.wanted.work);
+        Ok(Stepper::new(motion, control, step_s, start, state))
+    }
+
+    /// The start of the scene with what is given in its place.
+    fn start(&self, system: &System<'_, S>) -> Result<Start, SetupError> {
         let mut start = system.scene_start();
         for (name, value) in &self.given {
             give(system.info(), &mut start, name, *value)?;
         }
-        let clock = self.clock(start.t)?;
-        let state = system.consistent_start(&start)?;
-        let plan = Plan { clock, every_s: self.every_s, projection: self.projection, metric: self.metric };
-        RunLoop::new(system, plan, state, self.recorder, self.on_progress)?.run()
+        Ok(start)
+    }
+
+    fn take_control(&mut self, info: &SceneInfo) -> Result<Control<'s>, SetupError> {
+        let mut control = Control { tables: Vec::new(), law: self.law.take() };
+        for (name, table) in self.inputs.drain(..) {
+            control.tables.push((input_index(info, &name)?, table));
+        }
+        Ok(control)
+    }
+
+    fn check_step(&self) -> Result<f64, SetupError> {
+        let Method::Rk4 { step_s } = self.method;
+        if step_s.is_finite() && step_s > 0.0 { Ok(step_s) } else { Err(SetupError::Step { step_s }) }
     }
 
     fn clock(&self, start_s: f64) -> Result<Clock, SetupError> {
@@ -143,10 +242,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         if !(until_s.is_finite() && until_s >= start_s) {
             return Err(SetupError::Until { until_s, start_s });
         }
-        let Method::Rk4 { step_s } = self.method;
-        if !(step_s.is_finite() && step_s > 0.0) {
-            return Err(SetupError::Step { step_s });
-        }
+        let step_s = self.check_step()?;
         let steps = (until_s - start_s) / step_s;
         if steps > MAX_STEPS {
             return Err(SetupError::TooManySteps { steps, step_s, limit: MAX_STEPS });
@@ -164,7 +260,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 }
 
-fn give(info: &SceneInfo, start: &mut Start, name: &str, value: f64) -> Result<(), SetupError> {
+/// Holds a start value by its name.
+pub(super) fn give(info: &SceneInfo, start: &mut Start, name: &str, value: f64) -> Result<(), UnknownName> {
     let positions = info.coordinates.iter().map(|c| c.name);
     let velocities = info.coordinates.iter().map(|c| c.velocity_name);
     let i = find_name("start value", name, positions.chain(velocities))?;

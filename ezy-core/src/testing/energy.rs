@@ -21,7 +21,7 @@ pub fn balance<S: Scene + ?Sized>(scene: &S, start_s: f64) -> Result<Check, Chec
     let step = horizon / N_STEPS;
     let run = |step_s: f64| {
         let order = Simulation::new(scene).method(Method::rk4(step_s)).until(start_s + horizon);
-        order.every(horizon / 10.0).run()
+        order.every(horizon / 10.0).work().run()
     };
     let (largest_error, n_compared) = if horizon > 0.0 {
         let (coarse, fine) = (run(step)?, run(0.5 * step)?);

@@ -117,10 +117,19 @@ pub struct RunArguments {
     /// What is given replaces the value of the scene and is held; what neither gives follows from the constraints.
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub start: Vec<Assignment>,
+    /// Set an input, in its unit; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub input: Vec<Assignment>,
+    /// Read inputs from a CSV file with a column t and one for each input
+    ///
+    /// Straight lines join the rows; two rows at one time are a jump. Columns may carry their unit: `torque [N*m]`.
+    #[arg(long, value_name = "FILE.csv")]
+    pub inputs: Option<PathBuf>,
     /// Seconds between the rows of --out [default: a thousandth of the run]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
-    /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, work, energies, residuals
+    /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, inputs, outputs, work, energies,
+    /// residuals
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// Print one JSON object with 17 significant digits

@@ -71,6 +71,7 @@ fn model_json(model: &ModelInfo) -> Json {
                 ("effect", p.effect.map_or(Json::Null, Json::text)),
             ])
         };
+        let named = |name: &str, unit: &str| Json::object([("name", Json::text(name)), ("unit", Json::text(unit))]);
         Json::object([
             ("name", Json::text(info.name)),
             ("documentation", Json::text(info.documentation.trim())),
@@ -78,6 +79,8 @@ fn model_json(model: &ModelInfo) -> Json {
             ("bodies", Json::list(info.bodies.iter().map(|body| Json::text(*body)))),
             ("parameters", Json::list(info.parameters.iter().map(parameter))),
             ("counts", counts_json(info)),
+            ("inputs", Json::list(info.inputs.iter().map(|input| named(input.name, input.unit)))),
+            ("outputs", Json::list(info.outputs.iter().map(|output| named(output.name, output.unit)))),
             ("coordinates", Json::Count(info.n_coordinates() as u64)),
             ("position_rows", Json::Count(info.n_position_rows as u64)),
             ("velocity_rows", Json::Count((info.n_rows() - info.n_position_rows) as u64)),

@@ -4,7 +4,6 @@ use std::fs::{File, OpenOptions};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use ezy_core::model::SceneInfo;
 use ezy_core::record::{CsvWriter, RecordError, Recorder, Sample};
 
 use super::failure::Failure;
@@ -16,13 +15,12 @@ pub struct OutFile {
     path: PathBuf,
     file: File,
     is_new: bool,
-    info: &'static SceneInfo,
     rows: Option<CsvWriter<File>>,
 }
 
 impl OutFile {
     /// Opens `path` for writing and leaves its content alone.
-    pub fn open(path: &Path, info: &'static SceneInfo) -> Result<Self, Failure> {
+    pub fn open(path: &Path) -> Result<Self, Failure> {
         let made = OpenOptions::new().write(true).create_new(true).open(path);
         let (opened, is_new) = match made {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {
@@ -31,7 +29,7 @@ impl OutFile {
             made => (made, true),
         };
         match opened {
-            Ok(file) => Ok(Self { path: path.to_owned(), file, is_new, info, rows: None }),
+            Ok(file) => Ok(Self { path: path.to_owned(), file, is_new, rows: None }),
             Err(cause) => {
                 let remedy = "give --out a file in a directory that exists and may be written to";
                 Err(Failure::wrong_use(format!("`{}` cannot be written: {cause}; {remedy}", path.display())))
@@ -39,13 +37,13 @@ impl OutFile {
         }
     }
 
-    /// Empties the file and writes the row of names.
+    /// Empties the file.
     fn begin(&self) -> Result<CsvWriter<File>, std::io::Error> {
         // pipes and devices have no length to set
         if self.file.metadata()?.is_file() {
             self.file.set_len(0)?;
         }
-        CsvWriter::new(self.file.try_clone()?, self.info)
+        Ok(CsvWriter::new(self.file.try_clone()?))
     }
 }
 

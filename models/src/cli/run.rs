@@ -1,9 +1,11 @@
 //! `ezy run`.
 
+use std::fs::File;
+
 use ezy_core::integrate::Method;
-use ezy_core::model::{ModelInfo, Scene, SceneEntry};
+use ezy_core::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
 use ezy_core::record::find_name;
-use ezy_core::simulate::{Outcome, Run, SetupError, Simulation};
+use ezy_core::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
 use ezy_models::registry::{find, typed};
 
 use super::arguments::{MethodName, RunArguments};
@@ -21,6 +23,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(&arguments.path)?;
     refuse_twice("--set", &arguments.set)?;
     refuse_twice("--start", &arguments.start)?;
+    refuse_twice("--input", &arguments.input)?;
     if let Some(every_s) = arguments.every.filter(|every_s| *every_s <= 0.0) {
         return Err(Failure::wrong_use(SetupError::Every { every_s }));
     }
@@ -116,17 +119,36 @@ fn scene_entry(text: &str) -> Result<(&'static ModelInfo, &'static SceneEntry), 
     Ok((model, entry))
 }
 
+/// Inputs of the file, then those of the command line, which win.
+fn inputs(arguments: &RunArguments, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, Failure> {
+    let mut all = Vec::new();
+    if let Some(path) = &arguments.inputs {
+        let of_file = |what: &dyn std::fmt::Display| Failure::wrong_use(format!("`{}`: {what}", path.display()));
+        let file = File::open(path).map_err(|error| of_file(&error))?;
+        all = read_inputs(file, info).map_err(|error| of_file(&error))?;
+    }
+    all.extend(arguments.input.iter().map(|a| (a.name.clone(), InputTable::from(a.value))));
+    Ok(all)
+}
+
 fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Result<Run, Failure> {
     let info = scene.info();
     let until_s = arguments.until.unwrap_or(info.until_s);
-    let mut out = arguments.out.as_deref().map(|path| OutFile::open(path, info)).transpose()?;
+    let mut out = arguments.out.as_deref().map(OutFile::open).transpose()?;
     let progress = Progress::new();
     let mut simulation = Simulation::new(scene)
         .method(method)
         .until(until_s)
         .project(arguments.project.into())
         .metric(arguments.metric.into())
+        .work()
         .on_progress(|fraction| progress.tell(fraction));
+    if info.n_outputs() > 0 {
+        simulation = simulation.outputs();
+    }
+    for (name, table) in inputs(arguments, info)? {
+        simulation = simulation.input(name, table);
+    }
     for assignment in &arguments.start {
         simulation = simulation.give(&assignment.name, assignment.value);
     }

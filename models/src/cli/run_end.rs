@@ -17,7 +17,7 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
         Json::object(info.coordinates.iter().enumerate().map(|(i, c)| (c.name, number(&|last| pick(last, i)))))
     };
     let multipliers = info.rows.iter().enumerate().map(|(i, row)| (row.name, number(&|last| last.multipliers[i])));
-    Json::object([
+    let mut members = vec![
         ("model", Json::text(info.model)),
         ("scene", Json::text(info.name)),
         ("method", Json::text(method.name())),
@@ -26,6 +26,16 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
         ("rate", by_coordinate(|last, i| last.velocities[i])),
         ("acceleration", by_coordinate(|last, i| last.accelerations[i])),
         ("multipliers", Json::object(multipliers)),
+    ];
+    if info.n_inputs() > 0 {
+        let inputs = info.inputs.iter().enumerate().map(|(i, input)| (input.name, number(&|last| last.inputs[i])));
+        members.push(("inputs", Json::object(inputs)));
+    }
+    if info.n_outputs() > 0 {
+        let outputs = info.outputs.iter().enumerate().map(|(i, output)| (output.name, number(&|last| last.outputs[i])));
+        members.push(("outputs", Json::object(outputs)));
+    }
+    members.extend([
         (
             "energy",
             Json::object([
@@ -53,7 +63,8 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
             ]),
         ),
         ("outcome", Json::text(outcome)),
-    ])
+    ]);
+    Json::object(members)
 }
 
 /// The end as text.
@@ -68,6 +79,15 @@ pub fn run_text(run: &Run, method: Method) -> String {
             table.push([row.name.to_owned(), fixed(*lambda, 12), row.multiplier_unit.to_owned()]);
         }
         text += &format!("\n{table}{}", left_out(info.n_rows(), "rows"));
+    }
+    let inputs = info.inputs.iter().zip(last.inputs).map(|(input, value)| (input.name, value, input.unit));
+    let outputs = info.outputs.iter().zip(last.outputs).map(|(output, value)| (output.name, value, output.unit));
+    for (title, values) in [("input", inputs.collect::<Vec<_>>()), ("output", outputs.collect())] {
+        if !values.is_empty() {
+            let mut table = Table::new([title, "value", "unit"]);
+            values.iter().for_each(|(name, value, unit)| table.push([*name, &fixed(**value, 12), *unit]));
+            text += &format!("\n{table}");
+        }
     }
     let energy = last.energy;
     text += &format!(

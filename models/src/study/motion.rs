@@ -23,7 +23,7 @@ pub type Path = (Vec<f64>, Vec<f64>);
 impl<'s> Motion<'s> {
     /// Runs `scene` by RK4 with both projections, with a sample every `every_s`.
     pub fn new(scene: &'s dyn Scene, step_s: f64, until_s: f64, every_s: f64) -> Result<Self, StudyError> {
-        let run = Simulation::new(scene).method(Method::rk4(step_s)).until(until_s).every(every_s).run()?;
+        let run = Simulation::new(scene).method(Method::rk4(step_s)).until(until_s).every(every_s).work().run()?;
         Self::finished(scene, run)
     }
 

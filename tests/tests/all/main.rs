@@ -4,6 +4,7 @@ mod scenes;
 
 mod architecture;
 mod backends;
+mod control;
 mod exact_start;
 mod hand_and_generated;
 mod large;
@@ -11,6 +12,7 @@ mod massless;
 mod order;
 mod other_mechanisms;
 mod outputs;
+mod paid_when_asked;
 mod projection;
 mod rank;
 mod recording;

@@ -127,7 +127,7 @@ fn invariant_energy_balance_of_bars_of_any_lightness() {
         for exponent in [0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 18, 20, 25, 30, 50, 100, 200, 300] {
             let light = 10_f64.powi(-exponent);
             set(&mut *scene, &[("m2", light), ("i2", light)]);
-            let run = Simulation::new(&*scene).until(1.0).run().unwrap();
+            let run = Simulation::new(&*scene).work().until(1.0).run().unwrap();
             assert!(run.outcome.reached_end(), "{route} 1e-{exponent}: {}", run.outcome);
             let balance = run.last().energy.balance.abs();
             assert!(balance <= ENERGY_OF_LIGHT_BARS, "{route} 1e-{exponent}: {balance:e} J");

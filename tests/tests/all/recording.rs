@@ -13,7 +13,7 @@ const BETWEEN_STEPS: f64 = 2e-7;
 fn invariant_recording_never_changes_the_motion() {
     for Case { route, scene } in all() {
         let run = |every: Option<f64>| {
-            let order = Simulation::new(&*scene).until(1.0).method(Method::rk4(3e-3));
+            let order = Simulation::new(&*scene).work().until(1.0).method(Method::rk4(3e-3));
             let order = if let Some(every) = every { order.every(every) } else { order };
             order.run().unwrap().last().numbers().map(f64::to_bits).collect::<Vec<_>>()
         };
@@ -53,7 +53,7 @@ fn invariant_without_interval_only_start_and_end_are_kept() {
 fn reference_samples_between_steps() {
     let reference = load("ezyroller_driven");
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).method(Method::rk4(0.03)).until(1.0).every(0.5).run().unwrap();
+        let run = Simulation::new(&*scene).method(Method::rk4(0.03)).until(1.0).every(0.5).work().run().unwrap();
         let (s, r) = (run.samples().nth(1).unwrap(), &reference[1]);
         assert_eq!(s.t, r.t);
         for (what, error) in [
@@ -70,9 +70,9 @@ fn reference_samples_between_steps() {
 #[test]
 fn invariant_sample_names_cover_all_numbers() {
     for Case { route, scene } in all() {
-        let run = Simulation::new(&*scene).until(0.1).run().unwrap();
+        let run = Simulation::new(&*scene).work().until(0.1).run().unwrap();
         let s = run.last();
-        for (column, number) in columns(s.info).iter().zip(s.numbers()) {
+        for (column, number) in columns(s.info, s.wanted).iter().zip(s.numbers()) {
             assert_eq!(s.get(&column.name), Ok(number), "{route}: {}", column.name);
             assert_eq!(run.column(&column.name).unwrap()[1], number, "{route}: {}", column.name);
         }
@@ -87,8 +87,8 @@ fn invariant_sample_names_cover_all_numbers() {
 fn invariant_csv_gives_back_the_same_bits() {
     for Case { route, scene } in driven() {
         let mut file = Vec::new();
-        let mut writer = CsvWriter::new(&mut file, scene.info()).unwrap();
-        let run = Simulation::new(&*scene).until(1.0).every(0.1).record_to(&mut writer).run().unwrap();
+        let mut writer = CsvWriter::new(&mut file);
+        let run = Simulation::new(&*scene).until(1.0).every(0.1).work().record_to(&mut writer).run().unwrap();
         drop(writer);
         let text = String::from_utf8(file).unwrap();
         let mut lines = text.lines();
@@ -120,7 +120,7 @@ impl Write for FullDisk {
 #[test]
 fn invariant_full_disk_stops_the_run_and_keeps_the_samples() {
     for Case { route, scene } in driven() {
-        let mut writer = CsvWriter::new(FullDisk(5000), scene.info()).unwrap();
+        let mut writer = CsvWriter::new(FullDisk(5000));
         let run = Simulation::new(&*scene).every(0.1).record_to(&mut writer).run().unwrap();
         assert!(!run.outcome.reached_end(), "{route}");
         assert!(run.outcome.to_string().contains("could not be written"), "{route}: {}", run.outcome);

@@ -45,7 +45,7 @@ fn reference_coast_at_one_second() {
 fn reference_driven_at_all_samples() {
     let reference = load("ezyroller_driven");
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).every(5.0).run().unwrap();
+        let run = Simulation::new(&*scene).work().method(Method::rk4(1e-3)).every(5.0).run().unwrap();
         for s in run.samples() {
             let r = reference_at(&reference, s.t);
             for (what, error, bar) in [

@@ -12,7 +12,7 @@ const RATIO: std::ops::RangeInclusive<f64> = 14.5..=17.5;
 fn order_work_equals_kinetic_energy_to_fourth_order() {
     for Case { route, scene } in driven() {
         let gap = |h: f64| {
-            let run = Simulation::new(&*scene).method(Method::rk4(h)).run().unwrap();
+            let run = Simulation::new(&*scene).work().method(Method::rk4(h)).run().unwrap();
             run.last().energy.balance.abs()
         };
         let (coarse, fine) = (gap(0.02), gap(0.01));
@@ -24,7 +24,7 @@ fn order_work_equals_kinetic_energy_to_fourth_order() {
 #[test]
 fn invariant_work_of_effects_adds_up() {
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).until(5.0).every(1.0).run().unwrap();
+        let run = Simulation::new(&*scene).work().until(5.0).every(1.0).run().unwrap();
         assert_eq!(run.first().energy.work, 0.0, "{route}");
         for s in run.samples() {
             assert_eq!(s.work.iter().sum::<f64>(), s.energy.work, "{route}");
@@ -36,7 +36,7 @@ fn invariant_work_of_effects_adds_up() {
 #[test]
 fn invariant_coast_has_no_effects_and_no_work() {
     for Case { route, scene } in coast() {
-        let run = Simulation::new(&*scene).run().unwrap();
+        let run = Simulation::new(&*scene).work().run().unwrap();
         assert!(run.last().work.is_empty(), "{route}");
         assert_eq!(run.last().energy.work, 0.0, "{route}");
     }

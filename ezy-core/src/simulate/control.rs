@@ -1,0 +1,54 @@
+//! What sets the inputs while a scene runs.
+
+use super::input_table::InputTable;
+use crate::dynamics::{MotionError, State, System};
+use crate::model::Scene;
+
+/// Sets inputs at the start of a step from time, state and itself.
+pub(super) type Law<'s> = Box<dyn FnMut(f64, &State, &mut [f64]) + 's>;
+
+/// The tables of a run, and its control law, which has the last word.
+#[derive(Default)]
+pub(super) struct Control<'s> {
+    /// Index of the input.
+    pub tables: Vec<(usize, InputTable)>,
+    pub law: Option<Law<'s>>,
+}
+
+impl Control<'_> {
+    /// Whether inputs stay as they are.
+    pub fn is_idle(&self) -> bool {
+        self.tables.is_empty() && self.law.is_none()
+    }
+
+    /// Sets the inputs for the step of length `h` from `state`, and holds them over the step. A table is read in the
+    /// middle of the step: that is its mean where it is straight, and safe from rounding where it jumps between steps.
+    ///
+    /// # Errors
+    /// [`MotionError::InputNotFinite`].
+    pub fn act<S: Scene + ?Sized>(
+        &mut self,
+        state: &State,
+        h: f64,
+        system: &mut System<'_, S>,
+    ) -> Result<(), MotionError> {
+        let t = state.t;
+        let inputs = system.inputs_mut();
+        for (i, table) in &self.tables {
+            inputs[*i] = table.at(t + 0.5 * h);
+        }
+        if let Some(law) = &mut self.law {
+            law(t, state, inputs);
+        }
+        check_inputs(t, system)
+    }
+}
+
+/// Inputs that are not finite are named, before they spoil the motion.
+pub(super) fn check_inputs<S: Scene + ?Sized>(t: f64, system: &System<'_, S>) -> Result<(), MotionError> {
+    let named = system.info().inputs.iter().zip(system.inputs());
+    match named.into_iter().find(|(_, value)| !value.is_finite()) {
+        Some((input, &value)) => Err(MotionError::InputNotFinite { t, name: input.name, value }),
+        None => Ok(()),
+    }
+}

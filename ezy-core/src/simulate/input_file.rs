@@ -1,0 +1,103 @@
+//! Inputs from a CSV file.
+
+use super::{InputTable, TableError};
+use crate::model::SceneInfo;
+use crate::record::{UnknownName, input_index};
+use std::io::Read;
+
+/// An input file that cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum InputFileError {
+    /// It is no table.
+    #[error("the file of inputs cannot be read: {0}")]
+    Csv(#[from] csv::Error),
+    /// It does not say when.
+    #[error("the file of inputs has no column `t`; its first row names the columns, such as `t [s],torque [N*m]`")]
+    NoTime,
+    /// A column is no input of the scene.
+    #[error("the file of inputs: {0}")]
+    UnknownName(#[from] UnknownName),
+    /// A column is in another unit than the input.
+    #[error("column `{name}` of the file of inputs is in {found}, but the input is in {unit}; convert the column")]
+    Unit {
+        /// Name of the input.
+        name: String,
+        /// Unit in the file.
+        found: String,
+        /// Unit of the input.
+        unit: &'static str,
+    },
+    /// A field is no number.
+    #[error("row {row} of the file of inputs has `{text}` for `{name}`; write a number")]
+    Number {
+        /// Counted from one, without the row of names.
+        row: usize,
+        /// Name of the column.
+        name: String,
+        /// What stands there.
+        text: String,
+    },
+    /// The rows are no table.
+    #[error("the file of inputs: {0}")]
+    Table(#[from] TableError),
+}
+
+/// A column of the file, named `torque`, `torque [N*m]` or `input.torque [N*m]`.
+struct Heading<'f> {
+    index: usize,
+    name: &'f str,
+    unit: Option<&'f str>,
+}
+
+/// Reads the inputs of a scene, to be handed to [`Simulation::input`](super::Simulation::input): a column `t` in s and
+/// one for each input, with straight lines between rows; two rows at one time are a jump.
+///
+/// Of a file that a run wrote, the columns of inputs are read.
+///
+/// # Errors
+/// [`InputFileError`] naming column and row.
+pub fn read_inputs(file: impl Read, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, InputFileError> {
+    let mut rows = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(file);
+    let names = rows.headers()?.clone();
+    let time = names.iter().position(|name| parts(name).0 == "t").ok_or(InputFileError::NoTime)?;
+    let of_a_run = names.iter().any(|name| name.starts_with(PREFIX));
+    let columns = names.iter().enumerate().filter(|&(i, name)| i != time && (!of_a_run || name.starts_with(PREFIX)));
+    let headings: Vec<Heading<'_>> = columns
+        .map(|(index, name)| {
+            let (name, unit) = parts(name);
+            Heading { index, name: name.strip_prefix(PREFIX).unwrap_or(name), unit }
+        })
+        .collect();
+    for heading in &headings {
+        let unit = info.inputs[input_index(info, heading.name)?].unit;
+        if let Some(found) = heading.unit.filter(|found| *found != unit) {
+            return Err(InputFileError::Unit { name: heading.name.to_owned(), found: found.to_owned(), unit });
+        }
+    }
+    let (mut times, mut values) = (Vec::new(), vec![Vec::new(); headings.len()]);
+    for (i, row) in rows.records().enumerate() {
+        let row = row?;
+        let number = |index: usize, name: &str| {
+            let text = row.get(index).unwrap_or_default();
+            let error = || InputFileError::Number { row: i + 1, name: name.to_owned(), text: text.to_owned() };
+            text.parse::<f64>().map_err(|_| error())
+        };
+        times.push(number(time, "t")?);
+        for (values, heading) in values.iter_mut().zip(&headings) {
+            values.push(number(heading.index, heading.name)?);
+        }
+    }
+    let tables = headings.iter().zip(values);
+    tables.map(|(heading, values)| Ok((heading.name.to_owned(), InputTable::new(times.clone(), values)?))).collect()
+}
+
+/// What the columns of inputs begin with in the file of a run.
+const PREFIX: &str = "input.";
+
+/// Name and unit of `name [unit]`.
+fn parts(heading: &str) -> (&str, Option<&str>) {
+    match heading.split_once('[') {
+        Some((name, unit)) => (name.trim(), Some(unit.trim_end_matches(']').trim())),
+        None => (heading.trim(), None),
+    }
+}

@@ -1,0 +1,103 @@
+//! An input given by a table of times and values.
+
+/// Values at given times, with straight lines between them; before the first time the first value holds, after the last
+/// one the last. Two values at one time are a jump.
+///
+/// ```
+/// use ezy_core::simulate::InputTable;
+///
+/// let ramp = InputTable::new(vec![0.0, 2.0], vec![0.0, 10.0])?;
+/// assert_eq!(ramp.at(0.5), 2.5);
+/// let switched = InputTable::held(vec![0.0, 1.0], vec![5.0, -5.0])?;
+/// assert_eq!((switched.at(0.999), switched.at(1.0)), (5.0, -5.0));
+/// # Ok::<(), ezy_core::simulate::TableError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputTable {
+    times: Vec<f64>,
+    values: Vec<f64>,
+}
+
+/// A table that cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TableError {
+    /// No row, or more times than values, or the other way round.
+    #[error("the table has {n_times} times and {n_values} values; give as many values as times, and at least one")]
+    Lengths {
+        /// Number of times.
+        n_times: usize,
+        /// Number of values.
+        n_values: usize,
+    },
+    /// A number is NaN or infinite.
+    #[error("row {row} of the table is {value} at t = {t} s; give finite numbers")]
+    NotFinite {
+        /// Counted from one.
+        row: usize,
+        /// Its time, s.
+        t: f64,
+        /// Its value.
+        value: f64,
+    },
+    /// Times go back.
+    #[error("row {row} of the table is at {t} s, before the row above it; sort the rows by time")]
+    Backwards {
+        /// Counted from one.
+        row: usize,
+        /// Its time, s.
+        t: f64,
+    },
+}
+
+impl InputTable {
+    /// From times in s, ascending, and values in the unit of the input.
+    ///
+    /// # Errors
+    /// [`TableError`] naming the row.
+    pub fn new(times: Vec<f64>, values: Vec<f64>) -> Result<Self, TableError> {
+        if times.len() != values.len() || times.is_empty() {
+            return Err(TableError::Lengths { n_times: times.len(), n_values: values.len() });
+        }
+        for (i, (&t, &value)) in times.iter().zip(&values).enumerate() {
+            if !(t.is_finite() && value.is_finite()) {
+                return Err(TableError::NotFinite { row: i + 1, t, value });
+            }
+            if i > 0 && t < times[i - 1] {
+                return Err(TableError::Backwards { row: i + 1, t });
+            }
+        }
+        Ok(Self { times, values })
+    }
+
+    /// The same, but each value holds until the next time.
+    ///
+    /// # Errors
+    /// [`TableError`] naming the row.
+    pub fn held(times: Vec<f64>, values: Vec<f64>) -> Result<Self, TableError> {
+        let Self { times, values } = Self::new(times, values)?;
+        let twice = |x: &[f64]| x.iter().flat_map(|&x| [x, x]).collect::<Vec<f64>>();
+        let (times, values) = (twice(&times), twice(&values));
+        Ok(Self { times: times[1..].to_vec(), values: values[..values.len() - 1].to_vec() })
+    }
+
+    /// The value at `t`; at a jump, the one behind it.
+    pub fn at(&self, t: f64) -> f64 {
+        let (times, values) = (&self.times, &self.values);
+        let after = times.partition_point(|&row| row <= t);
+        if after == 0 {
+            return values[0];
+        }
+        if after == times.len() {
+            return values[after - 1];
+        }
+        let (t0, t1) = (times[after - 1], times[after]);
+        values[after - 1] + (t - t0) / (t1 - t0) * (values[after] - values[after - 1])
+    }
+}
+
+impl From<f64> for InputTable {
+    /// The same value at all times.
+    fn from(value: f64) -> Self {
+        Self { times: vec![0.0], values: vec![value] }
+    }
+}

@@ -1,0 +1,237 @@
+//! A scene that the caller steps: for controllers, learning programs and animation.
+
+use super::SetupError;
+use super::control::{Control, check_inputs};
+use super::motion::Motion;
+use super::simulation::give;
+use crate::dynamics::{MotionError, State};
+use crate::model::{Scene, SceneInfo, Start};
+use crate::record::EnergyState;
+
+/// A scene with its state and inputs, made by [`Simulation::stepper`](super::Simulation::stepper).
+///
+/// It gives the numbers of a run with the same step, repeats to the bit, and allocates nothing in steps, observations
+/// and resets to a start that it has assembled last.
+///
+/// A rider who holds the hinge of the EzyRoller at a right angle:
+///
+/// ```
+/// use ezy_core::prelude::*;
+/// use ezy_core::record::{input_index, output_index};
+///
+/// model! {
+///     pub model Rider {
+///         body seat { mass: 46, inertia: 10 }
+///         body bar { mass: 1, inertia: 0.005 }
+///         hinge B: seat(0.6, 0) ~ bar(-0.1, 0);
+///         skate rear: at seat(-0.2, 0) along seat(1, 0);
+///         skate front: at bar(0.1, 0) along bar(1, 0);
+///         output angle: rad = B.angle;
+///         output rate: rad/s = B.rate;
+///         effect arms { input torque: N*m = 0; torque bar ~ seat: torque; }
+///         start rolling { seat at (0, 0) angle 0; bar angle pi/3; seat velocity (1, _); }
+///         scene steered { start rolling; until 10 s; with arms; }
+///     }
+/// }
+///
+/// let scene = rider::Steered::default();
+/// let mut roller = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper()?;
+/// let torque = input_index(roller.info(), "torque")?;
+/// let [angle, rate] = [output_index(roller.info(), "angle")?, output_index(roller.info(), "rate")?];
+/// for _episode in 0..2 {
+///     roller.reset();
+///     for _decision in 0..500 {
+///         let seen = roller.outputs();
+///         let action = 200.0 * (std::f64::consts::FRAC_PI_2 - seen[angle]) - 40.0 * seen[rate];
+///         roller.inputs_mut()[torque] = action;
+///         roller.step(10)?;
+///     }
+///     assert_eq!(roller.state().t, 5.0);
+///     assert!((roller.outputs()[angle] - std::f64::consts::FRAC_PI_2).abs() < 0.02);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Stepper<'s, S: Scene + ?Sized> {
+    motion: Motion<'s, S>,
+    control: Control<'s>,
+    step_s: f64,
+    /// Steps since the start.
+    n_steps: u64,
+    /// Whether accelerations and powers belong to the present state and inputs.
+    evaluated: bool,
+    /// Inputs at the start.
+    first_inputs: Vec<f64>,
+    /// The start that was ordered.
+    home: Assembled,
+    /// The last other one.
+    other: Assembled,
+    /// The next other one.
+    wished: Start,
+    /// Time of the present start, s.
+    start_s: f64,
+    /// Kinetic and potential energy there, J.
+    initial_energy: f64,
+    outputs: Vec<f64>,
+}
+
+/// A state and what it was assembled from.
+#[derive(Clone)]
+struct Assembled {
+    from: Start,
+    state: State,
+}
+
+impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
+    pub(super) fn new(motion: Motion<'s, S>, control: Control<'s>, step_s: f64, from: Start, state: State) -> Self {
+        let system = &motion.system;
+        let home = Assembled { from: from.clone(), state };
+        let mut new = Self {
+            control,
+            step_s,
+            n_steps: 0,
+            evaluated: false,
+            first_inputs: system.inputs().to_vec(),
+            other: home.clone(),
+            home,
+            wished: from,
+            start_s: 0.0,
+            initial_energy: 0.0,
+            outputs: vec![0.0; system.info().n_outputs()],
+            motion,
+        };
+        new.reset();
+        new
+    }
+
+    /// Names and sizes.
+    pub fn info(&self) -> &'static SceneInfo {
+        self.motion.system.info()
+    }
+
+    /// Back to the start that was ordered, with declared inputs. A controller of the order keeps its state.
+    ///
+    /// # Cost
+    /// A copy.
+    pub fn reset(&mut self) {
+        self.motion.place(&self.home.state);
+        self.begin();
+    }
+
+    /// To the start that was ordered but with these values, by the names of [`Simulation::give`](super::Simulation::give).
+    ///
+    /// # Errors
+    /// [`SetupError`] when a name is not known or the rows cannot be met; the state is then what it was.
+    /// # Cost
+    /// A copy when the values are those of the last call; otherwise an assembly
+    /// ([`System::consistent_start`](crate::dynamics::System::consistent_start)).
+    pub fn reset_with(&mut self, given: &[(&str, f64)]) -> Result<(), SetupError> {
+        self.wished.copy_from(&self.home.from);
+        for (name, value) in given {
+            give(self.motion.system.info(), &mut self.wished, name, *value)?;
+        }
+        if self.wished != self.other.from {
+            self.other.state = self.motion.system.consistent_start(&self.wished)?;
+            self.other.from.copy_from(&self.wished);
+        }
+        self.motion.place(&self.other.state);
+        self.begin();
+        Ok(())
+    }
+
+    fn begin(&mut self) {
+        self.motion.system.inputs_mut().copy_from_slice(&self.first_inputs);
+        self.n_steps = 0;
+        self.evaluated = false;
+        self.start_s = self.motion.now.state.t;
+        let (kinetic, potential) = self.mechanical_energy();
+        self.initial_energy = kinetic + potential;
+    }
+
+    /// Present inputs, `n_i`, each in its unit.
+    pub fn inputs(&self) -> &[f64] {
+        self.motion.system.inputs()
+    }
+
+    /// The inputs, to set them: they hold until they are set again.
+    pub fn inputs_mut(&mut self) -> &mut [f64] {
+        self.evaluated = false;
+        self.motion.system.inputs_mut()
+    }
+
+    /// `n` steps; the controller of the order, when there is one, sets inputs at the start of each.
+    ///
+    /// # Errors
+    /// [`MotionError`] when the motion cannot be continued; the state is then the last good one.
+    /// # Cost
+    /// Four evaluations of the accelerations and the projections, each; no allocation.
+    pub fn step(&mut self, n: u64) -> Result<(), MotionError> {
+        for _ in 0..n {
+            if !self.control.is_idle() {
+                self.evaluated = false;
+                self.control.act(&self.motion.now.state, self.step_s, &mut self.motion.system)?;
+            }
+            self.evaluate()?;
+            let t_next = self.start_s + (self.n_steps + 1) as f64 * self.step_s;
+            self.motion.advance(self.step_s, t_next)?;
+            self.motion.accept();
+            self.n_steps += 1;
+            self.evaluated = false;
+        }
+        Ok(())
+    }
+
+    fn evaluate(&mut self) -> Result<(), MotionError> {
+        if !self.evaluated {
+            check_inputs(self.motion.now.state.t, &self.motion.system)?;
+            self.motion.evaluate_now()?;
+            self.evaluated = true;
+        }
+        Ok(())
+    }
+
+    /// Time, coordinates, velocities, and works when they were ordered.
+    pub fn state(&self) -> &State {
+        &self.motion.now.state
+    }
+
+    /// Accelerations, `n_q`, with the present inputs.
+    ///
+    /// # Errors
+    /// [`MotionError`] when the motion cannot be continued from here.
+    pub fn accelerations(&mut self) -> Result<&[f64], MotionError> {
+        self.evaluate()?;
+        Ok(&self.motion.now.a)
+    }
+
+    /// Multipliers, `n_c`, with the present inputs; the reaction on the bodies is −Gᵀ λ.
+    ///
+    /// # Errors
+    /// [`MotionError`] when the motion cannot be continued from here.
+    pub fn multipliers(&mut self) -> Result<&[f64], MotionError> {
+        self.evaluate()?;
+        Ok(&self.motion.now.lambda)
+    }
+
+    /// Outputs, `n_o`, each in its unit, with the present inputs.
+    pub fn outputs(&mut self) -> &[f64] {
+        let State { t, q, v, .. } = &self.motion.now.state;
+        self.motion.system.outputs(*t, q, v, &mut self.outputs);
+        &self.outputs
+    }
+
+    /// Energies, J; work and balance when they were ordered ([`Simulation::work`](super::Simulation::work)).
+    pub fn energy(&self) -> EnergyState {
+        let (kinetic, potential) = self.mechanical_energy();
+        if self.motion.work {
+            let work = self.motion.now.state.work.iter().sum();
+            EnergyState { kinetic, potential, work, balance: kinetic + potential - work - self.initial_energy }
+        } else {
+            EnergyState::without_work(kinetic, potential)
+        }
+    }
+
+    fn mechanical_energy(&self) -> (f64, f64) {
+        let (system, State { t, q, v, .. }) = (&self.motion.system, &self.motion.now.state);
+        (system.kinetic_energy(v), system.potential_energy(*t, q))
+    }
+}

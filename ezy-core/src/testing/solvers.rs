@@ -37,9 +37,10 @@ pub fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, C
     if dense.mass_matrix().contains(&0.0) {
         return Ok(Vec::new());
     }
+    let states: Vec<_> = probe.states.iter().filter(|state| is_regular(&mut dense, state)).collect();
     let mut checks = Vec::new();
     let mut against_dense = |name, system: &mut System<'_, S>, solve| {
-        checks.push(check(name, probe, system, &mut dense, solve));
+        checks.push(check(name, &states, system, &mut dense, solve));
     };
     if probe.info.has_elimination() {
         let mut generated = System::new(probe.scene, Backend::Generated)?;
@@ -51,23 +52,27 @@ pub fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, C
     Ok(checks)
 }
 
+/// Whether K is far enough from rank loss at a state. A correction would not tell: its multipliers do not show.
+fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &RandomState) -> bool {
+    let Some(x) = solve_motion(dense, state) else { return false };
+    max_abs(&x) < REGULAR * scale(dense, state)
+}
+
 /// A solution vector at a state; `None` where K is singular.
 type Solve<S> = fn(&mut System<'_, S>, &RandomState) -> Option<Vec<f64>>;
 
 fn check<S: Scene + ?Sized>(
     name: &'static str,
-    probe: &Probe<'_, S>,
+    states: &[&RandomState],
     system: &mut System<'_, S>,
     oracle: &mut System<'_, S>,
     solve: Solve<S>,
 ) -> Check {
     let mut worst = Worst::default();
-    for state in &probe.states {
+    for state in states {
         let (Some(x), Some(y)) = (solve(system, state), solve(oracle, state)) else { continue };
         let size = max_abs(&y);
-        if size < REGULAR * scale(probe, state) {
-            x.iter().zip(&y).for_each(|(x, y)| worst.compare(*x, *y, size));
-        }
+        x.iter().zip(&y).for_each(|(x, y)| worst.compare(*x, *y, size));
     }
     if worst.n_compared == 0 {
         // nothing was comparable: that is a failure, not a pass
@@ -94,11 +99,11 @@ fn solve_correction<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &Rando
 }
 
 /// Size of forces and convective terms at a state, at least one.
-fn scale<S: Scene + ?Sized>(probe: &Probe<'_, S>, state: &RandomState) -> f64 {
-    let mut F = vec![0.0; probe.info.n_coordinates()];
-    let mut h = vec![0.0; probe.info.n_rows()];
+fn scale<S: Scene + ?Sized>(system: &System<'_, S>, state: &RandomState) -> f64 {
+    let mut F = vec![0.0; system.info().n_coordinates()];
+    let mut h = vec![0.0; system.info().n_rows()];
     let RandomState { t, q, v } = state;
-    probe.scene.applied_force(&probe.fixed, *t, q, v, &mut F);
-    probe.scene.convective_term(&probe.fixed, *t, q, v, &mut h);
+    system.scene().applied_force(system.fixed(), *t, q, v, &mut F);
+    system.scene().convective_term(system.fixed(), *t, q, v, &mut h);
     max_abs(&F).max(max_abs(&h)).max(1.0)
 }

@@ -1,7 +1,11 @@
 //! The models of EZY, one a file, and the studies made with them.
 
+pub mod mechanisms;
 pub mod registry;
 pub mod study;
 pub mod vehicles;
 
-pub use vehicles::ezy_roller::ezy_roller;
+pub use mechanisms::{
+    double_pendulum::double_pendulum, four_bar::four_bar, pendulum::pendulum, slider_crank::slider_crank,
+};
+pub use vehicles::{chaplygin_sleigh::chaplygin_sleigh, ezy_roller::ezy_roller, knife_edge::knife_edge};

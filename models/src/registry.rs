@@ -4,7 +4,15 @@ use ezy_core::model::{ModelInfo, SceneEntry};
 use ezy_core::record::{UnknownName, find_name};
 
 /// All models, in the order in which they are listed.
-pub static MODELS: [&ModelInfo; 1] = [&crate::ezy_roller::MODEL];
+pub static MODELS: [&ModelInfo; 7] = [
+    &crate::ezy_roller::MODEL,
+    &crate::pendulum::MODEL,
+    &crate::double_pendulum::MODEL,
+    &crate::slider_crank::MODEL,
+    &crate::four_bar::MODEL,
+    &crate::chaplygin_sleigh::MODEL,
+    &crate::knife_edge::MODEL,
+];
 
 /// What `MODEL` or `MODEL/SCENE` means.
 #[derive(Debug, Clone, Copy)]

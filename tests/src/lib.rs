@@ -3,6 +3,7 @@
 pub mod chain;
 pub mod counted;
 pub mod crank;
+pub mod garage;
 pub mod hand_roller;
 mod leaked;
 pub mod piloted;

@@ -6,6 +6,7 @@ mod architecture;
 mod backends;
 mod control;
 mod exact_start;
+mod garage;
 mod hand_and_generated;
 mod large;
 mod massless;

@@ -1,0 +1,6 @@
+//! Mechanisms, one model a file.
+
+pub mod double_pendulum;
+pub mod four_bar;
+pub mod pendulum;
+pub mod slider_crank;

@@ -1,0 +1,41 @@
+//! The pendulum: one body on a pin.
+//!
+//! ```text
+//!      l
+//!  o ───────(bob)        drawn at bob.phi = 0, the start of `swing`; gravity points down
+//!  pin
+//! ```
+//!
+//! Coordinates: `bob.x bob.y bob.phi`; rows: `pin.x pin.y`.
+//! Freedom: 1 at position level, 1 at velocity level. Kinetic and potential energy together are constant, zero in both scenes.
+//! The default bob is a point: without moment of inertia the mass matrix is singular, while the motion is not.
+//! Source: A01 of the multibody benchmark of A Coruña (2005), later in the IFToMM library; closed form by the elliptic
+//! functions of Jacobi: sin(θ/2) = k sn(ωt + K(k), k) with θ from the downward vertical, ω² = g/l, k² = 1/2.
+
+use ezy_core::model;
+
+model! {
+    /// A body that swings about a pin.
+    pub model Pendulum {
+        /// centre of mass, away from the pin
+        param l: m = 1.0;
+        /// mass
+        param m: kg = 1.0;
+        /// moment of inertia about the centre of mass, zero for a point
+        param i: kg*m^2 = 0.0;
+        /// gravity, downwards
+        param g: m/s^2 = 9.81;
+
+        body bob { mass: m, inertia: i }
+        hinge pin: ground(0, 0) ~ bob(-l, 0);
+        gravity (0, -g);
+
+        start right { bob angle 0; at rest; }
+        start left { bob angle pi; at rest; }
+
+        /// Released level, on the right of the pin.
+        scene swing { start right; until 10 s; }
+        /// Released level, on the left of the pin.
+        scene mirrored { start left; until 10 s; }
+    }
+}

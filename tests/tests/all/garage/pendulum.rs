@@ -1,0 +1,59 @@
+//! The pendulum against elliptic functions.
+
+use ezy_core::prelude::*;
+use ezy_models::pendulum;
+use ezy_tests::garage::{at_times, case, load, number, rows, worse};
+
+/// RK4 at 1 ms: (ωh)⁴/120 of the phase of 60 rad that is travelled in 20 s, with ω up to 4.4 rad/s.
+const STATE: f64 = 1e-9;
+/// Tensions are squares of rates of 4.4 rad/s.
+const TENSION: f64 = 1e-8;
+/// The projection's promise.
+const GAP: f64 = 1e-12;
+
+/// RK4 at ωh = 0.01: (ωh)⁴/120 of 1e3 rad is 8e-8, of which the projection leaves less.
+const FAST_ANGLE: f64 = 1e-8;
+/// The rounding of an angle of 1e3 rad, eight times.
+const FAST_GAP: f64 = 2e-12;
+
+#[test]
+fn analytic_pendulum_without_inertia_on_both_sides() {
+    let file = load("a01_simple_pendulum");
+    let table: Vec<_> = rows(&file["exact"]["rows"]).into_iter().filter(|row| row[0] <= 20.0).collect();
+    let (swing, mirrored) = (pendulum::Swing::default(), pendulum::Mirrored::default());
+    let scenes: [(&dyn Scene, f64); 2] = [(&swing, 1.0), (&mirrored, -1.0)];
+    for (scene, side) in scenes {
+        let order = || Simulation::new(scene).method(Method::rk4(1e-3));
+        at_times(order, 0.01, table.iter().map(|row| row[0]), |i, s| {
+            let [t, x, y, vx, vy, tension] = table[i][..] else { panic!("six columns") };
+            let differences =
+                [s.coordinates[0] - side * x, s.coordinates[1] - y, s.velocities[0] - side * vx, s.velocities[1] - vy];
+            let error = differences.into_iter().fold(0.0, worse);
+            assert!(error <= STATE, "{error:.1e} at {t} s");
+            let error = s.multipliers[0].hypot(s.multipliers[1]) - tension;
+            assert!(error.abs() <= TENSION, "tension {error:.1e} at {t} s");
+            assert!(s.position_residual <= GAP, "{:.1e} m at {t} s", s.position_residual);
+        });
+    }
+}
+
+#[test]
+fn analytic_fast_rotor_off_its_centre() {
+    let file = load("torture");
+    let case = case(&file, "fast_rotor_off_centre");
+    let table: Vec<_> = rows(&case["rows"]).into_iter().filter(|row| row[0] <= 0.1).collect();
+    let body = &case["model"]["bodies"][0];
+    let scene = pendulum::Swing { l: 0.05, i: number(&body["inertia"]), ..Default::default() };
+    // hanging down; the file's angle is zero there
+    let down = -std::f64::consts::FRAC_PI_2;
+    let order = || {
+        let order = Simulation::new(&scene).method(Method::rk4(1e-6));
+        order.give("bob.phi", down).give("bob.omega", number(&body["omega"]))
+    };
+    at_times(order, 1e-3, table.iter().map(|row| row[0]), |i, s| {
+        let [t, angle, ..] = table[i][..] else { panic!("five columns") };
+        let error = s.coordinates[2] - down - angle;
+        assert!(error.abs() <= FAST_ANGLE, "{error:.1e} rad at {t} s");
+        assert!(s.position_residual <= FAST_GAP, "{:.1e} m at {t} s", s.position_residual);
+    });
+}

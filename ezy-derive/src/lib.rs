@@ -2,6 +2,7 @@
 
 mod diag;
 mod emit;
+mod faulty;
 mod function;
 #[cfg(test)]
 mod fuzz;

@@ -5,14 +5,14 @@ use proc_macro2::TokenStream;
 
 use crate::diag::Diagnostics;
 use crate::mechanics::Equations;
-use crate::{emit, mechanics, model, parse};
+use crate::{emit, faulty, mechanics, model, parse};
 
 /// A model file as Rust items, or as compile errors on the words to change.
 pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut diag = Diagnostics::default();
     // names are resolved after faults of syntax too, so that both are seen at once
     let syntax = parse::parse(tokens, &mut diag);
-    let names = emit::faulty::model(&syntax);
+    let names = faulty::model(&syntax);
     let with_faults = |diag: Diagnostics| diag.into_compile_errors().into_iter().chain(names).collect();
     let Some(model) = model::resolve(syntax, &mut diag).filter(|_| diag.is_empty()) else {
         return with_faults(diag);

@@ -256,3 +256,32 @@ impl Word {
         self.word == "hinge"
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The settings of a form, also inside of choices.
+    fn settings(form: &[Part]) -> Vec<&'static str> {
+        let of = |part: &Part| match part {
+            Settings(settings) => settings.iter().map(|setting| setting.word).collect(),
+            Choice(forms) => forms.iter().flat_map(|form| self::settings(form)).collect(),
+            _ => Vec::new(),
+        };
+        form.iter().flat_map(of).collect()
+    }
+
+    #[test]
+    fn reference_manual_has_every_word_and_setting() {
+        let manual = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/language.md");
+        let manual = std::fs::read_to_string(manual).expect("the manual is there");
+        for word in &WORDS {
+            let line = manual.lines().find(|line| line.starts_with(&format!("| `{} ", word.word)));
+            assert!(line.is_some(), "the manual has no line of `{}`", word.word);
+            for setting in settings(word.form) {
+                let lines = manual.lines().filter(|line| line.contains(word.word));
+                assert!(lines.clone().any(|line| line.contains(setting)), "`{setting}` of `{}`", word.word);
+            }
+        }
+    }
+}

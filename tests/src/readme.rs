@@ -1,2 +1,3 @@
-//! The program of the README, run as a documentation test.
+//! The programs of the README and of the manual, run as documentation tests.
 #![doc = include_str!("../../README.md")]
+#![doc = include_str!("../../docs/language.md")]

@@ -1,7 +1,6 @@
 //! From equations to Rust items. Nothing here can fail, and nothing here does algebra.
 
 mod constants;
-pub mod faulty;
 mod info;
 mod kernel;
 mod page;

@@ -5,7 +5,7 @@ use crate::mechanics::expression::Writer;
 use crate::model::Arguments;
 
 /// C = (d·d/l − l)/2 with d = place(b) − place(a). Its Jacobian has the unit vector along the rod, so the multiplier is
-/// the force in the rod, positive when it pushes; no root is taken.
+/// the tension in the rod; no root is taken.
 pub fn rows(writer: &mut Writer<'_>, of: &Arguments) -> Vec<Component> {
     let gap = writer.gap(&of.places[0], &of.places[1]);
     let square = writer.dot(gap, gap);

@@ -5,6 +5,7 @@ mod scenes;
 mod architecture;
 mod backends;
 mod control;
+mod drives;
 mod exact_start;
 mod garage;
 mod hand_and_generated;

@@ -76,7 +76,7 @@ fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
 #[test]
 fn invariant_show_latex_of_a_model_holds_every_scene() {
     let show = output(&["show", "ezyroller", "--format", "latex"]);
-    assert_eq!(show.matches("% equations of motion").count(), 3);
+    assert_eq!(show.matches("% equations of motion").count(), 4);
     assert!(show.contains("\\begin{bmatrix} M & C_q^T & S^T"), "{show}");
     assert!(show.contains("\\section*{EzyRoller/driven\\_on\\_tarmac}"), "{show}");
     for environment in ["tabular", "enumerate", "bmatrix", "aligned", "center"] {
@@ -280,5 +280,63 @@ fn invariant_help_of_every_command_has_its_usage() {
     for command in ["list", "show", "run", "check", "study"] {
         let help = output(&[command, "--help"]);
         assert!(help.contains(&format!("Usage: ezy {command}")), "{help}");
+    }
+}
+
+#[test]
+fn invariant_run_json_of_a_scene_with_inputs_tells_them_and_outputs() {
+    let run = json(&["run", "ezyroller/ridden", "--until", "0.1", "--input", "torque=-0.5", "--json"]);
+    assert_eq!((keys(&run["inputs"]), keys(&run["outputs"])), (vec!["torque"], vec!["speed", "steering"]));
+    assert_eq!(run["inputs"]["torque"].as_f64(), Some(-0.5));
+    assert!(run["energy"]["work"].as_f64().unwrap() != 0.0);
+    let declared = json(&["run", "ezyroller/ridden", "--until", "0.1", "--json"]);
+    assert_eq!((&declared["inputs"]["torque"], &declared["energy"]["work"]), (&0.0.into(), &0.0.into()));
+    assert_ne!(run["state"]["bar.phi"], declared["state"]["bar.phi"]);
+}
+
+#[test]
+fn invariant_run_reads_inputs_from_its_own_csv() {
+    let place = directory("inputs");
+    let (table, first, second) = (place.join("table.csv"), place.join("first.csv"), place.join("second.csv"));
+    std::fs::write(&table, "t [s],torque [N*m]\n0,0\n0.5,1\n0.5,-1\n1,0\n").unwrap();
+    let run = |inputs: &Path, out: &Path| {
+        let [inputs, out] = [inputs, out].map(|path| path.to_str().unwrap());
+        let scene = ["run", "ezyroller/ridden", "--until", "1", "--every", "1e-3"];
+        output(&[&scene[..], &["--inputs", inputs, "--out", out]].concat());
+        std::fs::read_to_string(out).unwrap()
+    };
+    let text = run(&table, &first);
+    let header = text.lines().next().unwrap();
+    assert!(header.contains(",input.torque [N*m],output.steering [deg],output.speed [m/s],"), "{header}");
+    let column = |text: &str, name: &str| {
+        let mut lines = text.lines();
+        let i = lines.next().unwrap().split(',').position(|c| c.starts_with(name)).unwrap();
+        lines.map(|line| line.split(',').nth(i).unwrap().parse::<f64>().unwrap()).collect::<Vec<f64>>()
+    };
+    let torque = column(&text, "input.torque");
+    // read in the middle of each step of 1 ms
+    assert!((torque[100] - 0.201).abs() < 1e-12 && (torque[499] - 0.999).abs() < 1e-12, "{torque:?}");
+    assert!((torque[500] + 0.999).abs() < 1e-12, "{torque:?}");
+    let again = run(&first, &second);
+    assert_eq!(text, again, "a run repeats with the inputs that it wrote");
+}
+
+#[test]
+fn invariant_wrong_inputs_exit_with_2_and_say_what_to_do() {
+    let table = directory("wrong_inputs").join("table.csv");
+    std::fs::write(&table, "t,torqe\n0,1\n").unwrap();
+    let table = table.to_str().unwrap();
+    let cases: [(&[&str], &str); 5] = [
+        (&["run", "ezyroller/ridden", "--input", "torqe=1"], "did you mean `torque`?"),
+        (&["run", "ezyroller/coast", "--input", "torque=1"], "input `torque` is not known; known: none"),
+        (&["run", "ezyroller/ridden", "--input", "torque=1", "--input", "torque=2"], "is given twice"),
+        (&["run", "ezyroller/ridden", "--inputs", "/no/such/file.csv"], "/no/such/file.csv"),
+        (&["run", "ezyroller/ridden", "--inputs", table], "did you mean `torque`?"),
+    ];
+    for (arguments, message) in cases {
+        let done = ezy(arguments);
+        let stderr = text(&done.stderr);
+        assert_eq!(done.status.code(), Some(2), "{arguments:?}: {stderr}");
+        assert!(stderr.contains(message), "{arguments:?}: {stderr}");
     }
 }

@@ -52,7 +52,7 @@ struct Heading<'f> {
 /// Reads the inputs of a scene, to be handed to [`Simulation::input`](super::Simulation::input): a column `t` in s and
 /// one for each input, with straight lines between rows; two rows at one time are a jump.
 ///
-/// Of a file that a run wrote, the columns of inputs are read.
+/// Of a file that a run wrote, the columns of inputs are read, and each value holds until the next row, as it did there.
 ///
 /// # Errors
 /// [`InputFileError`] naming column and row.
@@ -87,8 +87,9 @@ pub fn read_inputs(file: impl Read, info: &SceneInfo) -> Result<Vec<(String, Inp
             values.push(number(heading.index, heading.name)?);
         }
     }
+    let table = if of_a_run { InputTable::held } else { InputTable::new };
     let tables = headings.iter().zip(values);
-    tables.map(|(heading, values)| Ok((heading.name.to_owned(), InputTable::new(times.clone(), values)?))).collect()
+    tables.map(|(heading, values)| Ok((heading.name.to_owned(), table(times.clone(), values)?))).collect()
 }
 
 /// What the columns of inputs begin with in the file of a run.

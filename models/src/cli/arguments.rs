@@ -89,7 +89,9 @@ Examples:
   ezy run ezyroller/driven --until 600 --set m0=3                  longer, with more torque
   ezy run ezyroller/coast --start bar.phi=pi/3 --start seat.vx=2   from another start
   ezy run ezyroller/driven --out driven.csv --every 0.01           all of the motion, as CSV
-  ezy run ezyroller/driven --step 1e-4 --json                      the end, for another program")]
+  ezy run ezyroller/driven --step 1e-4 --json                      the end, for another program
+  ezy run ezyroller/ridden --input torque=-0.5                     an input, held
+  ezy run ezyroller/ridden --inputs torque.csv                     inputs from a table of times and values")]
 pub struct RunArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
@@ -122,7 +124,8 @@ pub struct RunArguments {
     pub input: Vec<Assignment>,
     /// Read inputs from a CSV file with a column t and one for each input
     ///
-    /// Straight lines join the rows; two rows at one time are a jump. Columns may carry their unit: `torque [N*m]`.
+    /// Straight lines join the rows; two rows at one time are a jump. Columns may carry their unit: `torque [N*m]`. Of a
+    /// file that --out wrote, each value holds until the next row.
     #[arg(long, value_name = "FILE.csv")]
     pub inputs: Option<PathBuf>,
     /// Seconds between the rows of --out [default: a thousandth of the run]

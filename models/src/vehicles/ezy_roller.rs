@@ -59,6 +59,16 @@ model! {
             force at A: -k * A.v;
         }
 
+        /// The rider's arms, moved by whoever runs the scene.
+        effect rider {
+            /// torque that opens the hinge
+            input torque: N*m = 0.0;
+            /// how far the bar is turned against the seat
+            output steering: deg = B.angle;
+            output speed: m/s = dot(seat.v, (cos(seat.phi), sin(seat.phi)));
+            torque bar ~ seat: torque;
+        }
+
         start folded { seat at (0, 0) angle 0; bar angle pi; at rest; }
         start cross { seat at (a, 0) angle 0; bar angle pi/2; seat velocity (1, _) rate 0; }
 
@@ -68,5 +78,7 @@ model! {
         scene driven { start folded; until 60 s; with pump; }
         /// Driven, with rolling resistance.
         scene driven_on_tarmac { start folded; until 60 s; with pump, rolling_resistance; }
+        /// At 1 m/s with the bar across, in the hands of a rider: set `torque`.
+        scene ridden { start cross; until 10 s; with rider; }
     }
 }

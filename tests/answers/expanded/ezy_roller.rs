@@ -14,6 +14,10 @@ pub mod ezy_roller {
                 name: "rolling_resistance",
                 documentation: "Drag of the rear wheel, proportional to its speed.",
             },
+            ::ezy_core::model::EffectInfo {
+                name: "rider",
+                documentation: "The rider's arms, moved by whoever runs the scene.",
+            },
         ],
         scenes: &[
             ::ezy_core::model::SceneEntry {
@@ -35,6 +39,13 @@ pub mod ezy_roller {
                 info: || &DrivenOnTarmac::INFO,
                 new: || ::std::boxed::Box::new(
                     <DrivenOnTarmac as ::core::default::Default>::default(),
+                ),
+            },
+            ::ezy_core::model::SceneEntry {
+                name: "ridden",
+                info: || &Ridden::INFO,
+                new: || ::std::boxed::Box::new(
+                    <Ridden as ::core::default::Default>::default(),
                 ),
             },
         ],
@@ -3685,6 +3696,1214 @@ pub mod ezy_roller {
                 .mark(3usize, !(c[27usize] > c[28usize]))
                 .mark(0usize, !(difference_42 > c[29usize]))
                 .mark(1usize, !(difference_42 > c[29usize]))
+        }
+    }
+    ///At 1 m/s with the bar across, in the hands of a rider: set `torque`.
+    ///
+    ///Cost of the accelerations and multipliers: 62 mul, 32 add, 1 div, 2 sin–cos.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Ridden {
+        ///rear wheel A, behind the seat's centre of mass (m); default `0.2`.
+        pub a: f64,
+        ///hinge B, ahead of the seat's centre of mass (m); default `0.6`.
+        pub b: f64,
+        ///front wheel C, beyond the bar's centre of mass (m); default `0.1`.
+        pub c: f64,
+        ///bar's centre of mass, beyond the hinge (m); default `0.1`.
+        pub d: f64,
+        ///mass of seat and rider (kg); default `46.0`.
+        pub m1: f64,
+        ///moment of inertia of seat and rider (kg*m^2); default `10.0`.
+        pub i1: f64,
+        ///mass of the bar (kg); default `1.0`.
+        pub m2: f64,
+        ///moment of inertia of the bar (kg*m^2); default `0.005`.
+        pub i2: f64,
+    }
+    impl ::core::default::Default for Ridden {
+        fn default() -> Self {
+            Self {
+                a: 0.2f64,
+                b: 0.6f64,
+                c: 0.1f64,
+                d: 0.1f64,
+                m1: 46f64,
+                i1: 10f64,
+                m2: 1f64,
+                i2: 0.005f64,
+            }
+        }
+    }
+    impl Ridden {
+        /// What is known of the scene when it is compiled.
+        pub const INFO: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+            model: "EzyRoller",
+            name: "ridden",
+            documentation: "At 1 m/s with the bar across, in the hands of a rider: set `torque`.",
+            bodies: &["seat", "bar"],
+            coordinates: &[
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.x",
+                    velocity_name: "seat.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.x",
+                        latex: "x_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vx",
+                        latex: "\\dot{x}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.y",
+                    velocity_name: "seat.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.y",
+                        latex: "y_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vy",
+                        latex: "\\dot{y}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.phi",
+                    velocity_name: "seat.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.phi",
+                        latex: "\\varphi_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.x",
+                    velocity_name: "bar.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.x",
+                        latex: "x_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vx",
+                        latex: "\\dot{x}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.y",
+                    velocity_name: "bar.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.y",
+                        latex: "y_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vy",
+                        latex: "\\dot{y}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.phi",
+                    velocity_name: "bar.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.phi",
+                        latex: "\\varphi_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+            ],
+            points: &[
+                ::ezy_core::model::PointInfo {
+                    name: "A",
+                    body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x - a*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y - a*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "C",
+                    body: ::core::option::Option::Some(1usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "bar.x + c*cos(bar.phi)",
+                            latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "bar.y + c*sin(bar.phi)",
+                            latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "B",
+                    body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x + b*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y + b*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
+                },
+            ],
+            rows: &[
+                ::ezy_core::model::RowInfo {
+                    name: "B.x",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
+                        latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "B.y",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
+                        latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "rear",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
+                        latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "front",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
+                        latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+            ],
+            n_position_rows: 2usize,
+            parameters: &[
+                ::ezy_core::model::ParameterInfo {
+                    name: "a",
+                    unit: "m",
+                    default: 0.2f64,
+                    default_text: "0.2",
+                    documentation: "rear wheel A, behind the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "a",
+                        latex: "a",
+                        mathml: "<mi>a</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "b",
+                    unit: "m",
+                    default: 0.6f64,
+                    default_text: "0.6",
+                    documentation: "hinge B, ahead of the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "b",
+                        latex: "b",
+                        mathml: "<mi>b</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "c",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "front wheel C, beyond the bar's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "c",
+                        latex: "c",
+                        mathml: "<mi>c</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "d",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "bar's centre of mass, beyond the hinge",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "d",
+                        latex: "d",
+                        mathml: "<mi>d</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m1",
+                    unit: "kg",
+                    default: 46f64,
+                    default_text: "46.0",
+                    documentation: "mass of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m1",
+                        latex: "m_{1}",
+                        mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i1",
+                    unit: "kg*m^2",
+                    default: 10f64,
+                    default_text: "10.0",
+                    documentation: "moment of inertia of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i1",
+                        latex: "i_{1}",
+                        mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m2",
+                    unit: "kg",
+                    default: 1f64,
+                    default_text: "1.0",
+                    documentation: "mass of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m2",
+                        latex: "m_{2}",
+                        mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i2",
+                    unit: "kg*m^2",
+                    default: 0.005f64,
+                    default_text: "0.005",
+                    documentation: "moment of inertia of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i2",
+                        latex: "i_{2}",
+                        mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
+                    },
+                },
+            ],
+            inputs: &[
+                ::ezy_core::model::InputInfo {
+                    name: "torque",
+                    unit: "N*m",
+                    default: 0f64,
+                    default_text: "0.0",
+                    documentation: "torque that opens the hinge",
+                    effect: ::core::option::Option::Some("rider"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "torque",
+                        latex: "\\mathrm{torque}",
+                        mathml: "<mi>torque</mi>",
+                    },
+                },
+            ],
+            outputs: &[
+                ::ezy_core::model::OutputInfo {
+                    name: "steering",
+                    unit: "deg",
+                    documentation: "how far the bar is turned against the seat",
+                    formula: ::ezy_core::model::Formula {
+                        text: "-180*seat.phi/pi + 180*bar.phi/pi",
+                        latex: "-\\frac{180 \\, \\varphi_{\\mathrm{seat}}}{\\pi} + \\frac{180 \\, \\varphi_{\\mathrm{bar}}}{\\pi}",
+                        mathml: "<mrow><mo>−</mo><mfrac><mrow><mn>180</mn><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mrow><mi>π</mi></mrow></mfrac><mo>+</mo><mfrac><mrow><mn>180</mn><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mrow><mi>π</mi></mrow></mfrac></mrow>",
+                    },
+                },
+                ::ezy_core::model::OutputInfo {
+                    name: "speed",
+                    unit: "m/s",
+                    documentation: "",
+                    formula: ::ezy_core::model::Formula {
+                        text: "seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi)",
+                        latex: "\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                },
+            ],
+            effects: &[
+                ::ezy_core::model::EffectInfo {
+                    name: "rider",
+                    documentation: "The rider's arms, moved by whoever runs the scene.",
+                },
+            ],
+            until_s: 10f64,
+            n_constants: 31usize,
+            jacobian: ::ezy_core::model::SparsityPattern {
+                starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
+                columns: &[
+                    0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize,
+                    0usize, 1usize, 2usize, 3usize, 4usize, 5usize,
+                ],
+            },
+            jacobian_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-b*sin(seat.phi)",
+                    latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-d*sin(bar.phi)",
+                    latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "b*cos(seat.phi)",
+                    latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "d*cos(bar.phi)",
+                    latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(seat.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(seat.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-a",
+                    latex: "-a",
+                    mathml: "<mrow><mo>−</mo><mi>a</mi></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(bar.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(bar.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "c",
+                    latex: "c",
+                    mathml: "<mrow><mi>c</mi></mrow>",
+                },
+            ],
+            mass_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{1}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{1}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i1",
+                    latex: "i_{1}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{2}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{2}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i2",
+                    latex: "i_{2}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
+                },
+            ],
+            force_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-torque",
+                    latex: "-\\mathrm{torque}",
+                    mathml: "<mrow><mo>−</mo><mi>torque</mi></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "torque",
+                    latex: "\\mathrm{torque}",
+                    mathml: "<mrow><mi>torque</mi></mrow>",
+                },
+            ],
+            potential_energy: ::ezy_core::model::Formula {
+                text: "0",
+                latex: "0",
+                mathml: "<mrow><mn>0</mn></mrow>",
+            },
+            elimination: &[
+                ::ezy_core::model::EliminationStep {
+                    rows: &[2usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[3usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[0usize, 1usize],
+                    constant_pivot: false,
+                },
+            ],
+            acceleration_operations: ::ezy_core::model::Operations {
+                add: 32usize,
+                mul: 62usize,
+                div: 1usize,
+                trig: 2usize,
+                calls: 0usize,
+            },
+            correction_operations: ::ezy_core::model::Operations {
+                add: 23usize,
+                mul: 42usize,
+                div: 1usize,
+                trig: 2usize,
+                calls: 0usize,
+            },
+            repeats: ::core::option::Option::None,
+        };
+    }
+    #[automatically_derived]
+    impl ::ezy_core::model::Scene for Ridden {
+        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+            static INFO: ::ezy_core::model::SceneInfo = Ridden::INFO;
+            &INFO
+        }
+        fn parameter(&self, index: usize) -> f64 {
+            match index {
+                0usize => self.a,
+                1usize => self.b,
+                2usize => self.c,
+                3usize => self.d,
+                4usize => self.m1,
+                5usize => self.i1,
+                6usize => self.m2,
+                7usize => self.i2,
+                _ => f64::NAN,
+            }
+        }
+        fn set_parameter(&mut self, index: usize, value: f64) {
+            match index {
+                0usize => self.a = value,
+                1usize => self.b = value,
+                2usize => self.c = value,
+                3usize => self.d = value,
+                4usize => self.m1 = value,
+                5usize => self.i1 = value,
+                6usize => self.m2 = value,
+                7usize => self.i2 = value,
+                _ => {}
+            }
+        }
+        fn constants(&self, c: &mut [f64]) {
+            let c = ::ezy_core::kernel::array_mut::<32usize>(c);
+            let k1 = 1f64;
+            let k2 = self.m1;
+            let k3 = self.i1;
+            let k4 = self.m2;
+            let k5 = self.i2;
+            let k6 = self.b;
+            let k7 = self.d;
+            let k9 = self.a;
+            let k10 = self.c;
+            let k11 = ::core::f64::consts::PI;
+            let k12 = 2f64;
+            let k13 = k11 / k12;
+            let k14 = 180f64;
+            let k16 = k14 / k11;
+            let k17 = k1 / k2;
+            let k18 = k1 / k3;
+            let k19 = k6 * k18;
+            let k20 = k1 / k4;
+            let k21 = k1 / k5;
+            let k22 = k7 * k21;
+            let k23 = k9 * k18;
+            let k24 = k10 * k21;
+            let k25 = k6 * k6;
+            let k26 = k25 * k18;
+            let k27 = k7 * k7;
+            let k28 = k27 * k21;
+            let k29 = k17 + k26;
+            let k30 = k29 + k20;
+            let k31 = k30 + k28;
+            let k32 = k6 * k9;
+            let k33 = k32 * k18;
+            let k34 = k33 - k17;
+            let k35 = k7 * k10;
+            let k36 = k35 * k21;
+            let k37 = k20 - k36;
+            let k38 = k17 + k20;
+            let k39 = k9 * k9;
+            let k40 = k39 * k18;
+            let k41 = k17 + k40;
+            let k42 = k10 * k10;
+            let k43 = k42 * k21;
+            let k44 = k20 + k43;
+            let k45 = k1 / k41;
+            let k46 = k34 * k45;
+            let k47 = k46 * k34;
+            let k48 = k31 - k47;
+            let k49 = k47 - k26;
+            let k50 = k1 / k44;
+            let k51 = k37 * k50;
+            let k52 = k51 * k37;
+            let k53 = k48 - k52;
+            let k54 = k52 - k28;
+            let k55 = 0.0000000001f64;
+            let k56 = k55 * k41;
+            let k57 = k55 * k44;
+            let k58 = k31 + k38;
+            let k59 = k58 * k58;
+            let k60 = k55 * k59;
+            c[1usize] = k23;
+            c[2usize] = k24;
+            c[3usize] = k49;
+            c[4usize] = k54;
+            c[5usize] = k53;
+            c[6usize] = k38;
+            c[7usize] = k19;
+            c[8usize] = k46;
+            c[9usize] = k22;
+            c[10usize] = k51;
+            c[11usize] = k6;
+            c[12usize] = k7;
+            c[13usize] = k50;
+            c[14usize] = k45;
+            c[15usize] = k17;
+            c[16usize] = k18;
+            c[17usize] = k20;
+            c[18usize] = k21;
+            c[19usize] = k41;
+            c[20usize] = k56;
+            c[21usize] = k44;
+            c[22usize] = k57;
+            c[23usize] = k60;
+            c[24usize] = k2;
+            c[25usize] = k3;
+            c[26usize] = k4;
+            c[27usize] = k5;
+            c[28usize] = k9;
+            c[29usize] = k10;
+            c[30usize] = k16;
+            c[31usize] = k13;
+        }
+        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
+            out[0usize] = c[24usize];
+            out[1usize] = c[24usize];
+            out[2usize] = c[25usize];
+            out[3usize] = c[26usize];
+            out[4usize] = c[26usize];
+            out[5usize] = c[27usize];
+        }
+        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_6 = c[11usize] * cos_seat_phi;
+            let sum_7 = seat_x + product_6;
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_13 = c[12usize] * cos_bar_phi;
+            let sum_14 = difference_9 + product_13;
+            let seat_y = q[1usize];
+            let product_17 = c[11usize] * sin_seat_phi;
+            let sum_18 = seat_y + product_17;
+            let bar_y = q[4usize];
+            let difference_20 = sum_18 - bar_y;
+            let product_22 = c[12usize] * sin_bar_phi;
+            let sum_23 = difference_20 + product_22;
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
+        }
+        fn velocity_constraint(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
+            let seat_vx = v[0usize];
+            let seat_omega = v[2usize];
+            let product_5 = c[11usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_5 * sin_seat_phi;
+            let difference_9 = seat_vx - product_8;
+            let bar_vx = v[3usize];
+            let difference_11 = difference_9 - bar_vx;
+            let bar_omega = v[5usize];
+            let product_14 = c[12usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_17 = product_14 * sin_bar_phi;
+            let difference_18 = difference_11 - product_17;
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let product_23 = product_5 * cos_seat_phi;
+            let sum_24 = difference_21 + product_23;
+            let product_26 = product_14 * cos_bar_phi;
+            let sum_27 = sum_24 + product_26;
+            let product_29 = seat_omega * c[28usize];
+            let product_30 = seat_vx * sin_seat_phi;
+            let sum_31 = product_29 + product_30;
+            let product_32 = seat_vy * cos_seat_phi;
+            let difference_33 = product_32 - sum_31;
+            let product_35 = bar_omega * c[29usize];
+            let product_36 = bar_vx * sin_bar_phi;
+            let difference_37 = product_35 - product_36;
+            let product_38 = bar_vy * cos_bar_phi;
+            let sum_39 = difference_37 + product_38;
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = difference_33;
+            out[3usize] = sum_39;
+        }
+        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<14usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_4 = c[11usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_8 = c[12usize] * sin_bar_phi;
+            let product_10 = c[11usize] * cos_seat_phi;
+            let product_12 = c[12usize] * cos_bar_phi;
+            let value_15 = -product_4;
+            let value_16 = -1f64;
+            let value_17 = -product_8;
+            let value_18 = -sin_seat_phi;
+            let value_19 = -c[28usize];
+            let value_20 = -sin_bar_phi;
+            out[0usize] = 1f64;
+            out[1usize] = value_15;
+            out[2usize] = value_16;
+            out[3usize] = value_17;
+            out[4usize] = 1f64;
+            out[5usize] = product_10;
+            out[6usize] = value_16;
+            out[7usize] = product_12;
+            out[8usize] = value_18;
+            out[9usize] = cos_seat_phi;
+            out[10usize] = value_19;
+            out[11usize] = value_20;
+            out[12usize] = cos_bar_phi;
+            out[13usize] = c[29usize];
+        }
+        fn convective_term(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[11usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[12usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = product_12 * cos_bar_phi;
+            let sum_16 = product_8 + product_15;
+            let product_18 = product_4 * sin_seat_phi;
+            let product_20 = product_12 * sin_bar_phi;
+            let sum_21 = product_18 + product_20;
+            let seat_vx = v[0usize];
+            let product_23 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let product_25 = sin_seat_phi * seat_vy;
+            let sum_26 = product_23 + product_25;
+            let product_27 = seat_omega * sum_26;
+            let bar_vx = v[3usize];
+            let product_29 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let product_31 = sin_bar_phi * bar_vy;
+            let sum_32 = product_29 + product_31;
+            let product_33 = bar_omega * sum_32;
+            let value_34 = -sum_16;
+            let value_35 = -sum_21;
+            let value_36 = -product_27;
+            let value_37 = -product_33;
+            out[0usize] = value_34;
+            out[1usize] = value_35;
+            out[2usize] = value_36;
+            out[3usize] = value_37;
+        }
+        fn applied_force(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let torque = c[0usize];
+            let value_3 = -torque;
+            out[0usize] = 0f64;
+            out[1usize] = 0f64;
+            out[2usize] = value_3;
+            out[3usize] = 0f64;
+            out[4usize] = 0f64;
+            out[5usize] = torque;
+        }
+        fn power(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            lambda: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let lambda = ::ezy_core::kernel::array::<4usize>(lambda);
+            let out = ::ezy_core::kernel::array_mut::<1usize>(out);
+            let seat_omega = v[2usize];
+            let bar_omega = v[5usize];
+            let difference_4 = bar_omega - seat_omega;
+            let torque = c[0usize];
+            let product_6 = difference_4 * torque;
+            out[0usize] = product_6;
+        }
+        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_6 = c[28usize] * cos_seat_phi;
+            let difference_7 = seat_x - product_6;
+            let seat_y = q[1usize];
+            let product_10 = c[28usize] * sin_seat_phi;
+            let difference_11 = seat_y - product_10;
+            let bar_x = q[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_16 = c[29usize] * cos_bar_phi;
+            let sum_17 = bar_x + product_16;
+            let bar_y = q[4usize];
+            let product_20 = c[29usize] * sin_bar_phi;
+            let sum_21 = bar_y + product_20;
+            let product_23 = cos_seat_phi * c[11usize];
+            let sum_24 = seat_x + product_23;
+            let product_25 = sin_seat_phi * c[11usize];
+            let sum_26 = seat_y + product_25;
+            out[0usize] = difference_7;
+            out[1usize] = difference_11;
+            out[2usize] = sum_17;
+            out[3usize] = sum_21;
+            out[4usize] = sum_24;
+            out[5usize] = sum_26;
+        }
+        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_phi = q[2usize];
+            let bar_phi = q[5usize];
+            let difference_4 = bar_phi - seat_phi;
+            let product_6 = difference_4 * c[30usize];
+            let seat_vx = v[0usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_9 = seat_vx * cos_seat_phi;
+            let seat_vy = v[1usize];
+            let product_12 = seat_vy * sin_seat_phi;
+            let sum_13 = product_9 + product_12;
+            out[0usize] = product_6;
+            out[1usize] = sum_13;
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            0f64
+        }
+        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            start.give_position(0usize, c[28usize]);
+            start.give_position(1usize, 0f64);
+            start.give_position(2usize, 0f64);
+            start.give_position(5usize, c[31usize]);
+            start.give_velocity(0usize, 1f64);
+            start.give_velocity(2usize, 0f64);
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            a: &mut [f64],
+            lambda: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<4usize>(lambda);
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_5 = seat_vx * cos_seat_phi;
+            let seat_vy = v[1usize];
+            let product_8 = seat_vy * sin_seat_phi;
+            let sum_9 = product_5 + product_8;
+            let seat_omega = v[2usize];
+            let product_11 = sum_9 * seat_omega;
+            let torque = c[0usize];
+            let product_14 = c[1usize] * torque;
+            let right_side_rear = product_14 - product_11;
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_19 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let product_22 = bar_vy * sin_bar_phi;
+            let sum_23 = product_19 + product_22;
+            let bar_omega = v[5usize];
+            let product_25 = sum_23 * bar_omega;
+            let product_27 = torque * c[2usize];
+            let right_side_front = product_27 - product_25;
+            let product_30 = cos_seat_phi * c[3usize];
+            let product_31 = cos_seat_phi * product_30;
+            let product_33 = cos_bar_phi * c[4usize];
+            let product_34 = cos_bar_phi * product_33;
+            let sum_35 = product_31 + product_34;
+            let sum_37 = sum_35 + c[5usize];
+            let product_38 = sin_seat_phi * c[3usize];
+            let product_39 = cos_seat_phi * product_38;
+            let product_40 = sin_bar_phi * c[4usize];
+            let product_41 = cos_bar_phi * product_40;
+            let sum_42 = product_39 + product_41;
+            let difference_44 = c[6usize] - sum_35;
+            let product_46 = torque * c[7usize];
+            let product_48 = right_side_rear * c[8usize];
+            let difference_49 = product_46 - product_48;
+            let product_50 = sin_seat_phi * difference_49;
+            let product_52 = torque * c[9usize];
+            let product_54 = right_side_front * c[10usize];
+            let sum_55 = product_52 + product_54;
+            let product_56 = sin_bar_phi * sum_55;
+            let difference_57 = product_50 - product_56;
+            let product_59 = seat_omega * c[11usize];
+            let product_60 = seat_omega * product_59;
+            let product_61 = cos_seat_phi * product_60;
+            let difference_62 = difference_57 - product_61;
+            let product_64 = bar_omega * c[12usize];
+            let product_65 = bar_omega * product_64;
+            let product_66 = cos_bar_phi * product_65;
+            let difference_67 = difference_62 - product_66;
+            let product_68 = cos_seat_phi * difference_49;
+            let product_69 = cos_bar_phi * sum_55;
+            let difference_70 = product_69 - product_68;
+            let product_71 = sin_seat_phi * product_60;
+            let difference_72 = difference_70 - product_71;
+            let product_73 = sin_bar_phi * product_65;
+            let difference_74 = difference_72 - product_73;
+            let product_75 = sum_37 * difference_44;
+            let product_76 = sum_42 * sum_42;
+            let difference_77 = product_75 - product_76;
+            let quotient_78 = 1f64 / difference_77;
+            let product_79 = difference_44 * difference_67;
+            let product_80 = sum_42 * difference_74;
+            let difference_81 = product_79 - product_80;
+            let lambda_B_x = quotient_78 * difference_81;
+            let product_83 = sum_42 * difference_67;
+            let product_84 = sum_37 * difference_74;
+            let difference_85 = product_84 - product_83;
+            let lambda_B_y = quotient_78 * difference_85;
+            let product_87 = sin_bar_phi * lambda_B_x;
+            let product_88 = cos_bar_phi * lambda_B_y;
+            let difference_89 = product_88 - product_87;
+            let product_90 = c[10usize] * difference_89;
+            let product_92 = right_side_front * c[13usize];
+            let lambda_front = product_90 + product_92;
+            let product_94 = sin_seat_phi * lambda_B_x;
+            let product_95 = cos_seat_phi * lambda_B_y;
+            let difference_96 = product_95 - product_94;
+            let product_97 = c[8usize] * difference_96;
+            let product_99 = right_side_rear * c[14usize];
+            let lambda_rear = product_97 + product_99;
+            let product_101 = sin_seat_phi * lambda_rear;
+            let difference_102 = product_101 - lambda_B_x;
+            let product_104 = difference_102 * c[15usize];
+            let product_105 = cos_seat_phi * lambda_rear;
+            let sum_106 = lambda_B_y + product_105;
+            let product_107 = c[15usize] * sum_106;
+            let product_108 = c[7usize] * difference_96;
+            let product_110 = torque * c[16usize];
+            let sum_111 = product_108 + product_110;
+            let product_112 = c[1usize] * lambda_rear;
+            let difference_113 = product_112 - sum_111;
+            let product_114 = sin_bar_phi * lambda_front;
+            let sum_115 = lambda_B_x + product_114;
+            let product_117 = sum_115 * c[17usize];
+            let product_118 = cos_bar_phi * lambda_front;
+            let difference_119 = lambda_B_y - product_118;
+            let product_120 = c[17usize] * difference_119;
+            let product_121 = c[9usize] * difference_89;
+            let product_123 = torque * c[18usize];
+            let difference_124 = product_123 - product_121;
+            let product_125 = c[2usize] * lambda_front;
+            let difference_126 = difference_124 - product_125;
+            let value_132 = -product_107;
+            a[0usize] = product_104;
+            a[1usize] = value_132;
+            a[2usize] = difference_113;
+            a[3usize] = product_117;
+            a[4usize] = product_120;
+            a[5usize] = difference_126;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = lambda_B_y;
+            lambda[2usize] = lambda_rear;
+            lambda[3usize] = lambda_front;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[19usize] > c[20usize]))
+                .mark(3usize, !(c[21usize] > c[22usize]))
+                .mark(0usize, !(difference_77 > c[23usize]))
+                .mark(1usize, !(difference_77 > c[23usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            residual: &[f64],
+            delta: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let residual = ::ezy_core::kernel::array::<4usize>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
+            let right_side_rear = residual[2usize];
+            let right_side_front = residual[3usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_7 = c[3usize] * cos_seat_phi;
+            let product_8 = cos_seat_phi * product_7;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_12 = c[4usize] * cos_bar_phi;
+            let product_13 = cos_bar_phi * product_12;
+            let sum_14 = product_8 + product_13;
+            let sum_16 = sum_14 + c[5usize];
+            let product_18 = c[3usize] * sin_seat_phi;
+            let product_19 = cos_seat_phi * product_18;
+            let product_21 = c[4usize] * sin_bar_phi;
+            let product_22 = cos_bar_phi * product_21;
+            let sum_23 = product_19 + product_22;
+            let difference_25 = c[6usize] - sum_14;
+            let residual_0 = residual[0usize];
+            let product_28 = right_side_rear * c[8usize];
+            let product_29 = sin_seat_phi * product_28;
+            let difference_30 = residual_0 - product_29;
+            let product_32 = right_side_front * c[10usize];
+            let product_33 = sin_bar_phi * product_32;
+            let difference_34 = difference_30 - product_33;
+            let residual_1 = residual[1usize];
+            let product_36 = cos_seat_phi * product_28;
+            let sum_37 = residual_1 + product_36;
+            let product_38 = cos_bar_phi * product_32;
+            let sum_39 = sum_37 + product_38;
+            let product_40 = sum_16 * difference_25;
+            let product_41 = sum_23 * sum_23;
+            let difference_42 = product_40 - product_41;
+            let quotient_43 = 1f64 / difference_42;
+            let product_44 = difference_25 * difference_34;
+            let product_45 = sum_23 * sum_39;
+            let difference_46 = product_44 - product_45;
+            let lambda_B_x = quotient_43 * difference_46;
+            let product_48 = sum_23 * difference_34;
+            let product_49 = sum_16 * sum_39;
+            let difference_50 = product_49 - product_48;
+            let lambda_B_y = quotient_43 * difference_50;
+            let product_52 = sin_bar_phi * lambda_B_x;
+            let product_53 = cos_bar_phi * lambda_B_y;
+            let difference_54 = product_53 - product_52;
+            let product_55 = c[10usize] * difference_54;
+            let product_57 = right_side_front * c[13usize];
+            let lambda_front = product_55 + product_57;
+            let product_59 = sin_seat_phi * lambda_B_x;
+            let product_60 = cos_seat_phi * lambda_B_y;
+            let difference_61 = product_60 - product_59;
+            let product_62 = c[8usize] * difference_61;
+            let product_64 = right_side_rear * c[14usize];
+            let lambda_rear = product_62 + product_64;
+            let product_66 = sin_seat_phi * lambda_rear;
+            let difference_67 = product_66 - lambda_B_x;
+            let product_69 = difference_67 * c[15usize];
+            let product_70 = cos_seat_phi * lambda_rear;
+            let sum_71 = lambda_B_y + product_70;
+            let product_72 = c[15usize] * sum_71;
+            let product_74 = difference_61 * c[7usize];
+            let product_76 = lambda_rear * c[1usize];
+            let difference_77 = product_76 - product_74;
+            let product_78 = sin_bar_phi * lambda_front;
+            let sum_79 = lambda_B_x + product_78;
+            let product_81 = sum_79 * c[17usize];
+            let product_82 = cos_bar_phi * lambda_front;
+            let difference_83 = lambda_B_y - product_82;
+            let product_84 = c[17usize] * difference_83;
+            let product_86 = difference_54 * c[9usize];
+            let product_88 = lambda_front * c[2usize];
+            let sum_89 = product_86 + product_88;
+            let value_95 = -product_72;
+            let value_96 = -sum_89;
+            delta[0usize] = product_69;
+            delta[1usize] = value_95;
+            delta[2usize] = difference_77;
+            delta[3usize] = product_81;
+            delta[4usize] = product_84;
+            delta[5usize] = value_96;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[19usize] > c[20usize]))
+                .mark(3usize, !(c[21usize] > c[22usize]))
+                .mark(0usize, !(difference_42 > c[23usize]))
+                .mark(1usize, !(difference_42 > c[23usize]))
         }
     }
 }

@@ -14,7 +14,7 @@ fn reference_double_pendulum_within_its_amplification() {
     let file = load("chain_pendulum");
     let states = case(&file, "double_1m")["states"].as_array().unwrap();
     let scene = double_pendulum::Swing::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(2e-4));
+    let order = || Simulation::new(&scene).work().method(Method::rk4(2e-4));
     at_times(order, 0.5, states.iter().map(|state| number(&state["t"])), |i, s| {
         let state = &states[i];
         let mut error = 0.0;

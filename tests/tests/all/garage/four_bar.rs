@@ -15,7 +15,7 @@ fn analytic_parallelogram_turns_through_its_flat_positions() {
     let file = load("a02_n_four_bar");
     let table = rows(&file["cases"][0]["rows"]);
     let scene = four_bar::Turning::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(1e-3));
+    let order = || Simulation::new(&scene).work().method(Method::rk4(1e-3));
     at_times(order, 0.1, table.iter().map(|row| row[0]), |i, s| {
         let [t, _, rate, x, y, vx, vy] = table[i][..] else { panic!("seven columns") };
         let (q, v) = (s.coordinates, s.velocities);

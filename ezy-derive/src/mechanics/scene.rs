@@ -129,9 +129,6 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
     let groups = std::iter::once(None).chain(scene.effects.iter().copied().map(Some));
     for group in groups {
         let forces: Vec<_> = model.forces.iter().filter(|force| force.effect == group).collect();
-        if forces.is_empty() && group.is_none() {
-            continue;
-        }
         let mut load = Load::new(n_q);
         for force in forces {
             load.add(writer, force);
@@ -141,7 +138,10 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
             *total = writer.algebra.add(*total, part);
         }
         applied.potential = writer.algebra.add(applied.potential, load.potential);
-        applied.power.push((group.map_or(Group::Model, Group::Effect), power));
+        // forces of the model that have a potential, or none, do no work to record
+        if group.is_some() || !power.is_zero() {
+            applied.power.push((group.map_or(Group::Model, Group::Effect), power));
+        }
     }
     applied
 }

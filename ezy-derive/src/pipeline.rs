@@ -134,6 +134,38 @@ mod tests {
         assert_eq!(expanded("vehicles/ezy_roller.rs"), expanded("vehicles/ezy_roller.rs"));
     }
 
+    /// The equations of the scene `coast` of a roller with more items: `impl Scene for Coast`, as emitted.
+    fn equations_of_coast(more: &str) -> String {
+        let text = format!(
+            "model Roller {{ param a: m = 0.2; param b: m = 0.6; param m: kg = 46; param i: kg*m^2 = 10; \
+             body seat {{ mass: m, inertia: i }} body bar {{ mass: 1, inertia: 0.005 }} point A = seat(-a, 0); \
+             hinge B: seat(b, 0) ~ bar(-0.1, 0); skate rear: at A along seat(1, 0); \
+             skate front: at bar(0.1, 0) along bar(1, 0); {more} \
+             start folded {{ bar angle pi; at rest; }} scene coast {{ start folded; until 1 s; }} }}"
+        );
+        let file: syn::File = syn::parse2(expand(text.parse().expect("the text has tokens"))).expect("it is Rust");
+        let items = file.items.into_iter().filter_map(|item| match item {
+            syn::Item::Mod(module) => module.content,
+            _ => None,
+        });
+        let mut blocks = items.flat_map(|(_, items)| items).filter_map(|item| match item {
+            syn::Item::Impl(block) if block.trait_.is_some() => Some(quote::quote!(#block).to_string()),
+            _ => None,
+        });
+        blocks.find(|block| block.contains("model :: Scene for Coast")).expect("the scene is emitted")
+    }
+
+    #[test]
+    fn invariant_effects_that_a_scene_does_not_name_leave_its_code_as_it_is() {
+        let with_effects = equations_of_coast(
+            "effect pump { param m0: N*m = 2; torque seat ~ bar: m0 * cos(3 * t); } \
+             effect slip { param c: N = 400; release rear; tyre at A along seat(1, 0): stiffness c; } \
+             effect tie { rod tie: A ~ ground(0, 0) length 1; } \
+             scene driven { start folded; until 1 s; with pump, slip, tie; }",
+        );
+        assert!(with_effects == equations_of_coast(""), "{with_effects}");
+    }
+
     #[test]
     fn invariant_scene_without_an_effect_has_no_cosine_of_time() {
         let (code, _) = expanded("vehicles/ezy_roller.rs");

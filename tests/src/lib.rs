@@ -6,7 +6,9 @@ pub mod crank;
 pub mod garage;
 pub mod hand_roller;
 mod leaked;
+pub mod page;
 pub mod piloted;
+pub mod plain_rollers;
 #[cfg(doctest)]
 pub mod readme;
 pub mod reference;

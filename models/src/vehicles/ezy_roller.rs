@@ -59,6 +59,16 @@ model! {
             force at A: -k * A.v;
         }
 
+        /// The rear wheel lets go: a side force against its slip replaces the skate.
+        effect slip {
+            /// side force per slip angle
+            param cornering: N/rad = 400.0;
+            /// speed below which the wheel creeps
+            param creep: m/s = 0.1;
+            release rear;
+            tyre at A along seat(1, 0): stiffness cornering, speed creep;
+        }
+
         /// The rider's arms, moved by whoever runs the scene.
         effect rider {
             /// torque that opens the hinge
@@ -78,6 +88,8 @@ model! {
         scene driven { start folded; until 60 s; with pump; }
         /// Driven, with rolling resistance.
         scene driven_on_tarmac { start folded; until 60 s; with pump, rolling_resistance; }
+        /// Driven, with a rear wheel that slips and rolls with resistance.
+        scene drift { start folded; until 60 s; with pump, rolling_resistance, slip; }
         /// At 1 m/s with the bar across, in the hands of a rider: set `torque`.
         scene ridden { start cross; until 10 s; with rider; }
     }

@@ -21,6 +21,15 @@ pub enum Function {
     Pow,
 }
 
+/// Where emitted code finds a function.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Path {
+    /// A method of `f64`.
+    Of64(&'static str),
+    /// In `ezy_core::kernel`.
+    OfKernel(&'static str),
+}
+
 impl Function {
     /// Name in the model language.
     pub fn name(self) -> &'static str {
@@ -40,6 +49,15 @@ impl Function {
             Self::Max => "max",
             Self::Sign => "sign",
             Self::Pow => "pow",
+        }
+    }
+
+    /// What emitted code calls.
+    pub fn path(self) -> Path {
+        match self {
+            Self::Sign => Path::OfKernel("sign"),
+            Self::Pow => Path::Of64("powf"),
+            _ => Path::Of64(self.name()),
         }
     }
 

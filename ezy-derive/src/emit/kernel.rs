@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
+use crate::function::Path;
 use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::symbolic::program::{Node, NodeId, Program};
 use crate::symbolic::{Function, Symbol};
@@ -156,22 +157,16 @@ pub fn number(x: f64) -> TokenStream {
 
 /// A call of a function of the model language.
 pub fn call(function: Function, arguments: &[TokenStream]) -> TokenStream {
-    let path = match function {
-        Function::Sin => quote!(f64::sin),
-        Function::Cos => quote!(f64::cos),
-        Function::Tan => quote!(f64::tan),
-        Function::Asin => quote!(f64::asin),
-        Function::Acos => quote!(f64::acos),
-        Function::Atan2 => quote!(f64::atan2),
-        Function::Sqrt => quote!(f64::sqrt),
-        Function::Exp => quote!(f64::exp),
-        Function::Ln => quote!(f64::ln),
-        Function::Tanh => quote!(f64::tanh),
-        Function::Abs => quote!(f64::abs),
-        Function::Min => quote!(f64::min),
-        Function::Max => quote!(f64::max),
-        Function::Sign => quote!(::ezy_core::kernel::sign),
-        Function::Pow => quote!(f64::powf),
+    let ident = |segment: &str| Ident::new(segment, Span::call_site());
+    let path = match function.path() {
+        Path::Of64(name) => {
+            let name = ident(name);
+            quote!(f64::#name)
+        }
+        Path::OfKernel(name) => {
+            let name = ident(name);
+            quote!(::ezy_core::kernel::#name)
+        }
     };
     quote!(#path(#(#arguments),*))
 }

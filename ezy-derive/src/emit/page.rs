@@ -36,7 +36,7 @@ impl Summary {
     }
 }
 
-/// The page of the module: scenes, then parameters.
+/// The page of the module: scenes and effects.
 pub fn model(model: &Model, scenes: &[Summary]) -> TokenStream {
     let rows = scenes.iter().map(|scene| {
         let [positions, velocities] = scene.freedom;
@@ -44,44 +44,32 @@ pub fn model(model: &Model, scenes: &[Summary]) -> TokenStream {
         let name = format!("[`{}`]({})", scene.name, scene.type_name);
         vec![name, effects, positions.to_string(), velocities.to_string(), scene.operations.to_string()]
     });
-    let mut page = vec![String::new(), "# Scenes".into(), String::new()];
     let heads = ["scene", "effects", "freedom of positions", "of velocities", "operations"];
-    page.extend(tables::markdown(&heads, rows));
-    page.extend([
-        String::new(),
+    let mut page = Page::default();
+    page.section("Scenes", tables::markdown(&heads, rows));
+    page.paragraph(
         "Operations: additions, multiplications and divisions of one evaluation of the accelerations.".into(),
-    ]);
+    );
     let effects = model.effects.iter().filter(|effect| !effect.documentation.trim().is_empty());
-    let effects: Vec<_> =
-        effects.map(|effect| vec![format!("`{}`", effect.name), effect.documentation.clone()]).collect();
-    if !effects.is_empty() {
-        page.extend([String::new(), "# Effects".into(), String::new()]);
-        page.extend(tables::markdown(&["effect", "what it is"], effects));
-    }
-    attribute(&page)
+    let effects = effects.map(|effect| vec![format!("`{}`", effect.name), effect.documentation.clone()]);
+    page.section("Effects", tables::markdown(&["effect", "what it is"], effects));
+    page.attribute()
 }
 
 /// The page of a scene: parameters, rows, equations, sparsity, elimination, costs.
 pub fn scene(model: &Model, equations: &Equations, emitted: &Emitted<'_>) -> TokenStream {
     let [positions, velocities] = freedom(equations);
-    let mut page = vec![
-        String::new(),
-        format!("Freedom: {positions} of positions, {velocities} of velocities."),
-        String::new(),
-        "# Parameters".into(),
-        String::new(),
-    ];
-    page.extend(tables::parameters(model, equations));
-    page.extend([String::new(), "# Rows".into(), String::new()]);
-    page.extend(tables::rows(equations));
-    page.extend(equations::sections(equations));
-    page.extend([String::new(), "# Sparsity of the Jacobian".into(), String::new()]);
-    page.extend(tables::sparsity(model, equations));
-    page.extend([String::new(), "# Order of elimination".into(), String::new()]);
-    page.extend(tables::elimination(equations, &emitted.accelerations.order));
-    page.extend([String::new(), "# Operations".into(), String::new()]);
-    page.extend(tables::operations(emitted));
-    attribute(&page)
+    let mut page = Page::default();
+    page.paragraph(format!("Freedom: {positions} of positions, {velocities} of velocities."));
+    page.section("Parameters", tables::parameters(model, equations));
+    page.section("Inputs", tables::inputs(model, equations));
+    page.section("Rows", tables::rows(equations));
+    equations::write(&mut page, equations);
+    page.section("Outputs", tables::outputs(model, equations));
+    page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
+    page.section("Order of elimination", tables::elimination(equations, &emitted.accelerations.order));
+    page.section("Operations", tables::operations(emitted));
+    page.attribute()
 }
 
 /// Coordinates less position rows, velocities less all rows.
@@ -90,7 +78,30 @@ fn freedom(equations: &Equations) -> [usize; 2] {
     [equations.constraints.n_position_rows, equations.constraints.rows.len()].map(|n| n_q.saturating_sub(n))
 }
 
-fn attribute(lines: &[String]) -> TokenStream {
-    let page = lines.join("\n");
-    quote!(#[cfg_attr(doc, doc = #page)])
+/// Paragraphs of Markdown.
+#[derive(Default)]
+struct Page(Vec<String>);
+
+impl Page {
+    fn heading(&mut self, title: &str) {
+        self.paragraph(format!("# {title}"));
+    }
+
+    fn paragraph(&mut self, line: String) {
+        self.0.extend([String::new(), line]);
+    }
+
+    /// A heading with lines that belong together; nothing when there are none.
+    fn section(&mut self, title: &str, lines: Vec<String>) {
+        if !lines.is_empty() {
+            self.heading(title);
+            self.0.push(String::new());
+            self.0.extend(lines);
+        }
+    }
+
+    fn attribute(&self) -> TokenStream {
+        let page = self.0.join("\n");
+        quote!(#[cfg_attr(doc, doc = #page)])
+    }
 }

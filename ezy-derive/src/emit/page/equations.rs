@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::Page;
 use super::mathml::{WIDEST_MATRIX, column, display, letter, lines, matrix, named_column, sub, zero};
 use crate::mechanics::Equations;
 use crate::symbolic::SumId;
@@ -9,58 +10,43 @@ use crate::symbolic::print::{Printed, print};
 use crate::symbolic::spelling;
 
 /// Headings and displayed equations; what the scene does not have is left out.
-pub fn sections(equations: &Equations) -> Vec<String> {
+pub fn write(page: &mut Page, equations: &Equations) {
     let printer = Printer { equations };
     let constraints = &equations.constraints;
     let n_h = constraints.n_position_rows;
     let n_c = constraints.rows.len();
     let of = |printed: &[Printed]| column(printed.iter().map(|p| p.mathml.clone()));
 
-    let mut page = Page(Vec::new());
     page.heading("Coordinates and velocities");
     let positions = of(equations.symbols.coordinate_names()) + "<mo>,</mo><mspace width=\"1em\"/>" + &letter("v");
-    page.push(display(&[letter("q"), positions, of(equations.symbols.velocity_names())]));
+    page.paragraph(display(&[letter("q"), positions, of(equations.symbols.velocity_names())]));
     if !equations.points.is_empty() {
         page.heading("Points");
-        page.push(display(&[printer.points()]));
+        page.paragraph(display(&[printer.points()]));
     }
     if n_h > 0 {
         page.heading("Position constraint");
-        page.push(printer.demand(letter("C"), 0..n_h, &constraints.position));
-        page.push(printer.jacobian(&sub("C", "q"), 0..n_h));
-        page.push(display(&[letter("h"), printer.column(&constraints.convective[..n_h])]));
+        page.paragraph(printer.demand(letter("C"), 0..n_h, &constraints.position));
+        page.paragraph(printer.jacobian(&sub("C", "q"), 0..n_h));
+        page.paragraph(display(&[letter("h"), printer.column(&constraints.convective[..n_h])]));
     }
     if n_c > n_h {
         page.heading("Velocity constraint");
         let rows = format!("{}{}<mo>+</mo>{}", letter("S"), letter("v"), sub("s", "t"));
-        page.push(printer.demand(rows, n_h..n_c, &constraints.velocity[n_h..]));
-        page.push(printer.jacobian(&letter("S"), n_h..n_c));
-        page.push(display(&[letter("s"), printer.column(&constraints.convective[n_h..])]));
+        page.paragraph(printer.demand(rows, n_h..n_c, &constraints.velocity[n_h..]));
+        page.paragraph(printer.jacobian(&letter("S"), n_h..n_c));
+        page.paragraph(display(&[letter("s"), printer.column(&constraints.convective[n_h..])]));
     }
     page.heading("Mass matrix");
-    page.push(printer.mass());
+    page.paragraph(printer.mass());
     page.heading("Applied force");
-    page.push(display(&[letter("F"), printer.column(&equations.force)]));
+    page.paragraph(display(&[letter("F"), printer.column(&equations.force)]));
     if !equations.potential.is_zero() {
         page.heading("Potential energy");
-        page.push(display(&[letter("V"), printer.entry(equations.potential)]));
+        page.paragraph(display(&[letter("V"), printer.entry(equations.potential)]));
     }
     page.heading("Equations of motion");
-    page.push(motion(n_h > 0, n_c > n_h));
-    page.0
-}
-
-/// Paragraphs of Markdown.
-struct Page(Vec<String>);
-
-impl Page {
-    fn heading(&mut self, title: &str) {
-        self.0.extend([String::new(), format!("# {title}")]);
-    }
-
-    fn push(&mut self, line: String) {
-        self.0.extend([String::new(), line]);
-    }
+    page.paragraph(motion(n_h > 0, n_c > n_h));
 }
 
 struct Printer<'a> {

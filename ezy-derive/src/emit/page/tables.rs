@@ -3,10 +3,10 @@
 use super::mathml::inline;
 use crate::emit::info::Emitted;
 use crate::mechanics::Equations;
-use crate::model::Model;
-use crate::symbolic::print::Names;
+use crate::model::{Model, Parameter};
+use crate::symbolic::print::{Names, Printed, print};
 
-/// A table with a head; line breaks and bars within cells are kept harmless.
+/// A table with a head, nothing when it has no rows; line breaks and bars within cells are kept harmless.
 pub fn markdown(heads: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
     let line = |cells: Vec<String>| {
         let cells = cells.iter().map(|cell| cell.trim().replace('|', "\\|").replace('\n', " "));
@@ -14,22 +14,46 @@ pub fn markdown(heads: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> 
     };
     let head = line(heads.iter().map(|head| (*head).to_owned()).collect());
     let rule = line(vec!["---".to_owned(); heads.len()]);
-    [head, rule].into_iter().chain(rows.into_iter().map(line)).collect()
+    let rows: Vec<String> = rows.into_iter().map(line).collect();
+    if rows.is_empty() { rows } else { [head, rule].into_iter().chain(rows).collect() }
 }
 
 /// Symbol, name, default with unit, effect, meaning.
 pub fn parameters(model: &Model, equations: &Equations) -> Vec<String> {
-    let rows = equations.parameters.iter().map(|id| {
-        let parameter = &model.parameters[id.0];
-        let symbol = inline(&equations.symbols.parameter(id.0).mathml);
-        let effect = parameter.effect.map(|effect| format!("`{}`", model.effects[effect.0].name)).unwrap_or_default();
-        let value = match parameter.unit.as_str() {
-            "" => parameter.default_text.clone(),
-            written => format!("{} {}", parameter.default_text, unit(written)),
-        };
-        vec![symbol, format!("`{}`", parameter.name), value, effect, parameter.documentation.clone()]
-    });
+    let rows = equations
+        .parameters
+        .iter()
+        .map(|id| declared(model, &model.parameters[id.0], &equations.symbols.parameter(id.0)));
     markdown(&["", "parameter", "default", "effect", "what it is"], rows)
+}
+
+/// The same of what is set while the scene runs.
+pub fn inputs(model: &Model, equations: &Equations) -> Vec<String> {
+    let symbols = &equations.symbols;
+    let rows = equations.inputs.iter().filter_map(|&id| {
+        let symbol = symbols.symbol(symbols.input(id)?);
+        Some(declared(model, &model.inputs[id.0], &symbol))
+    });
+    markdown(&["", "input", "until it is set", "effect", "what it is"], rows)
+}
+
+fn declared(model: &Model, parameter: &Parameter, symbol: &Printed) -> Vec<String> {
+    let effect = parameter.effect.map(|effect| format!("`{}`", model.effects[effect.0].name)).unwrap_or_default();
+    let value = match parameter.unit.as_str() {
+        "" => parameter.default_text.clone(),
+        written => format!("{} {}", parameter.default_text, unit(written)),
+    };
+    vec![inline(&symbol.mathml), format!("`{}`", parameter.name), value, effect, parameter.documentation.clone()]
+}
+
+/// What the scene computes when it is asked.
+pub fn outputs(model: &Model, equations: &Equations) -> Vec<String> {
+    let rows = equations.outputs.iter().map(|&(i, value)| {
+        let output = &model.outputs[i];
+        let formula = inline(&print(&equations.algebra, &equations.symbols, value).mathml);
+        vec![format!("`{}`", output.name), formula, unit(&output.unit), output.documentation.clone()]
+    });
+    markdown(&["output", "", "unit", "what it is"], rows)
 }
 
 /// A unit as it is printed: `kg*m^2` as kg·m².
@@ -63,6 +87,9 @@ pub fn sparsity(model: &Model, equations: &Equations) -> Vec<String> {
         format!("{name:widest$}{}", cells.collect::<String>().trim_end())
     };
     let lines = constraints.jacobian.iter().zip(constraints.rows.iter().map(|row| row.name.as_str())).map(line);
+    if constraints.rows.is_empty() {
+        return Vec::new();
+    }
     let mut table = vec!["Columns: x, y and φ of each body.".into(), String::new(), "```text".into()];
     table.push(format!("{:widest$}{head}", ""));
     table.extend(lines);

@@ -76,7 +76,7 @@ fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
 #[test]
 fn invariant_show_latex_of_a_model_holds_every_scene() {
     let show = output(&["show", "ezyroller", "--format", "latex"]);
-    assert_eq!(show.matches("% equations of motion").count(), 4);
+    assert_eq!(show.matches("% equations of motion").count(), 5);
     assert!(show.contains("\\begin{bmatrix} M & C_q^T & S^T"), "{show}");
     assert!(show.contains("\\section*{EzyRoller/driven\\_on\\_tarmac}"), "{show}");
     for environment in ["tabular", "enumerate", "bmatrix", "aligned", "center"] {

@@ -15,6 +15,10 @@ pub mod ezy_roller {
                 documentation: "Drag of the rear wheel, proportional to its speed.",
             },
             ::ezy_core::model::EffectInfo {
+                name: "slip",
+                documentation: "The rear wheel lets go: a side force against its slip replaces the skate.",
+            },
+            ::ezy_core::model::EffectInfo {
                 name: "rider",
                 documentation: "The rider's arms, moved by whoever runs the scene.",
             },
@@ -39,6 +43,13 @@ pub mod ezy_roller {
                 info: || &DrivenOnTarmac::INFO,
                 new: || ::std::boxed::Box::new(
                     <DrivenOnTarmac as ::core::default::Default>::default(),
+                ),
+            },
+            ::ezy_core::model::SceneEntry {
+                name: "drift",
+                info: || &Drift::INFO,
+                new: || ::std::boxed::Box::new(
+                    <Drift as ::core::default::Default>::default(),
                 ),
             },
             ::ezy_core::model::SceneEntry {
@@ -3696,6 +3707,1286 @@ pub mod ezy_roller {
                 .mark(3usize, !(c[27usize] > c[28usize]))
                 .mark(0usize, !(difference_42 > c[29usize]))
                 .mark(1usize, !(difference_42 > c[29usize]))
+        }
+    }
+    ///Driven, with a rear wheel that slips and rolls with resistance.
+    ///
+    ///Cost of the accelerations and multipliers: 71 mul, 41 add, 1 div, 3 sin–cos.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Drift {
+        ///rear wheel A, behind the seat's centre of mass (m); default `0.2`.
+        pub a: f64,
+        ///hinge B, ahead of the seat's centre of mass (m); default `0.6`.
+        pub b: f64,
+        ///front wheel C, beyond the bar's centre of mass (m); default `0.1`.
+        pub c: f64,
+        ///bar's centre of mass, beyond the hinge (m); default `0.1`.
+        pub d: f64,
+        ///mass of seat and rider (kg); default `46.0`.
+        pub m1: f64,
+        ///moment of inertia of seat and rider (kg*m^2); default `10.0`.
+        pub i1: f64,
+        ///mass of the bar (kg); default `1.0`.
+        pub m2: f64,
+        ///moment of inertia of the bar (kg*m^2); default `0.005`.
+        pub i2: f64,
+        ///largest torque (N*m); default `2.0`.
+        pub m0: f64,
+        ///angular frequency of the torque (rad/s); default `pi`.
+        pub omega: f64,
+        ///drag per speed (N*s/m); default `0.5`.
+        pub k: f64,
+        ///side force per slip angle (N/rad); default `400.0`.
+        pub cornering: f64,
+        ///speed below which the wheel creeps (m/s); default `0.1`.
+        pub creep: f64,
+    }
+    impl ::core::default::Default for Drift {
+        fn default() -> Self {
+            Self {
+                a: 0.2f64,
+                b: 0.6f64,
+                c: 0.1f64,
+                d: 0.1f64,
+                m1: 46f64,
+                i1: 10f64,
+                m2: 1f64,
+                i2: 0.005f64,
+                m0: 2f64,
+                omega: 3.141592653589793f64,
+                k: 0.5f64,
+                cornering: 400f64,
+                creep: 0.1f64,
+            }
+        }
+    }
+    impl Drift {
+        /// What is known of the scene when it is compiled.
+        pub const INFO: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+            model: "EzyRoller",
+            name: "drift",
+            documentation: "Driven, with a rear wheel that slips and rolls with resistance.",
+            bodies: &["seat", "bar"],
+            coordinates: &[
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.x",
+                    velocity_name: "seat.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.x",
+                        latex: "x_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vx",
+                        latex: "\\dot{x}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.y",
+                    velocity_name: "seat.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.y",
+                        latex: "y_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.vy",
+                        latex: "\\dot{y}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "seat.phi",
+                    velocity_name: "seat.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "seat.phi",
+                        latex: "\\varphi_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "seat.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.x",
+                    velocity_name: "bar.vx",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.x",
+                        latex: "x_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vx",
+                        latex: "\\dot{x}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.y",
+                    velocity_name: "bar.vy",
+                    unit: "m",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.y",
+                        latex: "y_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.vy",
+                        latex: "\\dot{y}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::CoordinateInfo {
+                    name: "bar.phi",
+                    velocity_name: "bar.omega",
+                    unit: "rad",
+                    symbol: ::ezy_core::model::Formula {
+                        text: "bar.phi",
+                        latex: "\\varphi_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
+                    },
+                    velocity_symbol: ::ezy_core::model::Formula {
+                        text: "bar.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    },
+                },
+            ],
+            points: &[
+                ::ezy_core::model::PointInfo {
+                    name: "A",
+                    body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x - a*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y - a*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "C",
+                    body: ::core::option::Option::Some(1usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "bar.x + c*cos(bar.phi)",
+                            latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "bar.y + c*sin(bar.phi)",
+                            latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
+                },
+                ::ezy_core::model::PointInfo {
+                    name: "B",
+                    body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ::ezy_core::model::Formula {
+                            text: "seat.x + b*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ::ezy_core::model::Formula {
+                            text: "seat.y + b*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
+                },
+            ],
+            rows: &[
+                ::ezy_core::model::RowInfo {
+                    name: "B.x",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
+                        latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "B.y",
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
+                        latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::RowInfo {
+                    name: "front",
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ::ezy_core::model::Formula {
+                        text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
+                        latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ::ezy_core::model::Formula {
+                        text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                },
+            ],
+            n_position_rows: 2usize,
+            parameters: &[
+                ::ezy_core::model::ParameterInfo {
+                    name: "a",
+                    unit: "m",
+                    default: 0.2f64,
+                    default_text: "0.2",
+                    documentation: "rear wheel A, behind the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "a",
+                        latex: "a",
+                        mathml: "<mi>a</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "b",
+                    unit: "m",
+                    default: 0.6f64,
+                    default_text: "0.6",
+                    documentation: "hinge B, ahead of the seat's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "b",
+                        latex: "b",
+                        mathml: "<mi>b</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "c",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "front wheel C, beyond the bar's centre of mass",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "c",
+                        latex: "c",
+                        mathml: "<mi>c</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "d",
+                    unit: "m",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "bar's centre of mass, beyond the hinge",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "d",
+                        latex: "d",
+                        mathml: "<mi>d</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m1",
+                    unit: "kg",
+                    default: 46f64,
+                    default_text: "46.0",
+                    documentation: "mass of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m1",
+                        latex: "m_{1}",
+                        mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i1",
+                    unit: "kg*m^2",
+                    default: 10f64,
+                    default_text: "10.0",
+                    documentation: "moment of inertia of seat and rider",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i1",
+                        latex: "i_{1}",
+                        mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m2",
+                    unit: "kg",
+                    default: 1f64,
+                    default_text: "1.0",
+                    documentation: "mass of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m2",
+                        latex: "m_{2}",
+                        mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "i2",
+                    unit: "kg*m^2",
+                    default: 0.005f64,
+                    default_text: "0.005",
+                    documentation: "moment of inertia of the bar",
+                    effect: ::core::option::Option::None,
+                    symbol: ::ezy_core::model::Formula {
+                        text: "i2",
+                        latex: "i_{2}",
+                        mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "m0",
+                    unit: "N*m",
+                    default: 2f64,
+                    default_text: "2.0",
+                    documentation: "largest torque",
+                    effect: ::core::option::Option::Some("pump"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "m0",
+                        latex: "m_{0}",
+                        mathml: "<msub><mi>m</mi><mtext>0</mtext></msub>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "omega",
+                    unit: "rad/s",
+                    default: 3.141592653589793f64,
+                    default_text: "pi",
+                    documentation: "angular frequency of the torque",
+                    effect: ::core::option::Option::Some("pump"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "omega",
+                        latex: "\\omega",
+                        mathml: "<mi>ω</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "k",
+                    unit: "N*s/m",
+                    default: 0.5f64,
+                    default_text: "0.5",
+                    documentation: "drag per speed",
+                    effect: ::core::option::Option::Some("rolling_resistance"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "k",
+                        latex: "k",
+                        mathml: "<mi>k</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "cornering",
+                    unit: "N/rad",
+                    default: 400f64,
+                    default_text: "400.0",
+                    documentation: "side force per slip angle",
+                    effect: ::core::option::Option::Some("slip"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "cornering",
+                        latex: "\\mathrm{cornering}",
+                        mathml: "<mi>cornering</mi>",
+                    },
+                },
+                ::ezy_core::model::ParameterInfo {
+                    name: "creep",
+                    unit: "m/s",
+                    default: 0.1f64,
+                    default_text: "0.1",
+                    documentation: "speed below which the wheel creeps",
+                    effect: ::core::option::Option::Some("slip"),
+                    symbol: ::ezy_core::model::Formula {
+                        text: "creep",
+                        latex: "\\mathrm{creep}",
+                        mathml: "<mi>creep</mi>",
+                    },
+                },
+            ],
+            inputs: &[],
+            outputs: &[],
+            effects: &[
+                ::ezy_core::model::EffectInfo {
+                    name: "pump",
+                    documentation: "The rider swings the bar: a torque between seat and bar.",
+                },
+                ::ezy_core::model::EffectInfo {
+                    name: "rolling_resistance",
+                    documentation: "Drag of the rear wheel, proportional to its speed.",
+                },
+                ::ezy_core::model::EffectInfo {
+                    name: "slip",
+                    documentation: "The rear wheel lets go: a side force against its slip replaces the skate.",
+                },
+            ],
+            until_s: 60f64,
+            n_constants: 36usize,
+            jacobian: ::ezy_core::model::SparsityPattern {
+                starts: &[0usize, 4usize, 8usize, 11usize],
+                columns: &[
+                    0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize,
+                    3usize, 4usize, 5usize,
+                ],
+            },
+            jacobian_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-b*sin(seat.phi)",
+                    latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-d*sin(bar.phi)",
+                    latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "1",
+                    latex: "1",
+                    mathml: "<mrow><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "b*cos(seat.phi)",
+                    latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                    mathml: "<mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-1",
+                    latex: "-1",
+                    mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "d*cos(bar.phi)",
+                    latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-sin(bar.phi)",
+                    latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "cos(bar.phi)",
+                    latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
+                    mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "c",
+                    latex: "c",
+                    mathml: "<mrow><mi>c</mi></mrow>",
+                },
+            ],
+            mass_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{1}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m1",
+                    latex: "m_{1}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i1",
+                    latex: "i_{1}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{2}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "m2",
+                    latex: "m_{2}",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "i2",
+                    latex: "i_{2}",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
+                },
+            ],
+            force_entries: &[
+                ::ezy_core::model::Formula {
+                    text: "-k*seat.vx - k*a*seat.omega*sin(seat.phi) + cornering*sin(seat.phi)*atan2(-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi), sqrt(creep^2 + (seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi))^2))",
+                    latex: "-k \\, \\dot{x}_{\\mathrm{seat}} - k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\mathrm{cornering} \\, \\sin{\\varphi_{\\mathrm{seat}}} \\, \\operatorname{atan2}\\left(-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}, \\sqrt{\\mathrm{creep}^{2} + \\left(\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}\\right)^{2}}\\right)",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msup><mrow><mrow><mo>(</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>)</mo></mrow></mrow><mn>2</mn></msup></mrow></msqrt><mo>)</mo></mrow></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-k*seat.vy + k*a*seat.omega*cos(seat.phi) - cornering*cos(seat.phi)*atan2(-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi), sqrt(creep^2 + (seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi))^2))",
+                    latex: "-k \\, \\dot{y}_{\\mathrm{seat}} + k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\mathrm{cornering} \\, \\cos{\\varphi_{\\mathrm{seat}}} \\, \\operatorname{atan2}\\left(-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}, \\sqrt{\\mathrm{creep}^{2} + \\left(\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}\\right)^{2}}\\right)",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msup><mrow><mrow><mo>(</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>)</mo></mrow></mrow><mn>2</mn></msup></mrow></msqrt><mo>)</mo></mrow></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-k*a^2*seat.omega + m0*cos(omega*t) - k*a*seat.vx*sin(seat.phi) + k*a*seat.vy*cos(seat.phi) + cornering*a*atan2(-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi), sqrt(creep^2 + (seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi))^2))",
+                    latex: "-k \\, a^{2} \\, \\dot{\\varphi}_{\\mathrm{seat}} + m_{0} \\, \\cos\\left(\\omega \\, t\\right) - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\mathrm{cornering} \\, a \\, \\operatorname{atan2}\\left(-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}, \\sqrt{\\mathrm{creep}^{2} + \\left(\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}\\right)^{2}}\\right)",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msup><mrow><mi>a</mi></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msup><mrow><mrow><mo>(</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>)</mo></mrow></mrow><mn>2</mn></msup></mrow></msqrt><mo>)</mo></mrow></mrow></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "0",
+                    latex: "0",
+                    mathml: "<mrow><mn>0</mn></mrow>",
+                },
+                ::ezy_core::model::Formula {
+                    text: "-m0*cos(omega*t)",
+                    latex: "-m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
+                    mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
+                },
+            ],
+            potential_energy: ::ezy_core::model::Formula {
+                text: "0",
+                latex: "0",
+                mathml: "<mrow><mn>0</mn></mrow>",
+            },
+            elimination: &[
+                ::ezy_core::model::EliminationStep {
+                    rows: &[2usize],
+                    constant_pivot: true,
+                },
+                ::ezy_core::model::EliminationStep {
+                    rows: &[0usize, 1usize],
+                    constant_pivot: false,
+                },
+            ],
+            acceleration_operations: ::ezy_core::model::Operations {
+                add: 41usize,
+                mul: 71usize,
+                div: 1usize,
+                trig: 3usize,
+                calls: 2usize,
+            },
+            correction_operations: ::ezy_core::model::Operations {
+                add: 18usize,
+                mul: 34usize,
+                div: 1usize,
+                trig: 2usize,
+                calls: 0usize,
+            },
+            repeats: ::core::option::Option::None,
+        };
+    }
+    #[automatically_derived]
+    impl ::ezy_core::model::Scene for Drift {
+        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+            static INFO: ::ezy_core::model::SceneInfo = Drift::INFO;
+            &INFO
+        }
+        fn parameter(&self, index: usize) -> f64 {
+            match index {
+                0usize => self.a,
+                1usize => self.b,
+                2usize => self.c,
+                3usize => self.d,
+                4usize => self.m1,
+                5usize => self.i1,
+                6usize => self.m2,
+                7usize => self.i2,
+                8usize => self.m0,
+                9usize => self.omega,
+                10usize => self.k,
+                11usize => self.cornering,
+                12usize => self.creep,
+                _ => f64::NAN,
+            }
+        }
+        fn set_parameter(&mut self, index: usize, value: f64) {
+            match index {
+                0usize => self.a = value,
+                1usize => self.b = value,
+                2usize => self.c = value,
+                3usize => self.d = value,
+                4usize => self.m1 = value,
+                5usize => self.i1 = value,
+                6usize => self.m2 = value,
+                7usize => self.i2 = value,
+                8usize => self.m0 = value,
+                9usize => self.omega = value,
+                10usize => self.k = value,
+                11usize => self.cornering = value,
+                12usize => self.creep = value,
+                _ => {}
+            }
+        }
+        fn constants(&self, c: &mut [f64]) {
+            let c = ::ezy_core::kernel::array_mut::<36usize>(c);
+            let k1 = 1f64;
+            let k2 = self.m1;
+            let k3 = self.i1;
+            let k4 = self.m2;
+            let k5 = self.i2;
+            let k6 = self.b;
+            let k7 = self.d;
+            let k9 = self.c;
+            let k10 = self.m0;
+            let k11 = self.omega;
+            let k12 = self.k;
+            let k13 = self.a;
+            let k14 = k12 * k13;
+            let k15 = k14 * k13;
+            let k16 = -(k14 + k14);
+            let k17 = self.creep;
+            let k18 = k17 * k17;
+            let k19 = self.cornering;
+            let k20 = k19 * k13;
+            let k21 = ::core::f64::consts::PI;
+            let k22 = k1 / k2;
+            let k23 = k1 / k3;
+            let k24 = k6 * k23;
+            let k25 = k1 / k4;
+            let k26 = k1 / k5;
+            let k27 = k7 * k10;
+            let k28 = k27 * k26;
+            let k29 = k9 * k10;
+            let k30 = k29 * k26;
+            let k31 = k6 * k6;
+            let k32 = k31 * k23;
+            let k33 = k7 * k7;
+            let k34 = k33 * k26;
+            let k35 = k22 + k32;
+            let k36 = k35 + k25;
+            let k37 = k36 + k34;
+            let k38 = k7 * k9;
+            let k39 = k38 * k26;
+            let k40 = k25 - k39;
+            let k41 = k22 + k25;
+            let k42 = k9 * k9;
+            let k43 = k42 * k26;
+            let k44 = k25 + k43;
+            let k45 = k1 / k44;
+            let k46 = k40 * k45;
+            let k47 = k46 * k40;
+            let k48 = k37 - k47;
+            let k49 = k47 - k34;
+            let k50 = k10 * k26;
+            let k51 = k7 * k26;
+            let k52 = k9 * k26;
+            let k53 = 0.0000000001f64;
+            let k54 = k53 * k44;
+            let k55 = k37 + k41;
+            let k56 = k55 * k55;
+            let k57 = k53 * k56;
+            c[0usize] = k14;
+            c[1usize] = k19;
+            c[2usize] = k13;
+            c[3usize] = k18;
+            c[4usize] = k12;
+            c[5usize] = k15;
+            c[6usize] = k10;
+            c[7usize] = k11;
+            c[8usize] = k20;
+            c[9usize] = k30;
+            c[10usize] = k32;
+            c[11usize] = k49;
+            c[12usize] = k48;
+            c[13usize] = k41;
+            c[14usize] = k28;
+            c[15usize] = k46;
+            c[16usize] = k6;
+            c[17usize] = k7;
+            c[18usize] = k22;
+            c[19usize] = k24;
+            c[20usize] = k45;
+            c[21usize] = k23;
+            c[22usize] = k25;
+            c[23usize] = k51;
+            c[24usize] = k50;
+            c[25usize] = k52;
+            c[26usize] = k44;
+            c[27usize] = k54;
+            c[28usize] = k57;
+            c[29usize] = k2;
+            c[30usize] = k3;
+            c[31usize] = k4;
+            c[32usize] = k5;
+            c[33usize] = k9;
+            c[34usize] = k16;
+            c[35usize] = k21;
+        }
+        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
+            out[0usize] = c[29usize];
+            out[1usize] = c[29usize];
+            out[2usize] = c[30usize];
+            out[3usize] = c[31usize];
+            out[4usize] = c[31usize];
+            out[5usize] = c[32usize];
+        }
+        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_6 = c[16usize] * cos_seat_phi;
+            let sum_7 = seat_x + product_6;
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_13 = c[17usize] * cos_bar_phi;
+            let sum_14 = difference_9 + product_13;
+            let seat_y = q[1usize];
+            let product_17 = c[16usize] * sin_seat_phi;
+            let sum_18 = seat_y + product_17;
+            let bar_y = q[4usize];
+            let difference_20 = sum_18 - bar_y;
+            let product_22 = c[17usize] * sin_bar_phi;
+            let sum_23 = difference_20 + product_22;
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
+        }
+        fn velocity_constraint(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<3usize>(out);
+            let seat_vx = v[0usize];
+            let bar_vx = v[3usize];
+            let difference_4 = seat_vx - bar_vx;
+            let bar_omega = v[5usize];
+            let product_7 = c[17usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_10 = product_7 * sin_bar_phi;
+            let difference_11 = difference_4 - product_10;
+            let seat_omega = v[2usize];
+            let product_14 = c[16usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_17 = product_14 * sin_seat_phi;
+            let difference_18 = difference_11 - product_17;
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let product_23 = product_7 * cos_bar_phi;
+            let sum_24 = difference_21 + product_23;
+            let product_26 = product_14 * cos_seat_phi;
+            let sum_27 = sum_24 + product_26;
+            let product_29 = bar_omega * c[33usize];
+            let product_30 = bar_vx * sin_bar_phi;
+            let difference_31 = product_29 - product_30;
+            let product_32 = bar_vy * cos_bar_phi;
+            let sum_33 = difference_31 + product_32;
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = sum_33;
+        }
+        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<11usize>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_4 = c[16usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_8 = c[17usize] * sin_bar_phi;
+            let product_10 = c[16usize] * cos_seat_phi;
+            let product_12 = c[17usize] * cos_bar_phi;
+            let value_14 = -product_4;
+            let value_15 = -1f64;
+            let value_16 = -product_8;
+            let value_17 = -sin_bar_phi;
+            out[0usize] = 1f64;
+            out[1usize] = value_14;
+            out[2usize] = value_15;
+            out[3usize] = value_16;
+            out[4usize] = 1f64;
+            out[5usize] = product_10;
+            out[6usize] = value_15;
+            out[7usize] = product_12;
+            out[8usize] = value_17;
+            out[9usize] = cos_bar_phi;
+            out[10usize] = c[33usize];
+        }
+        fn convective_term(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<3usize>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[16usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[17usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_15 = product_12 * cos_bar_phi;
+            let sum_16 = product_8 + product_15;
+            let product_18 = product_4 * sin_seat_phi;
+            let product_20 = product_12 * sin_bar_phi;
+            let sum_21 = product_18 + product_20;
+            let bar_vx = v[3usize];
+            let product_23 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let product_25 = sin_bar_phi * bar_vy;
+            let sum_26 = product_23 + product_25;
+            let product_27 = bar_omega * sum_26;
+            let value_28 = -sum_16;
+            let value_29 = -sum_21;
+            let value_30 = -product_27;
+            out[0usize] = value_28;
+            out[1usize] = value_29;
+            out[2usize] = value_30;
+        }
+        fn applied_force(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[0usize] * seat_omega;
+            let product_6 = seat_omega * c[2usize];
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_11 = seat_vx * sin_seat_phi;
+            let sum_12 = product_6 + product_11;
+            let seat_vy = v[1usize];
+            let product_15 = seat_vy * cos_seat_phi;
+            let difference_16 = product_15 - sum_12;
+            let product_17 = seat_vx * cos_seat_phi;
+            let product_18 = sin_seat_phi * seat_vy;
+            let sum_19 = product_17 + product_18;
+            let product_20 = sum_19 * sum_19;
+            let sum_22 = product_20 + c[3usize];
+            let value_23 = f64::sqrt(sum_22);
+            let value_24 = f64::atan2(difference_16, value_23);
+            let product_25 = c[1usize] * value_24;
+            let difference_26 = product_25 - product_3;
+            let product_27 = sin_seat_phi * difference_26;
+            let product_29 = seat_vx * c[4usize];
+            let difference_30 = product_27 - product_29;
+            let product_31 = cos_seat_phi * difference_26;
+            let product_32 = seat_vy * c[4usize];
+            let sum_33 = product_31 + product_32;
+            let difference_34 = product_15 - product_11;
+            let product_35 = c[0usize] * difference_34;
+            let product_37 = seat_omega * c[5usize];
+            let difference_38 = product_35 - product_37;
+            let product_42 = c[7usize] * t;
+            let cos_42 = f64::cos(product_42);
+            let product_44 = c[6usize] * cos_42;
+            let sum_45 = difference_38 + product_44;
+            let product_47 = value_24 * c[8usize];
+            let sum_48 = sum_45 + product_47;
+            let value_49 = -sum_33;
+            let value_50 = -product_44;
+            out[0usize] = difference_30;
+            out[1usize] = value_49;
+            out[2usize] = sum_48;
+            out[3usize] = 0f64;
+            out[4usize] = 0f64;
+            out[5usize] = value_50;
+        }
+        fn power(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            lambda: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let lambda = ::ezy_core::kernel::array::<3usize>(lambda);
+            let out = ::ezy_core::kernel::array_mut::<3usize>(out);
+            let seat_omega = v[2usize];
+            let bar_omega = v[5usize];
+            let difference_4 = seat_omega - bar_omega;
+            let product_7 = c[7usize] * t;
+            let cos_7 = f64::cos(product_7);
+            let product_9 = difference_4 * cos_7;
+            let product_11 = product_9 * c[6usize];
+            let seat_vx = v[0usize];
+            let product_13 = seat_vx * seat_vx;
+            let seat_vy = v[1usize];
+            let product_15 = seat_vy * seat_vy;
+            let sum_16 = product_13 + product_15;
+            let product_18 = sum_16 * c[4usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_21 = seat_vx * sin_seat_phi;
+            let product_23 = seat_vy * cos_seat_phi;
+            let difference_24 = product_21 - product_23;
+            let product_26 = difference_24 * c[34usize];
+            let product_28 = seat_omega * c[5usize];
+            let difference_29 = product_26 - product_28;
+            let product_30 = seat_omega * difference_29;
+            let difference_31 = product_30 - product_18;
+            let product_33 = difference_24 * c[1usize];
+            let product_35 = seat_omega * c[8usize];
+            let sum_36 = product_33 + product_35;
+            let product_38 = seat_omega * c[2usize];
+            let sum_39 = product_21 + product_38;
+            let difference_40 = product_23 - sum_39;
+            let product_41 = seat_vx * cos_seat_phi;
+            let product_42 = seat_vy * sin_seat_phi;
+            let sum_43 = product_41 + product_42;
+            let product_44 = sum_43 * sum_43;
+            let sum_46 = product_44 + c[3usize];
+            let value_47 = f64::sqrt(sum_46);
+            let value_48 = f64::atan2(difference_40, value_47);
+            let product_49 = sum_36 * value_48;
+            out[0usize] = product_11;
+            out[1usize] = difference_31;
+            out[2usize] = product_49;
+        }
+        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_6 = c[2usize] * cos_seat_phi;
+            let difference_7 = seat_x - product_6;
+            let seat_y = q[1usize];
+            let product_10 = c[2usize] * sin_seat_phi;
+            let difference_11 = seat_y - product_10;
+            let bar_x = q[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_16 = c[33usize] * cos_bar_phi;
+            let sum_17 = bar_x + product_16;
+            let bar_y = q[4usize];
+            let product_20 = c[33usize] * sin_bar_phi;
+            let sum_21 = bar_y + product_20;
+            let product_23 = cos_seat_phi * c[16usize];
+            let sum_24 = seat_x + product_23;
+            let product_25 = sin_seat_phi * c[16usize];
+            let sum_26 = seat_y + product_25;
+            out[0usize] = difference_7;
+            out[1usize] = difference_11;
+            out[2usize] = sum_17;
+            out[3usize] = sum_21;
+            out[4usize] = sum_24;
+            out[5usize] = sum_26;
+        }
+        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            0f64
+        }
+        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            start.give_position(0usize, 0f64);
+            start.give_position(1usize, 0f64);
+            start.give_position(2usize, 0f64);
+            start.give_position(5usize, c[35usize]);
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            a: &mut [f64],
+            lambda: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let v = ::ezy_core::kernel::array::<6usize>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<3usize>(lambda);
+            let seat_omega = v[2usize];
+            let product_3 = c[0usize] * seat_omega;
+            let product_6 = seat_omega * c[2usize];
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_11 = seat_vx * sin_seat_phi;
+            let sum_12 = product_6 + product_11;
+            let seat_vy = v[1usize];
+            let product_15 = seat_vy * cos_seat_phi;
+            let difference_16 = product_15 - sum_12;
+            let product_17 = seat_vx * cos_seat_phi;
+            let product_18 = sin_seat_phi * seat_vy;
+            let sum_19 = product_17 + product_18;
+            let product_20 = sum_19 * sum_19;
+            let sum_22 = product_20 + c[3usize];
+            let value_23 = f64::sqrt(sum_22);
+            let value_24 = f64::atan2(difference_16, value_23);
+            let product_25 = c[1usize] * value_24;
+            let difference_26 = product_25 - product_3;
+            let product_27 = sin_seat_phi * difference_26;
+            let product_29 = seat_vx * c[4usize];
+            let force_seat_x = product_27 - product_29;
+            let product_31 = cos_seat_phi * difference_26;
+            let product_32 = seat_vy * c[4usize];
+            let minus_force_seat_y = product_31 + product_32;
+            let difference_34 = product_15 - product_11;
+            let product_35 = c[0usize] * difference_34;
+            let product_37 = seat_omega * c[5usize];
+            let difference_38 = product_35 - product_37;
+            let product_42 = c[7usize] * t;
+            let cos_42 = f64::cos(product_42);
+            let product_44 = c[6usize] * cos_42;
+            let sum_45 = difference_38 + product_44;
+            let product_47 = value_24 * c[8usize];
+            let force_seat_phi = sum_45 + product_47;
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_52 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let product_55 = bar_vy * sin_bar_phi;
+            let sum_56 = product_52 + product_55;
+            let bar_omega = v[5usize];
+            let product_58 = sum_56 * bar_omega;
+            let product_60 = cos_42 * c[9usize];
+            let minus_right_side_front = product_58 + product_60;
+            let product_63 = cos_seat_phi * c[10usize];
+            let product_64 = cos_seat_phi * product_63;
+            let product_66 = cos_bar_phi * c[11usize];
+            let product_67 = cos_bar_phi * product_66;
+            let difference_68 = product_67 - product_64;
+            let sum_70 = difference_68 + c[12usize];
+            let product_71 = sin_seat_phi * c[10usize];
+            let product_72 = cos_seat_phi * product_71;
+            let product_73 = sin_bar_phi * c[11usize];
+            let product_74 = cos_bar_phi * product_73;
+            let difference_75 = product_74 - product_72;
+            let difference_77 = c[13usize] - difference_68;
+            let product_79 = cos_42 * c[14usize];
+            let product_81 = minus_right_side_front * c[15usize];
+            let sum_82 = product_79 + product_81;
+            let product_83 = sin_bar_phi * sum_82;
+            let product_85 = seat_omega * c[16usize];
+            let product_86 = seat_omega * product_85;
+            let product_87 = cos_seat_phi * product_86;
+            let difference_88 = product_83 - product_87;
+            let product_90 = bar_omega * c[17usize];
+            let product_91 = bar_omega * product_90;
+            let product_92 = cos_bar_phi * product_91;
+            let difference_93 = difference_88 - product_92;
+            let product_95 = force_seat_x * c[18usize];
+            let sum_96 = difference_93 + product_95;
+            let product_98 = force_seat_phi * c[19usize];
+            let product_99 = sin_seat_phi * product_98;
+            let difference_100 = sum_96 - product_99;
+            let product_101 = cos_bar_phi * sum_82;
+            let product_102 = sin_seat_phi * product_86;
+            let sum_103 = product_101 + product_102;
+            let product_104 = sin_bar_phi * product_91;
+            let sum_105 = sum_103 + product_104;
+            let product_106 = minus_force_seat_y * c[18usize];
+            let sum_107 = sum_105 + product_106;
+            let product_108 = cos_seat_phi * product_98;
+            let difference_109 = product_108 - sum_107;
+            let product_110 = sum_70 * difference_77;
+            let product_111 = difference_75 * difference_75;
+            let difference_112 = product_110 - product_111;
+            let quotient_113 = 1f64 / difference_112;
+            let product_114 = difference_77 * difference_100;
+            let product_115 = difference_75 * difference_109;
+            let difference_116 = product_114 - product_115;
+            let lambda_B_x = quotient_113 * difference_116;
+            let product_118 = difference_75 * difference_100;
+            let product_119 = sum_70 * difference_109;
+            let difference_120 = product_119 - product_118;
+            let lambda_B_y = quotient_113 * difference_120;
+            let product_122 = sin_bar_phi * lambda_B_x;
+            let product_123 = cos_bar_phi * lambda_B_y;
+            let difference_124 = product_123 - product_122;
+            let product_125 = c[15usize] * difference_124;
+            let product_127 = minus_right_side_front * c[20usize];
+            let lambda_front = product_125 - product_127;
+            let difference_129 = force_seat_x - lambda_B_x;
+            let product_130 = c[18usize] * difference_129;
+            let sum_131 = minus_force_seat_y + lambda_B_y;
+            let product_132 = c[18usize] * sum_131;
+            let product_133 = sin_seat_phi * lambda_B_x;
+            let product_134 = cos_seat_phi * lambda_B_y;
+            let difference_135 = product_133 - product_134;
+            let product_136 = c[19usize] * difference_135;
+            let product_138 = force_seat_phi * c[21usize];
+            let sum_139 = product_136 + product_138;
+            let product_140 = sin_bar_phi * lambda_front;
+            let sum_141 = lambda_B_x + product_140;
+            let product_143 = sum_141 * c[22usize];
+            let product_144 = cos_bar_phi * lambda_front;
+            let difference_145 = lambda_B_y - product_144;
+            let product_146 = c[22usize] * difference_145;
+            let product_148 = difference_124 * c[23usize];
+            let product_150 = cos_42 * c[24usize];
+            let sum_151 = product_148 + product_150;
+            let product_153 = lambda_front * c[25usize];
+            let sum_154 = sum_151 + product_153;
+            let value_158 = -product_132;
+            let value_159 = -sum_154;
+            a[0usize] = product_130;
+            a[1usize] = value_158;
+            a[2usize] = sum_139;
+            a[3usize] = product_143;
+            a[4usize] = product_146;
+            a[5usize] = value_159;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = lambda_B_y;
+            lambda[2usize] = lambda_front;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[26usize] > c[27usize]))
+                .mark(0usize, !(difference_112 > c[28usize]))
+                .mark(1usize, !(difference_112 > c[28usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            residual: &[f64],
+            delta: &mut [f64],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let q = ::ezy_core::kernel::array::<6usize>(q);
+            let residual = ::ezy_core::kernel::array::<3usize>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
+            let right_side_front = residual[2usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_6 = c[10usize] * cos_seat_phi;
+            let product_7 = cos_seat_phi * product_6;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_11 = c[11usize] * cos_bar_phi;
+            let product_12 = cos_bar_phi * product_11;
+            let difference_13 = product_12 - product_7;
+            let sum_15 = difference_13 + c[12usize];
+            let product_17 = c[10usize] * sin_seat_phi;
+            let product_18 = cos_seat_phi * product_17;
+            let product_20 = c[11usize] * sin_bar_phi;
+            let product_21 = cos_bar_phi * product_20;
+            let difference_22 = product_21 - product_18;
+            let difference_24 = c[13usize] - difference_13;
+            let residual_0 = residual[0usize];
+            let product_27 = right_side_front * c[15usize];
+            let product_28 = sin_bar_phi * product_27;
+            let difference_29 = residual_0 - product_28;
+            let residual_1 = residual[1usize];
+            let product_31 = cos_bar_phi * product_27;
+            let sum_32 = residual_1 + product_31;
+            let product_33 = sum_15 * difference_24;
+            let product_34 = difference_22 * difference_22;
+            let difference_35 = product_33 - product_34;
+            let quotient_36 = 1f64 / difference_35;
+            let product_37 = difference_24 * difference_29;
+            let product_38 = difference_22 * sum_32;
+            let difference_39 = product_37 - product_38;
+            let lambda_B_x = quotient_36 * difference_39;
+            let product_41 = difference_22 * difference_29;
+            let product_42 = sum_15 * sum_32;
+            let difference_43 = product_42 - product_41;
+            let lambda_B_y = quotient_36 * difference_43;
+            let product_45 = sin_bar_phi * lambda_B_x;
+            let product_46 = cos_bar_phi * lambda_B_y;
+            let difference_47 = product_46 - product_45;
+            let product_48 = c[15usize] * difference_47;
+            let product_50 = right_side_front * c[20usize];
+            let lambda_front = product_48 + product_50;
+            let product_53 = lambda_B_x * c[18usize];
+            let product_54 = lambda_B_y * c[18usize];
+            let product_55 = sin_seat_phi * lambda_B_x;
+            let product_56 = cos_seat_phi * lambda_B_y;
+            let difference_57 = product_55 - product_56;
+            let product_59 = difference_57 * c[19usize];
+            let product_60 = sin_bar_phi * lambda_front;
+            let sum_61 = lambda_B_x + product_60;
+            let product_63 = sum_61 * c[22usize];
+            let product_64 = cos_bar_phi * lambda_front;
+            let difference_65 = lambda_B_y - product_64;
+            let product_66 = c[22usize] * difference_65;
+            let product_68 = difference_47 * c[23usize];
+            let product_70 = lambda_front * c[25usize];
+            let sum_71 = product_68 + product_70;
+            let value_75 = -product_53;
+            let value_76 = -product_54;
+            let value_77 = -sum_71;
+            delta[0usize] = value_75;
+            delta[1usize] = value_76;
+            delta[2usize] = product_59;
+            delta[3usize] = product_63;
+            delta[4usize] = product_66;
+            delta[5usize] = value_77;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !(c[26usize] > c[27usize]))
+                .mark(0usize, !(difference_35 > c[28usize]))
+                .mark(1usize, !(difference_35 > c[28usize]))
         }
     }
     ///At 1 m/s with the bar across, in the hands of a rider: set `torque`.

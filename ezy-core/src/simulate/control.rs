@@ -5,7 +5,7 @@ use crate::dynamics::{MotionError, State, System};
 use crate::model::Scene;
 
 /// Sets inputs at the start of a step from time, state and itself.
-pub(super) type Law<'s> = Box<dyn FnMut(f64, &State, &mut [f64]) + 's>;
+pub(super) type Law<'s> = Box<dyn FnMut(f64, &State, &mut [f64]) + Send + 's>;
 
 /// The tables of a run, and its control law, which has the last word.
 #[derive(Default)]

@@ -112,7 +112,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self
     }
 
-    /// Sets an input: a number, or an [`InputTable`] that is read once a step and held over it.
+    /// Sets an input: a number, or an [`InputTable`] that is read in the middle of each step and held over it.
     #[must_use]
     pub fn input(mut self, name: impl Into<String>, value: impl Into<InputTable>) -> Self {
         self.inputs.push((name.into(), value.into()));
@@ -148,7 +148,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn control(mut self, law: impl FnMut(f64, &State, &mut [f64]) + 's) -> Self {
+    pub fn control(mut self, law: impl FnMut(f64, &State, &mut [f64]) + Send + 's) -> Self {
         self.law = Some(Box::new(law));
         self
     }

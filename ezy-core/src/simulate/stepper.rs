@@ -11,7 +11,7 @@ use crate::record::EnergyState;
 /// A scene with its state and inputs, made by [`Simulation::stepper`](super::Simulation::stepper).
 ///
 /// It gives the numbers of a run with the same step, repeats to the bit, and allocates nothing in steps, observations
-/// and resets to a start that it has assembled last.
+/// and resets to a start that it has assembled last. Many of one scene can be stepped on as many threads.
 ///
 /// A rider who holds the hinge of the EzyRoller at a right angle:
 ///

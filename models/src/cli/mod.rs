@@ -5,6 +5,7 @@ mod check;
 mod failure;
 mod json;
 mod list;
+mod names;
 mod out_file;
 mod output;
 mod progress;

@@ -4,12 +4,12 @@ use std::fs::File;
 
 use ezy_core::integrate::Method;
 use ezy_core::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
-use ezy_core::record::find_name;
 use ezy_core::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
-use ezy_models::registry::{find, typed};
+use ezy_models::registry::find;
 
 use super::arguments::{MethodName, RunArguments};
 use super::failure::Failure;
+use super::names::{check_input, parameter, path, refuse_twice};
 use super::out_file::OutFile;
 use super::output::print;
 use super::progress::Progress;
@@ -28,6 +28,9 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         return Err(Failure::wrong_use(SetupError::Every { every_s }));
     }
     let mut scene = (entry.new)();
+    for assignment in &arguments.input {
+        check_input(model, entry, &assignment.name)?;
+    }
     for assignment in &arguments.set {
         match (entry.info)().counts().iter().position(|count| count.name == assignment.name) {
             Some(i) => scene.set_count(i, whole_number(assignment)?),
@@ -58,19 +61,6 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
 }
 
-/// A name that is given two values has none.
-fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Failure> {
-    for (i, later) in assignments.iter().enumerate() {
-        if let Some(earlier) = assignments[..i].iter().find(|earlier| earlier.name == later.name) {
-            let (name, first, second) = (&later.name, earlier.value, later.value);
-            return Err(Failure::wrong_use(format!(
-                "`{option} {name}` is given twice, as {first} and as {second}; give it once"
-            )));
-        }
-    }
-    Ok(())
-}
-
 /// Counts up to here are exact as numbers typed with a point or a power of ten.
 const LARGEST_COUNT: f64 = 1e15;
 
@@ -81,32 +71,6 @@ fn whole_number(assignment: &Assignment) -> Result<usize, Failure> {
         return Ok(value as usize);
     }
     Err(Failure::wrong_use(format!("`{name}` is a count, but was given {value}; give it a whole number from 1 on")))
-}
-
-/// The parameter of a scene by its name.
-fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize, Failure> {
-    let info = (entry.info)();
-    let parameters = info.parameters.iter().map(|parameter| parameter.name);
-    let known = parameters.chain(info.counts().iter().map(|count| count.name));
-    find_name("parameter", name, known).map_err(|unknown| {
-        let with_it = |other: &&SceneEntry| (other.info)().parameters.iter().any(|parameter| parameter.name == name);
-        let others: Vec<&SceneEntry> = model.scenes.iter().filter(with_it).collect();
-        let all = others.first().map_or(&[][..], |other| (other.info)().parameters);
-        let Some(effect) = all.iter().find(|parameter| parameter.name == name).and_then(|parameter| parameter.effect)
-        else {
-            return unknown.into();
-        };
-        let others: Vec<String> = others.iter().map(|other| path(model, other)).collect();
-        Failure::wrong_use(format!(
-            "parameter `{name}` belongs to effect `{effect}`, which {} does not call for; run one that does: {}",
-            path(model, entry),
-            others.join(", ")
-        ))
-    })
-}
-
-fn path(model: &ModelInfo, entry: &SceneEntry) -> String {
-    format!("{}/{}", typed(model.name), entry.name)
 }
 
 fn scene_entry(text: &str) -> Result<(&'static ModelInfo, &'static SceneEntry), Failure> {

@@ -269,3 +269,22 @@ fn invariant_names_of_inputs_and_outputs_are_found() {
     assert_eq!((input_index(info, "pull"), output_index(info, "wheel.y")), (Ok(1), Ok(2)));
     assert_eq!(output_index(info, "sped").unwrap_err().nearest.as_deref(), Some("speed"));
 }
+
+#[test]
+fn invariant_steppers_on_threads_give_the_same_bits() {
+    let scene = piloted::Ridden::default();
+    let episode = || {
+        let mut stepper = Simulation::new(&scene).control(|t, _, inputs| inputs[0] = t).stepper().unwrap();
+        stepper.step(200).unwrap();
+        stepper.state().clone()
+    };
+    let alone = episode();
+    std::thread::scope(|scope| {
+        let mut stepper = Simulation::new(&scene).control(|t, _, inputs| inputs[0] = t).stepper().unwrap();
+        let others = [scope.spawn(episode), scope.spawn(episode)];
+        // one that is made here and stepped there
+        let moved = scope.spawn(move || stepper.step(200).map(|()| stepper.state().clone()).unwrap());
+        others.into_iter().for_each(|other| assert_eq!(other.join().unwrap(), alone));
+        assert_eq!(moved.join().unwrap(), alone);
+    });
+}

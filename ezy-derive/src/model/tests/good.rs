@@ -152,3 +152,33 @@ fn analytic_known_units_agree_in_a_spring() {
     let items = "param k: N/m = 3; param l: m = 1; param c: N*s/m = 1; param m: kg = 1; param e: J = 2;";
     with_torque(items, "A.x * (k * (l - A.y) - c * A.vy) * cos(seat.phi) + norm(A.v)^2 * m - sqrt(e * e) / exp(2)");
 }
+
+#[test]
+fn analytic_input_keeps_unit_text_and_effect() {
+    let items = "/// what the rider does\n input u: N*cm = 3*2; effect push { input f: N = -1; }";
+    let model = with_torque(items, "u");
+    let [u, f] = &model.inputs[..] else { panic!("two inputs") };
+    assert_eq!((u.unit.as_str(), u.default, u.default_text.as_str()), ("N*cm", 6.0, "3*2"));
+    assert_eq!((u.documentation.as_str(), u.effect), ("what the rider does", None));
+    assert_eq!((f.default, f.effect.map(|id| id.0)), (-1.0, Some(0)));
+    assert_eq!(format!("{:?}", torque(&model)), "Div(Input(InputId(0)), Number(100.0))");
+}
+
+#[test]
+fn analytic_outputs_are_scalars_in_their_units() {
+    let items = "output place: mm = (A.x, 2); output angle: deg = 1 * seat.phi; output any = t;
+         effect watch { output speed = seat.vx; }";
+    let model = with_torque(items, "1");
+    let outputs: Vec<String> = model.outputs.iter().map(|o| format!("{} [{}] {:?}", o.name, o.unit, o.value)).collect();
+    assert_eq!(
+        outputs,
+        [
+            "place.x [mm] Mul(PointPosition(PointId(0), X), Number(1000.0))",
+            "place.y [mm] Mul(Number(2.0), Number(1000.0))",
+            "angle [deg] Div(Mul(Mul(Number(1.0), Coordinate(BodyId(0), Phi)), Number(180.0)), Pi)",
+            "any [] Time",
+            "speed [] Velocity(BodyId(0), X)",
+        ]
+    );
+    assert_eq!(model.outputs[4].effect.map(|id| id.0), Some(0));
+}

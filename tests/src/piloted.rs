@@ -36,3 +36,21 @@ model! {
         scene pushed { start cross; until 2 s; with push, rider; }
     }
 }
+
+model! {
+    /// The same without any effect.
+    pub model Unpiloted {
+        body seat { mass: 46, inertia: 10 }
+        body bar { mass: 1, inertia: 0.005 }
+        point A = seat(-0.2, 0);
+        hinge B: seat(0.6, 0) ~ bar(-0.1, 0);
+        skate rear: at A along seat(1, 0);
+        skate front: at bar(0.1, 0) along bar(1, 0);
+        output speed: km/h = norm(seat.v);
+        output wheel: mm = (A.x, A.y);
+        output steering: deg = B.angle;
+        output turning = B.rate;
+        start cross { seat at (0.2, 0) angle 0; bar angle pi/2; seat velocity (1, _) rate 0; }
+        scene coast { start cross; until 1 s; }
+    }
+}

@@ -55,3 +55,15 @@ fn invariant_stepper_does_not_allocate() {
         assert_eq!(info.count_total, 0, "{backend:?}");
     }
 }
+
+#[test]
+fn invariant_controlled_steps_do_not_allocate() {
+    let scene = piloted::Pushed::default();
+    let allocations = |n_steps: u32| {
+        let table = InputTable::new(vec![0.0, 1.0], vec![0.0, 5.0]).unwrap();
+        let law = |t: f64, state: &State, inputs: &mut [f64]| inputs[0] = t - state.v[5];
+        let order = Simulation::new(&scene).work().input("pull", table).control(law).until(f64::from(n_steps) * 1e-3);
+        allocation_counter::measure(|| assert!(order.run().unwrap().outcome.reached_end())).count_total
+    };
+    assert_eq!(allocations(100), allocations(1000));
+}

@@ -1,6 +1,6 @@
 //! The columns of a sample, by name and unit.
 
-use super::Wanted;
+use super::{UnknownName, Wanted, find_name};
 use crate::model::SceneInfo;
 
 /// One column of a sample.
@@ -45,6 +45,21 @@ pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
     // hinges leave metres (and metres a second), other rows may leave radians: the largest of a mixture has no unit
     all.extend(["residual.position", "residual.velocity"].map(|name| Column::new(name, "")));
     all
+}
+
+/// Place of a column among those of a sample.
+///
+/// # Errors
+/// [`UnknownName`] with the most similar column, or with what the run should have been asked for.
+pub fn column_index(info: &SceneInfo, wanted: Wanted, name: &str) -> Result<usize, UnknownName> {
+    let has = |wanted: Wanted| columns(info, wanted).iter().any(|column| column.name == name);
+    let remedy = || {
+        let asked = [("work", Wanted { work: true, ..wanted }), ("outputs", Wanted { outputs: true, ..wanted })];
+        asked.into_iter().find(|(_, wanted)| has(*wanted)).map(|(word, _)| word)
+    };
+    let all = columns(info, wanted);
+    let found = find_name("column", name, all.iter().map(|column| column.name.as_str()));
+    found.map_err(|unknown| UnknownName { remedy: remedy(), ..unknown })
 }
 
 /// `seat.vx` becomes `seat.ax`, `seat.omega` becomes `seat.alpha`.

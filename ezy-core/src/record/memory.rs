@@ -1,6 +1,6 @@
 //! Samples in memory.
 
-use super::{RecordError, Recorder, Sample, UnknownName, Wanted, columns, find_name};
+use super::{RecordError, Recorder, Sample, UnknownName, Wanted, column_index};
 use crate::model::SceneInfo;
 
 /// Samples of one run, one after the other in a single vector.
@@ -53,8 +53,7 @@ impl Record {
     /// # Errors
     /// [`UnknownName`] with the nearest column.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, UnknownName> {
-        let all = columns(self.info, self.wanted);
-        let i = find_name("column", name, all.iter().map(|c| c.name.as_str()))?;
+        let i = column_index(self.info, self.wanted, name)?;
         Ok(self.numbers.chunks_exact(self.n_numbers).map(|numbers| numbers[i]).collect())
     }
 }

@@ -6,7 +6,7 @@ mod memory;
 mod names;
 mod sample;
 
-pub use columns::{Column, columns};
+pub use columns::{Column, column_index, columns};
 pub use csv_writer::CsvWriter;
 pub use memory::Record;
 pub use names::{UnknownName, coordinate_index, find_name, input_index, output_index};

@@ -4,7 +4,7 @@ use crate::model::SceneInfo;
 
 /// A name that is not known.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{kind} `{name}` is not known{}; known: {}", suggestion(.nearest), list(.known))]
+#[error("{kind} `{name}` {}", fault(self))]
 pub struct UnknownName {
     /// What the name should have been: `coordinate`, `column`, …
     pub kind: &'static str,
@@ -14,6 +14,15 @@ pub struct UnknownName {
     pub nearest: Option<String>,
     /// All known names.
     pub known: Vec<String>,
+    /// What to add to the order of a run, when the name is a column that the run was not asked for.
+    pub remedy: Option<&'static str>,
+}
+
+fn fault(of: &UnknownName) -> String {
+    match of.remedy {
+        Some(remedy) => format!("was not asked for; add `.{remedy}()` to the order of the run"),
+        None => format!("is not known{}; known: {}", suggestion(&of.nearest), list(&of.known)),
+    }
 }
 
 fn suggestion(nearest: &Option<String>) -> String {
@@ -77,5 +86,5 @@ pub fn find_name<'n>(
         .filter(|(similarity, _)| *similarity > SIMILAR)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, k)| k.to_owned());
-    Err(UnknownName { kind, name: name.to_owned(), nearest, known: known.map(str::to_owned).collect() })
+    Err(UnknownName { kind, name: name.to_owned(), nearest, known: known.map(str::to_owned).collect(), remedy: None })
 }

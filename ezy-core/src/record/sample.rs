@@ -1,6 +1,6 @@
 //! One sample of a run.
 
-use super::{UnknownName, Wanted, columns, find_name};
+use super::{UnknownName, Wanted, column_index};
 use crate::model::SceneInfo;
 
 /// The motion at one time: a view into the record.
@@ -125,8 +125,7 @@ impl<'r> Sample<'r> {
     /// # Errors
     /// [`UnknownName`] with the nearest column.
     pub fn get(&self, name: &str) -> Result<f64, UnknownName> {
-        let all = columns(self.info, self.wanted);
-        let i = find_name("column", name, all.iter().map(|c| c.name.as_str()))?;
+        let i = column_index(self.info, self.wanted, name)?;
         Ok(self.numbers().nth(i).unwrap_or(f64::NAN))
     }
 }

@@ -33,6 +33,8 @@ use probe::Probe;
 /// [`CheckError::Failed`] with the report when a check failed, others when the scene cannot be set up or started.
 pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckError> {
     let mut system = System::new(scene, Backend::Auto)?;
+    // inputs that differ from each other and from nothing
+    system.inputs_mut().iter_mut().enumerate().for_each(|(i, input)| *input += 1.0 + 0.5 * i as f64);
     let start = system.consistent_start(&system.scene_start())?;
     let info = scene.info();
     let probe = Probe::new(scene, system.fixed());

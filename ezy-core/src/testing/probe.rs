@@ -1,5 +1,7 @@
 //! Random states to look at a scene from.
 
+use crate::dynamics::{System, SystemError};
+use crate::linalg::Backend;
 use crate::model::{Scene, SceneInfo};
 
 /// Number of random states, of a scene with at most sixty unknowns.
@@ -48,7 +50,14 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
     }
 }
 
-impl<S: Scene + ?Sized> Probe<'_, S> {
+impl<'s, S: Scene + ?Sized> Probe<'s, S> {
+    /// The scene with the inputs of the probe.
+    pub fn system(&self, backend: Backend) -> Result<System<'s, S>, SystemError> {
+        let mut system = System::new(self.scene, backend)?;
+        system.inputs_mut().copy_from_slice(&self.fixed[..self.info.n_inputs()]);
+        Ok(system)
+    }
+
     /// Directions in the space of coordinates: each coordinate alone or, of many, random ones.
     pub fn directions(&self) -> Vec<Vec<f64>> {
         let n_q = self.info.n_coordinates();

@@ -33,7 +33,7 @@ pub fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, C
     if probe.info.n_unknowns() > LARGEST_DENSE {
         return Ok(Vec::new());
     }
-    let mut dense = System::new(probe.scene, Backend::Dense)?;
+    let mut dense = probe.system(Backend::Dense)?;
     if dense.mass_matrix().contains(&0.0) {
         return Ok(Vec::new());
     }
@@ -43,11 +43,11 @@ pub fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, C
         checks.push(check(name, &states, system, &mut dense, solve));
     };
     if probe.info.has_elimination() {
-        let mut generated = System::new(probe.scene, Backend::Generated)?;
+        let mut generated = probe.system(Backend::Generated)?;
         against_dense("accelerations, generated against dense", &mut generated, solve_motion);
         against_dense("corrections, generated against dense", &mut generated, solve_correction);
     }
-    let mut sparse = System::new(probe.scene, Backend::Sparse)?;
+    let mut sparse = probe.system(Backend::Sparse)?;
     against_dense("accelerations, sparse against dense", &mut sparse, solve_motion);
     Ok(checks)
 }

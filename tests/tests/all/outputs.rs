@@ -2,10 +2,10 @@
 
 use crate::scenes::distance;
 use ezy_core::dynamics::State;
-use ezy_core::model::Scene;
+use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::prelude::*;
 use ezy_core::testing::check_scene;
-use ezy_tests::piloted::piloted;
+use ezy_tests::piloted::{piloted, unpiloted};
 
 /// Products of a handful of numbers up to a thousand.
 const ROUNDING: f64 = 1e-11;
@@ -72,11 +72,17 @@ fn cross_input_of_zero_is_the_scene_without_it() {
 }
 
 #[test]
-fn invariant_scene_without_an_input_has_the_operations_of_the_model_without_it() {
-    let [coast, alone] =
-        [piloted::Coast::INFO, ezy_models::ezy_roller::Coast::INFO].map(|info| info.acceleration_operations);
-    // with numbers for lengths and masses nothing more is left to compute than with parameters
-    assert!(coast.arithmetic() <= alone.arithmetic() && coast.trig == alone.trig, "{coast:?} {alone:?}");
+fn invariant_scene_that_calls_for_no_input_is_the_model_without_it() {
+    let (with, without) = (piloted::Coast::default(), unpiloted::Coast::default());
+    let of = |info: &SceneInfo| {
+        (info.n_constants, info.n_inputs(), info.acceleration_operations, info.correction_operations)
+    };
+    assert_eq!(of(with.info()), of(without.info()));
+    assert_eq!((size_of_val(&with), with.info().n_effects()), (size_of_val(&without), without.info().n_effects()));
+    let end = |scene: &dyn Scene| {
+        Simulation::new(scene).run().unwrap().last().numbers().map(f64::to_bits).collect::<Vec<_>>()
+    };
+    assert_eq!(end(&with), end(&without));
 }
 
 #[test]

@@ -22,9 +22,11 @@ const MORE: &str = "pub model More {
     rod link: extra(1, 0) ~ front(0, 1) length 2 + k; slot groove: extra(0, 0) ~ ground(0, 0) along extra(k, 1);
     gravity (0, -9.81); spring A ~ front(0, 0): stiffness 3, length 1, damping k; friction rear ~ front: torque 1, rate k;
     velocity constraint rear.omega = k * smooth_step(t, 0, 1) * extra.vx; drive crank: pin.angle = sin(k * t);
+    input u: N*m = 2 * 3; output place: mm = (A.x, u / 1e3); output slip = pin.rate;
+    effect wind { input gust = -1; output side: N = gust * rear.vx; force at rear(0, 0): (gust, 2 * u); }
     effect grip { release groove; tyre at front(0, 0) along front(1, 0): stiffness k, limit 2; }
     effect drag { param c: N*s/m = 2; let f = -c * pin.v; force at pin: f; torque rear: c * 3; }
-    scene only { start s; until 2 min; with drag; }
+    scene only { start s; until 2 min; with drag, wind; }
 }";
 
 /// A linear congruential generator (Knuth's MMIX constants): the same texts on every machine.

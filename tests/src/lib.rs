@@ -11,5 +11,7 @@ pub mod piloted;
 pub mod plain_rollers;
 #[cfg(doctest)]
 pub mod readme;
+#[rustfmt::skip]
+pub mod random_models;
 pub mod reference;
 pub mod shapes;

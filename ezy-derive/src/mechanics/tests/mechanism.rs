@@ -116,7 +116,7 @@ pub fn mechanism(seed: u64, n_bodies: usize) -> Mechanism {
 impl Builder {
     fn value(&mut self, low: f64, high: f64) -> Value {
         let number = self.random.between(low, high);
-        if self.random.below(2) == 0 {
+        if self.random.below(4) > 0 {
             return Value::number(number);
         }
         let value = Value { number, text: format!("p{}", self.made.parameters.len()) };
@@ -176,15 +176,17 @@ impl Builder {
         for _ in 0..4 * n_bodies {
             let body = self.random.below(n_bodies);
             let other = self.random.below(n_bodies + 1).checked_sub(1).filter(|&other| other != body);
-            let row = match self.random.below(11) {
+            let row = match self.random.below(15) {
                 0 => self.hinge(other, body),
                 1 => self.slot(other, body),
                 2 | 3 => self.rod(other, body),
                 4 => self.gear(other, body),
                 5 => self.drive(body),
                 6 => self.track(body),
-                7 | 8 => Row::Skate(self.place(Some(body)), self.direction(body)),
-                9 => Row::Roll(self.place(Some(body)), self.direction(body), self.signed(), other.unwrap_or(body)),
+                7..=10 => Row::Skate(self.place(Some(body)), self.direction(body)),
+                11 | 12 => {
+                    Row::Roll(self.place(Some(body)), self.direction(body), self.signed(), other.unwrap_or(body))
+                }
                 _ => Row::Twist(body, self.signed(), self.signed()),
             };
             if n_rows + row.n_rows() <= wanted {
@@ -380,7 +382,7 @@ impl Mechanism {
             format!("b{i} at ({x}, {y}) angle {angle};")
         });
         line(format!("start assembled {{ {} at rest; }}", values.collect::<Vec<_>>().join(" ")));
-        line("scene run { start assembled; until 1 s; }".to_owned());
+        line("scene run { start assembled; until 0.2 s; }".to_owned());
         text + "}\n"
     }
 }

@@ -4,6 +4,7 @@ mod dense;
 mod differences;
 mod equations;
 mod mechanism;
+mod models;
 mod oracle;
 mod random;
 mod run;

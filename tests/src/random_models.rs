@@ -1,6 +1,7 @@
 //! Random mechanisms as model files, written by `ezy-derive/src/mechanics/tests/models.rs`.
 
-#![allow(missing_docs)]
+// a random row of velocities may integrate to one of positions, which is a warning
+#![allow(missing_docs, deprecated)]
 
 use ezy_core::model;
 use ezy_core::model::ModelInfo;

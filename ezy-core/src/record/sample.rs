@@ -101,7 +101,7 @@ impl<'r> Sample<'r> {
         }
     }
 
-    /// All numbers in the order of [`columns`].
+    /// All numbers in the order of [`columns`](super::columns).
     pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
         let EnergyState { kinetic, potential, work, balance } = self.energy;
         let of_work = |x: f64| self.wanted.work.then_some(x);
@@ -120,7 +120,7 @@ impl<'r> Sample<'r> {
     }
 
     /// The number in the named column: `t`, `seat.x`, `seat.omega`, `lambda.rear`, `output.speed`, … (all in
-    /// [`columns`]).
+    /// [`columns`](super::columns)).
     ///
     /// # Errors
     /// [`UnknownName`] with the nearest column.

@@ -6,6 +6,7 @@ mod input_file;
 mod input_table;
 mod instantaneous;
 mod keeper;
+mod launch;
 mod motion;
 mod outcome;
 mod run_loop;

@@ -2,8 +2,8 @@
 
 use super::SetupError;
 use super::control::{Control, check_inputs};
+use super::launch::give;
 use super::motion::Motion;
-use super::simulation::give;
 use crate::dynamics::{MotionError, State};
 use crate::model::{Scene, SceneInfo, Start};
 use crate::record::EnergyState;

@@ -22,6 +22,7 @@ mod selection;
 mod self_check;
 mod setup;
 mod start;
+mod stepper;
 mod straight_and_locked;
 mod symmetries;
 mod trajectories;

@@ -1,0 +1,107 @@
+//! From an order to a run or a stepper: what the order says is checked, then the start is assembled.
+
+use super::control::Control;
+use super::motion::Motion;
+use super::run_loop::{Plan, RunLoop};
+use super::{Run, SetupError, Simulation, Stepper};
+use crate::dynamics::{StartError, System};
+use crate::integrate::{Clock, Method};
+use crate::model::{Scene, SceneInfo, Start};
+use crate::record::{UnknownName, find_name, input_index};
+
+/// At 100 ns a step half an hour; more is a slip of the pen.
+const MAX_STEPS: f64 = 1e10;
+
+/// A few hundred bytes each: some gigabytes.
+const MAX_SAMPLES: f64 = 1e7;
+
+impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
+    /// Runs.
+    ///
+    /// # Errors
+    /// [`SetupError`] when the run cannot start. A run that stops on the way is not an error: [`Run::outcome`] says
+    /// so, and everything up to there is kept.
+    pub fn run(mut self) -> Result<Run, SetupError> {
+        let mut system = System::new(self.scene, self.backend)?;
+        let start = self.start(&system)?;
+        let plan = Plan { clock: self.clock(start.t)?, every_s: self.every_s, wanted: self.wanted };
+        let state = system.consistent_start(&start)?;
+        let control = self.take_control(system.info())?;
+        let mut motion = Motion::new(system, self.projection, self.metric, self.wanted.work);
+        motion.place(&state);
+        RunLoop::new(motion, control, plan, self.recorder, self.on_progress)?.run()
+    }
+
+    /// Hands the scene over to be stepped by the caller; end, recording and progress are left to the caller, too.
+    ///
+    /// # Errors
+    /// [`SetupError`] when the start or the step cannot be used.
+    pub fn stepper(mut self) -> Result<Stepper<'s, S>, SetupError> {
+        let mut system = System::new(self.scene, self.backend)?;
+        let start = self.start(&system)?;
+        let step_s = self.check_step()?;
+        let state = system.consistent_start(&start)?;
+        let control = self.take_control(system.info())?;
+        let motion = Motion::new(system, self.projection, self.metric, self.wanted.work);
+        Ok(Stepper::new(motion, control, step_s, start, state))
+    }
+
+    /// The start of the scene with what is given in its place.
+    fn start(&self, system: &System<'_, S>) -> Result<Start, SetupError> {
+        let mut start = system.scene_start();
+        for (name, value) in &self.given {
+            give(system.info(), &mut start, name, *value)?;
+        }
+        Ok(start)
+    }
+
+    fn take_control(&mut self, info: &SceneInfo) -> Result<Control<'s>, SetupError> {
+        let mut control = Control { tables: Vec::new(), law: self.law.take() };
+        for (name, table) in self.inputs.drain(..) {
+            control.tables.push((input_index(info, &name)?, table));
+        }
+        Ok(control)
+    }
+
+    fn check_step(&self) -> Result<f64, SetupError> {
+        let Method::Rk4 { step_s } = self.method;
+        if step_s.is_finite() && step_s > 0.0 { Ok(step_s) } else { Err(SetupError::Step { step_s }) }
+    }
+
+    fn clock(&self, start_s: f64) -> Result<Clock, SetupError> {
+        let until_s = self.until_s;
+        if !start_s.is_finite() {
+            return Err(StartError::NotFinite { name: "t", value: start_s }.into());
+        }
+        if !(until_s.is_finite() && until_s >= start_s) {
+            return Err(SetupError::Until { until_s, start_s });
+        }
+        let step_s = self.check_step()?;
+        let steps = (until_s - start_s) / step_s;
+        if steps > MAX_STEPS {
+            return Err(SetupError::TooManySteps { steps, step_s, limit: MAX_STEPS });
+        }
+        if let Some(every_s) = self.every_s {
+            if every_s.is_nan() || every_s <= 0.0 {
+                return Err(SetupError::Every { every_s });
+            }
+            let samples = (until_s - start_s) / every_s;
+            if samples > MAX_SAMPLES {
+                return Err(SetupError::TooManySamples { samples, every_s, limit: MAX_SAMPLES });
+            }
+        }
+        Ok(Clock::new(start_s, until_s, step_s))
+    }
+}
+
+/// Holds a start value by its name.
+pub(super) fn give(info: &SceneInfo, start: &mut Start, name: &str, value: f64) -> Result<(), UnknownName> {
+    let positions = info.coordinates.iter().map(|c| c.name);
+    let velocities = info.coordinates.iter().map(|c| c.velocity_name);
+    let i = find_name("start value", name, positions.chain(velocities))?;
+    match i.checked_sub(info.n_coordinates()) {
+        None => start.give_position(i, value),
+        Some(i) => start.give_velocity(i, value),
+    }
+    Ok(())
+}

@@ -1,0 +1,99 @@
+//! Scenes that the caller steps.
+
+use ezy_core::prelude::*;
+use ezy_models::ezy_roller;
+use ezy_tests::piloted::piloted;
+
+const STEP: f64 = 1e-3;
+
+/// The numbers of a run, step by step.
+#[test]
+fn cross_stepper_gives_the_numbers_of_a_run() {
+    let scene = piloted::Pushed::default();
+    let inputs = |t: f64, state: &State| [100.0 * t - state.v[5], 20.0 * (3.0 * t).sin()];
+    let law = |t: f64, state: &State, out: &mut [f64]| out.copy_from_slice(&inputs(t, state));
+    let order = || Simulation::new(&scene).method(Method::rk4(STEP)).until(0.5).work().outputs();
+    let run = order().every(STEP).control(law).run().unwrap();
+    let mut stepper = order().stepper().unwrap();
+    // the last step of a run is as long as is left, which is STEP but for rounding
+    for s in run.samples().take(500) {
+        let state = stepper.state().clone();
+        stepper.inputs_mut().copy_from_slice(&inputs(state.t, &state));
+        assert_eq!((s.t, s.coordinates, s.velocities), (state.t, &state.q[..], &state.v[..]));
+        assert_eq!((s.inputs, s.work), (stepper.inputs(), &state.work[..]));
+        assert_eq!(s.multipliers, stepper.multipliers().unwrap());
+        assert_eq!(s.outputs, stepper.outputs());
+        assert_eq!(s.energy, stepper.energy());
+        stepper.step(1).unwrap();
+    }
+}
+
+#[test]
+fn invariant_stepper_repeats_to_the_bit() {
+    let scene = piloted::Ridden::default();
+    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    let mut episode = |given: &[(&str, f64)]| {
+        stepper.reset_with(given).unwrap();
+        stepper.inputs_mut()[0] = -20.0;
+        stepper.step(300).unwrap();
+        stepper.state().clone()
+    };
+    let (first, other) = (episode(&[]), episode(&[("bar.phi", 1.0)]));
+    assert_ne!(first, other);
+    assert_eq!(episode(&[]), first);
+    assert_eq!(episode(&[("bar.phi", 1.0)]), other);
+}
+
+#[test]
+fn invariant_reset_brings_start_inputs_and_time_back() {
+    let scene = piloted::Ridden::default();
+    let mut stepper = Simulation::new(&scene).work().stepper().unwrap();
+    let (state, a) = (stepper.state().clone(), stepper.accelerations().unwrap().to_vec());
+    stepper.inputs_mut()[0] = 7.0;
+    stepper.step(10).unwrap();
+    stepper.reset();
+    assert_eq!((stepper.state(), stepper.inputs()), (&state, &[50.0][..]));
+    assert_eq!(stepper.accelerations().unwrap(), a);
+    assert_eq!((stepper.energy().work, stepper.energy().balance), (0.0, 0.0));
+}
+
+#[test]
+fn invariant_reset_to_an_impossible_start_leaves_the_state() {
+    let scene = piloted::Ridden::default();
+    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    stepper.step(5).unwrap();
+    let before = stepper.state().clone();
+    assert!(stepper.reset_with(&[("seat.vy", 3.0)]).unwrap_err().to_string().contains("contradicts"));
+    assert!(stepper.reset_with(&[("seat.z", 3.0)]).unwrap_err().to_string().contains("is not known"));
+    assert_eq!(stepper.state(), &before);
+    stepper.step(1).unwrap();
+}
+
+#[test]
+fn invariant_stepper_without_inputs_is_a_run() {
+    let scene = ezy_roller::Driven::default();
+    let run = Simulation::new(&scene).until(0.1).every(STEP).run().unwrap();
+    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    stepper.step(99).unwrap();
+    let s = run.sample(99).unwrap();
+    assert_eq!((s.coordinates, s.velocities), (&stepper.state().q[..], &stepper.state().v[..]));
+}
+
+#[test]
+fn invariant_steppers_on_threads_give_the_same_bits() {
+    let scene = piloted::Ridden::default();
+    let episode = || {
+        let mut stepper = Simulation::new(&scene).control(|t, _, inputs| inputs[0] = t).stepper().unwrap();
+        stepper.step(200).unwrap();
+        stepper.state().clone()
+    };
+    let alone = episode();
+    std::thread::scope(|scope| {
+        let mut stepper = Simulation::new(&scene).control(|t, _, inputs| inputs[0] = t).stepper().unwrap();
+        let others = [scope.spawn(episode), scope.spawn(episode)];
+        // one that is made here and stepped there
+        let moved = scope.spawn(move || stepper.step(200).map(|()| stepper.state().clone()).unwrap());
+        others.into_iter().for_each(|other| assert_eq!(other.join().unwrap(), alone));
+        assert_eq!(moved.join().unwrap(), alone);
+    });
+}

@@ -80,6 +80,11 @@ impl InputTable {
         Ok(Self { times: times[1..].to_vec(), values: values[..values.len() - 1].to_vec() })
     }
 
+    /// The value, when it is the same at all times.
+    pub(super) fn constant(&self) -> Option<f64> {
+        if let [value] = self.values[..] { Some(value) } else { None }
+    }
+
     /// The value at `t`; at a jump, the one behind it.
     pub fn at(&self, t: f64) -> f64 {
         let (times, values) = (&self.times, &self.values);

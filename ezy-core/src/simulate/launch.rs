@@ -26,7 +26,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let start = self.start(&system)?;
         let plan = Plan { clock: self.clock(start.t)?, every_s: self.every_s, wanted: self.wanted };
         let state = system.consistent_start(&start)?;
-        let control = self.take_control(system.info())?;
+        let control = self.take_control(&mut system)?;
         let mut motion = Motion::new(system, self.projection, self.metric, self.wanted.work);
         motion.place(&state);
         RunLoop::new(motion, control, plan, self.recorder, self.on_progress)?.run()
@@ -41,7 +41,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let start = self.start(&system)?;
         let step_s = self.check_step()?;
         let state = system.consistent_start(&start)?;
-        let control = self.take_control(system.info())?;
+        let control = self.take_control(&mut system)?;
         let motion = Motion::new(system, self.projection, self.metric, self.wanted.work);
         Ok(Stepper::new(motion, control, step_s, start, state))
     }
@@ -55,10 +55,16 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         Ok(start)
     }
 
-    fn take_control(&mut self, info: &SceneInfo) -> Result<Control<'s>, SetupError> {
+    /// What sets inputs on the way; numbers are set here and now. Of two settings of one input the later one counts.
+    fn take_control(&mut self, system: &mut System<'_, S>) -> Result<Control<'s>, SetupError> {
         let mut control = Control { tables: Vec::new(), law: self.law.take() };
         for (name, table) in self.inputs.drain(..) {
-            control.tables.push((input_index(info, &name)?, table));
+            let i = input_index(system.info(), &name)?;
+            control.tables.retain(|(other, _)| *other != i);
+            match table.constant() {
+                Some(value) => system.inputs_mut()[i] = value,
+                None => control.tables.push((i, table)),
+            }
         }
         Ok(control)
     }

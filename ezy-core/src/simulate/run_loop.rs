@@ -45,9 +45,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         on_progress: Option<Box<dyn FnMut(f64) + 's>>,
     ) -> Result<Self, SetupError> {
         let info = motion.system.info();
-        if !control.is_idle() {
-            control.act(&motion.now.state, plan.clock.step(0), &mut motion.system)?;
-        }
+        control.act(&motion.now.state, plan.clock.step(0), &mut motion.system)?;
         motion.evaluate_now()?;
         if let Some(i) = first_not_finite(&motion.now.a) {
             let quantity = info.coordinates[i].name;

@@ -104,7 +104,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self
     }
 
-    /// Sets an input: a number, or an [`InputTable`] that is read in the middle of each step and held over it.
+    /// Sets an input: a number, or an [`InputTable`] that is read in the middle of each step and held over it. Of two
+    /// settings of one input the later counts.
     #[must_use]
     pub fn input(mut self, name: impl Into<String>, value: impl Into<InputTable>) -> Self {
         self.inputs.push((name.into(), value.into()));

@@ -59,7 +59,7 @@ pub struct Stepper<'s, S: Scene + ?Sized> {
     n_steps: u64,
     /// Whether accelerations and powers belong to the present state and inputs.
     evaluated: bool,
-    /// Inputs at the start.
+    /// Inputs that were ordered.
     first_inputs: Vec<f64>,
     /// The start that was ordered.
     home: Assembled,
@@ -108,7 +108,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         self.motion.system.info()
     }
 
-    /// Back to the start that was ordered, with declared inputs. A controller of the order keeps its state.
+    /// Back to the start and the inputs that were ordered. A controller of the order keeps its state.
     ///
     /// # Cost
     /// A copy.
@@ -158,7 +158,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         self.motion.system.inputs_mut()
     }
 
-    /// `n` steps; the controller of the order, when there is one, sets inputs at the start of each.
+    /// `n` steps; tables and controller of the order, when there are some, set their inputs at the start of each.
     ///
     /// # Errors
     /// [`MotionError`] when the motion cannot be continued; the state is then the last good one.

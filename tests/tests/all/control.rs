@@ -31,6 +31,16 @@ fn invariant_number_table_and_law_of_one_value_give_the_same_bits() {
 }
 
 #[test]
+fn invariant_later_setting_of_an_input_counts() {
+    let scene = piloted::Ridden::default();
+    let table = || InputTable::new(vec![0.0, 1.0], vec![10.0, 20.0]).unwrap();
+    let order = || Simulation::new(&scene).until(0.1);
+    let end = |order: Simulation<'_, piloted::Ridden>| bits(order.run().unwrap().last());
+    assert_eq!(end(order().input("torque", table()).input("torque", 3.0)), end(order().input("torque", 3.0)));
+    assert_eq!(end(order().input("torque", 3.0).input("torque", table())), end(order().input("torque", table())));
+}
+
+#[test]
 fn cross_input_and_parameter_of_one_value_end_alike() {
     let by_input = piloted::Ridden::default();
     let by_parameter = piloted::Driven { torque: -30.0 };

@@ -97,3 +97,15 @@ fn invariant_steppers_on_threads_give_the_same_bits() {
         assert_eq!(moved.join().unwrap(), alone);
     });
 }
+
+#[test]
+fn invariant_number_of_the_order_is_where_inputs_start() {
+    let scene = piloted::Ridden::default();
+    let mut stepper = Simulation::new(&scene).input("torque", 5.0).stepper().unwrap();
+    assert_eq!(stepper.inputs(), [5.0]);
+    stepper.inputs_mut()[0] = 8.0;
+    stepper.step(3).unwrap();
+    assert_eq!(stepper.inputs(), [8.0]);
+    stepper.reset();
+    assert_eq!(stepper.inputs(), [5.0]);
+}

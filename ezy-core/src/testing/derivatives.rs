@@ -30,8 +30,9 @@ pub fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
             let difference = slope(n_h, |e, out| {
                 probe.scene.position_constraint(&probe.fixed, *t, &along(q, e, d), out);
             });
-            for (slope, oracle) in probe.product(&entries, d).iter().zip(&difference) {
-                worst.compare(*slope, *oracle, max_abs(&entries).max(max_abs(q)));
+            let size = max_abs(&entries).max(max_abs(q)).max(difference.size);
+            for (slope, oracle) in probe.product(&entries, d).iter().zip(&difference.slopes) {
+                worst.compare(*slope, *oracle, size);
             }
         }
     }
@@ -48,8 +49,9 @@ pub fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
         let difference = slope(n_h, |e, out| {
             probe.scene.position_constraint(&probe.fixed, t + e, &along(q, e, v), out);
         });
-        for (row, oracle) in rows.iter().zip(&difference) {
-            worst.compare(*row, *oracle, max_abs(&rows).max(max_abs(q)));
+        let size = max_abs(&rows).max(max_abs(q)).max(difference.size);
+        for (row, oracle) in rows.iter().zip(&difference.slopes) {
+            worst.compare(*row, *oracle, size);
         }
     }
     check("C_q v + C_t against differences of C", worst, TOLERANCE, REASON)
@@ -67,9 +69,10 @@ pub fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
         let difference = slope(n_c, |e, out| {
             probe.scene.velocity_constraint(&probe.fixed, t + e, &along(q, e, v), v, out);
         });
-        for (row, oracle) in h.iter().zip(&difference) {
+        let size = max_abs(&h).max(max_abs(&entries) * max_abs(v)).max(difference.size);
+        for (row, oracle) in h.iter().zip(&difference.slopes) {
             // what is differentiated is a sum of products of these: its rounding counts even where h is small
-            worst.compare(*row, *oracle, max_abs(&h).max(max_abs(&entries) * max_abs(v)));
+            worst.compare(*row, *oracle, size);
         }
     }
     check("h, s against differences of the velocity rows", worst, TOLERANCE, REASON)
@@ -111,7 +114,7 @@ pub fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
         probe.scene.velocity_constraint(&probe.fixed, *t, q, &rest, &mut rows);
         probe.scene.power(&probe.fixed, *t, q, v, &lambda, &mut powers);
         let potential = |e: f64| probe.scene.potential_energy(&probe.fixed, t + e, &along(q, e, v));
-        let growth = slope(1, |e, out| out[0] = potential(e))[0];
+        let growth = slope(1, |e, out| out[0] = potential(e)).slopes[0];
         has_potential |= growth != 0.0;
         let terms = F.iter().zip(v).chain(rows.iter().zip(&lambda)).map(|(F, v)| F * v);
         let size = terms.clone().map(f64::abs).sum::<f64>().max(potential(0.0).abs());
@@ -125,17 +128,23 @@ fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static str)
     Check { name, n_compared: worst.n_compared, largest_error: worst.error, tolerance, reason }
 }
 
+/// Slopes of `n` numbers, and the largest of the numbers, whose rounding the slopes carry.
+struct Difference {
+    slopes: Vec<f64>,
+    size: f64,
+}
+
 /// f'(0) for `n` numbers: `(f(e) − f(−e)) / 2e` at two steps, extrapolated to step zero.
-fn slope(n: usize, f: impl Fn(f64, &mut [f64])) -> Vec<f64> {
+fn slope(n: usize, f: impl Fn(f64, &mut [f64])) -> Difference {
     let (mut ahead, mut behind) = (vec![0.0; n], vec![0.0; n]);
-    let mut slope = vec![0.0; n];
+    let mut slopes = vec![0.0; n];
     for (step, weight) in [(STEP, 4.0 / 3.0), (2.0 * STEP, -1.0 / 3.0)] {
         f(step, &mut ahead);
         f(-step, &mut behind);
         let differences = ahead.iter().zip(&behind).map(|(a, b)| (a - b) / (2.0 * step));
-        slope.iter_mut().zip(differences).for_each(|(slope, difference)| *slope += weight * difference);
+        slopes.iter_mut().zip(differences).for_each(|(slope, difference)| *slope += weight * difference);
     }
-    slope
+    Difference { slopes, size: max_abs(&ahead).max(max_abs(&behind)) }
 }
 
 fn along(q: &[f64], e: f64, v: &[f64]) -> Vec<f64> {

@@ -25,9 +25,9 @@ use probe::Probe;
 ///
 /// At 1,000 random states, the same ones each time: C_q and the velocity rows against central differences of C;
 /// [h; s] against central differences of the velocity rows along the motion; G against the velocity rows; powers and
-/// the growth of the potential energy against F·v and λ·g_t; accelerations, multipliers and mass-weighted corrections of the generated elimination and
-/// the sparse backend against the dense one. At the start: the rank of the rows. Over a short run: the energy
-/// balance, extrapolated to step zero.
+/// the growth of the potential energy against F·v and λ·g_t; accelerations, multipliers and mass-weighted corrections
+/// of the generated elimination and the sparse backend against the dense one, at fewer states in large scenes. At the
+/// start: the rank of the rows. Over a short run: the energy balance, extrapolated to step zero.
 ///
 /// # Errors
 /// [`CheckError::Failed`] with the report when a check failed, others when the scene cannot be set up or started.

@@ -6,6 +6,11 @@ pub mod study;
 pub mod vehicles;
 
 pub use mechanisms::{
-    double_pendulum::double_pendulum, four_bar::four_bar, pendulum::pendulum, slider_crank::slider_crank,
+    andrews::andrews, double_pendulum::double_pendulum, four_bar::four_bar, pendulum::pendulum,
+    slider_crank::slider_crank,
 };
-pub use vehicles::{chaplygin_sleigh::chaplygin_sleigh, ezy_roller::ezy_roller, knife_edge::knife_edge};
+pub use vehicles::{
+    chaplygin_sleigh::chaplygin_sleigh, differential_robot::differential_robot, ezy_roller::ezy_roller,
+    knife_edge::knife_edge, roller_racer::roller_racer, single_track_car::single_track_car, skateboard::skateboard,
+    snakeboard::snakeboard, tractor_trailers::tractor_trailers, wheeled_snake::wheeled_snake,
+};

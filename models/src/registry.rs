@@ -4,14 +4,22 @@ use ezy_core::model::{ModelInfo, SceneEntry};
 use ezy_core::record::{UnknownName, find_name};
 
 /// All models, in the order in which they are listed.
-pub static MODELS: [&ModelInfo; 7] = [
+pub static MODELS: &[&ModelInfo] = &[
     &crate::ezy_roller::MODEL,
+    &crate::roller_racer::MODEL,
+    &crate::snakeboard::MODEL,
+    &crate::skateboard::MODEL,
+    &crate::chaplygin_sleigh::MODEL,
+    &crate::knife_edge::MODEL,
+    &crate::tractor_trailers::MODEL,
+    &crate::differential_robot::MODEL,
+    &crate::single_track_car::MODEL,
+    &crate::wheeled_snake::MODEL,
     &crate::pendulum::MODEL,
     &crate::double_pendulum::MODEL,
     &crate::slider_crank::MODEL,
     &crate::four_bar::MODEL,
-    &crate::chaplygin_sleigh::MODEL,
-    &crate::knife_edge::MODEL,
+    &crate::andrews::MODEL,
 ];
 
 /// What `MODEL` or `MODEL/SCENE` means.

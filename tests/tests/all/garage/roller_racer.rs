@@ -1,0 +1,116 @@
+//! The roller racer, the twistcar, a caster and a tractor with a light trailer: one model, against references.
+
+use ezy_core::prelude::*;
+use ezy_models::roller_racer;
+use ezy_tests::garage::{Names, case, from_states, load, number, start_at};
+use serde_json::Value;
+
+/// Of the references, for all states.
+const STATE: f64 = 1e-8;
+/// Relative, of the reference.
+const ENERGY: f64 = 1e-10;
+
+const RACER: Names<'static> = &[("seat", "seat"), ("handle", "handle")];
+const TWISTCAR: Names<'static> = &[("body", "seat"), ("steer", "handle")];
+const CASTER: Names<'static> = &[("cart", "seat"), ("caster", "handle")];
+const TRACTOR: Names<'static> = &[("tractor", "seat"), ("trailer", "handle")];
+
+/// Parameters of the two bodies of a reference's model, by name.
+fn geometry(model: &Value) -> [(&'static str, f64); 8] {
+    let (bodies, hinge, skates) = (&model["bodies"], &model["hinges"][0], &model["skates"]);
+    [
+        ("a", -number(&skates[0]["point"][0])),
+        ("b", number(&hinge["pa"][0])),
+        ("h", -number(&hinge["pb"][0])),
+        ("c", number(&skates[1]["point"][0])),
+        ("m1", number(&bodies[0]["mass"])),
+        ("i1", number(&bodies[0]["inertia"])),
+        ("m2", number(&bodies[1]["mass"])),
+        ("i2", number(&bodies[1]["inertia"])),
+    ]
+}
+
+/// Largest differences of positions and velocities of a case from a scene with its geometry and more parameters.
+fn differences(
+    scene: &mut dyn Scene,
+    case: &Value,
+    more: &[(&'static str, f64)],
+    names: Names<'_>,
+    step_s: f64,
+    every_s: f64,
+) -> [f64; 2] {
+    crate::scenes::set(scene, &geometry(&case["model"]));
+    crate::scenes::set(scene, more);
+    let scene = &*scene;
+    let order = || start_at(Simulation::new(scene).method(Method::rk4(step_s)), &case["model"], names);
+    from_states(order, every_s, &case["states"], names)
+}
+
+#[test]
+fn reference_racer_free_and_rowed() {
+    let file = load("roller_racer");
+    let free = differences(&mut roller_racer::Coast::default(), case(&file, "free_racer"), &[], RACER, 5e-4, 0.5);
+    let rowed = differences(&mut roller_racer::Rowed::default(), case(&file, "rowed_racer"), &[], RACER, 5e-4, 0.5);
+    for worst in [free, rowed] {
+        assert!(worst[0] <= STATE && worst[1] <= STATE, "{worst:?}");
+    }
+}
+
+#[test]
+fn reference_twistcar() {
+    let file = load("roller_racer");
+    let more = [("m0", 0.5), ("omega", 3.0), ("phase", std::f64::consts::FRAC_PI_2), ("k", 0.8), ("damping", 0.05)];
+    let case = case(&file, "twistcar");
+    let worst = differences(&mut roller_racer::Twistcar::default(), case, &more, TWISTCAR, 1e-3, 0.5);
+    assert!(worst[0] <= STATE && worst[1] <= STATE, "{worst:?}");
+}
+
+/// Of the reference, for all states; the caster turns at 80 and 800 rad/s, which RK4 follows at 1e-3 of the trail over
+/// the speed.
+const CASTER_STATE: f64 = 1e-7;
+
+#[test]
+fn reference_casters_with_tiny_trails() {
+    let file = load("torture");
+    for (name, step_s, every_s) in [("caster_trail_1e-2", 1e-5, 0.05), ("caster_trail_1e-3", 1e-6, 0.005)] {
+        let case = case(&file, name);
+        let worst = differences(&mut roller_racer::Coast::default(), case, &[], CASTER, step_s, every_s);
+        assert!(worst[0] <= CASTER_STATE, "{name}: {worst:?}");
+    }
+}
+
+#[test]
+fn reference_tractor_of_ten_million_tonnes_with_a_trailer_of_a_kilogram() {
+    let file = load("car_trailers");
+    let case = case(&file, "heavy_tractor_tractrix");
+    let worst = differences(&mut roller_racer::Coast::default(), case, &[], TRACTOR, 1e-3, 0.5);
+    assert!(worst[0] <= STATE && worst[1] <= STATE, "{worst:?}");
+}
+
+#[test]
+fn invariant_free_racer_keeps_its_energy() {
+    let scene = roller_racer::Coast::default();
+    let run = Simulation::new(&scene).method(Method::rk4(5e-4)).every(0.5).work().run().unwrap();
+    for s in run.samples() {
+        let error = s.energy.balance / s.energy.kinetic;
+        assert!(error.abs() <= ENERGY, "{error:.1e} at {} s", s.t);
+    }
+}
+
+/// RK4 at 1 ms while the speed is above the knee of 1 cm/s, which lasts 10 ms.
+const ROLLING_OUT: f64 = 1e-10;
+
+#[test]
+fn analytic_racer_rolls_out_straight() {
+    let scene = roller_racer::RollingOut { resistance: 1.0, ..Default::default() };
+    let order = Simulation::new(&scene).method(Method::rk4(1e-3)).until(1.1).every(0.1);
+    let run = order.give("seat.omega", 0.0).give("handle.phi", 0.0).run().unwrap();
+    // (m1 + m2) v' = −2 f v/√(v² + u²): the sum √(v² + u²) + u ln(v/(u + √(v² + u²))) falls steadily
+    let u = scene.knee;
+    let sum = |v: f64| v.hypot(u) + u * (v / (u + v.hypot(u))).ln();
+    for s in run.samples() {
+        let fallen = 2.0 * scene.resistance / (scene.m1 + scene.m2) * s.t;
+        let error = sum(s.velocities[0]) - (sum(1.0) - fallen);
+        assert!(error.abs() <= ROLLING_OUT, "{error:.1e} m/s at {} s", s.t);
+    }
+}

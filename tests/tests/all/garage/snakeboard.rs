@@ -1,0 +1,102 @@
+//! The snakeboard against references, with trucks without mass.
+
+use ezy_core::prelude::*;
+use ezy_models::snakeboard;
+use ezy_tests::garage::{Names, case, from_states, load, number, start_at};
+use serde_json::Value;
+
+/// Of the reference, for all states.
+const STATE: f64 = 1e-8;
+/// RK4 leaves (ωh)⁴/120 a radian: 1e-9 for gaits of 1 rad/s, below 1e-8 for the rotor that is shaken at 3 rad/s.
+const STEP: f64 = 2e-2;
+const SHAKEN_STEP: f64 = 8e-3;
+
+const BOARD: Names<'static> = &[("board", "board"), ("rotor", "rotor"), ("front", "front"), ("back", "back")];
+
+/// The serpentine scene with the drivers of a case.
+fn driven(case: &Value) -> snakeboard::Serpentine {
+    let mut scene = snakeboard::Serpentine::default();
+    for (i, name) in ["twist", "front", "back"].into_iter().enumerate() {
+        let driver = &case["model"]["drivers"][i];
+        for (theirs, ours) in [("c0", "offset"), ("rate", "rate"), ("amp", "swing"), ("freq", "nu"), ("phase", "phase")]
+        {
+            crate::scenes::set(&mut scene, &[(&format!("{name}_{ours}"), number(&driver[theirs]))]);
+        }
+    }
+    scene
+}
+
+#[test]
+fn reference_snakeboard_gaits_and_locked_steering() {
+    let file = load("snakeboard");
+    for name in ["drive_gait", "rotate_gait", "locked_steering"] {
+        let case = case(&file, name);
+        let scene = driven(case);
+        let step = if name == "locked_steering" { SHAKEN_STEP } else { STEP };
+        let order = || start_at(Simulation::new(&scene).method(Method::rk4(step)), &case["model"], BOARD);
+        let worst = from_states(order, 0.5, &case["states"], BOARD);
+        assert!(worst[0] <= STATE && worst[1] <= STATE, "{name}: {worst:?}");
+    }
+}
+
+#[test]
+fn reference_snakeboard_stroked_by_a_torque() {
+    let file = load("snakeboard");
+    let case = case(&file, "torque_driven");
+    let scene = snakeboard::Stroked::default();
+    let order = || start_at(Simulation::new(&scene).method(Method::rk4(2.5e-3)), &case["model"], BOARD);
+    let worst = from_states(order, 0.5, &case["states"], BOARD);
+    assert!(worst[0] <= STATE && worst[1] <= STATE, "{worst:?}");
+}
+
+/// p is conserved exactly; relative, of the reference.
+const MOMENTUM: f64 = 1e-11;
+
+#[test]
+fn invariant_snakeboard_with_locked_steering_keeps_its_momentum() {
+    let file = load("snakeboard");
+    let case = case(&file, "locked_steering");
+    let scene = driven(case);
+    let order = start_at(Simulation::new(&scene).method(Method::rk4(5e-3)), &case["model"], BOARD);
+    let run = order.until(5.0).every(0.5).run().unwrap();
+    let slope = scene.front_offset.tan() / scene.r;
+    let inertia = scene.j_board + scene.j_rotor + 2.0 * scene.j_truck;
+    let momentum = |s: Sample<'_>| {
+        let (q, v) = (s.coordinates, s.velocities);
+        let speed = v[0] * q[2].cos() + v[1] * q[2].sin();
+        let mass = scene.m_board + scene.m_rotor;
+        mass * speed + inertia * speed * slope * slope + scene.j_rotor * (v[5] - v[2]) * slope
+    };
+    let first = momentum(run.first());
+    for s in run.samples() {
+        let error = momentum(s) / first - 1.0;
+        assert!(error.abs() <= MOMENTUM, "{error:.1e} at {} s", s.t);
+    }
+}
+
+/// A truck of 1e-9 of a board's mass of 4 kg; of the reference.
+const LIGHT_TRUCK: f64 = 1e-9;
+
+#[test]
+fn cross_snakeboard_with_trucks_of_a_microgram_each() {
+    let ends = [0.0, 1e-9].map(|m_truck| {
+        let scene = snakeboard::Serpentine { m_truck, ..Default::default() };
+        let run = Simulation::new(&scene).method(Method::rk4(STEP)).until(5.0).run().unwrap();
+        run.last().coordinates.to_vec()
+    });
+    let apart = crate::scenes::distance(&ends[0], &ends[1]);
+    assert!(apart <= LIGHT_TRUCK, "{apart:.1e}");
+}
+
+/// Of the reference, on the branch without a sideways jump.
+const THROUGH_RANK_LOSS: f64 = 1e-6;
+
+#[test]
+fn reference_snakeboard_steers_through_ninety_degrees() {
+    let file = load("torture");
+    let case = case(&file, "snakeboard_through_90deg");
+    let scene = driven(case);
+    let order = || start_at(Simulation::new(&scene).method(Method::rk4(5e-4)), &case["model"], BOARD);
+    let worst = from_states(order, 0.01, &case["states"], BOARD);
+    assert!(worst[0] <= THROUGH_RANK_LOSS, "{worst:?}");
+}

@@ -9,7 +9,8 @@ use crate::model::Scene;
 /// which even a short spring keeps below rounding.
 const STEP: f64 = 6e-6;
 
-/// Rounding relative to what is differentiated: 1.5 ε/step = 5e-11, for a few terms.
+/// Rounding relative to what is differentiated: 1.5 ε/step = 5e-11, for a few terms. The rounding of the time itself, ε t,
+/// counts with the rate of change.
 const TOLERANCE: f64 = 2e-10;
 const REASON: &str = "rounding of extrapolated central differences";
 
@@ -49,7 +50,7 @@ pub fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
         let difference = slope(n_h, |e, out| {
             probe.scene.position_constraint(&probe.fixed, t + e, &along(q, e, v), out);
         });
-        let size = max_abs(&rows).max(max_abs(q)).max(difference.size);
+        let size = (max_abs(&rows) * t.max(1.0)).max(max_abs(q)).max(difference.size);
         for (row, oracle) in rows.iter().zip(&difference.slopes) {
             worst.compare(*row, *oracle, size);
         }
@@ -69,9 +70,9 @@ pub fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
         let difference = slope(n_c, |e, out| {
             probe.scene.velocity_constraint(&probe.fixed, t + e, &along(q, e, v), v, out);
         });
-        let size = max_abs(&h).max(max_abs(&entries) * max_abs(v)).max(difference.size);
+        // what is differentiated is a sum of products of these: its rounding counts even where h is small
+        let size = (max_abs(&h) * t.max(1.0)).max(max_abs(&entries) * max_abs(v)).max(difference.size);
         for (row, oracle) in h.iter().zip(&difference.slopes) {
-            // what is differentiated is a sum of products of these: its rounding counts even where h is small
             worst.compare(*row, *oracle, size);
         }
     }

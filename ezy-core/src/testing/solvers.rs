@@ -14,6 +14,9 @@ const REASON: &str = "rounding times the condition of K";
 /// States whose solution changes more than this times as much as the coordinates are near rank loss and not compared.
 const CONDITION_OF_ROWS: f64 = 100.0;
 
+/// Accelerations and multipliers beyond this times the speeds and forces show a K near rank loss, too.
+const REGULAR: f64 = 1e4;
+
 /// Change of a coordinate that shows the condition: far above rounding, far below the size of a state.
 const NUDGE: f64 = 1e-9;
 
@@ -66,7 +69,18 @@ fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &RandomState)
     let nudged = RandomState { t: state.t, q, v: state.v.clone() };
     let (Some(x), Some(y)) = (solve_motion(dense, state), solve_motion(dense, &nudged)) else { return false };
     let change = x.iter().zip(&y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-    change <= CONDITION_OF_ROWS * NUDGE * max_abs(&x)
+    let size = max_abs(&x);
+    change <= CONDITION_OF_ROWS * NUDGE * size && size <= REGULAR * scale(dense, state)
+}
+
+/// Size of forces and convective terms at a state, at least one.
+fn scale<S: Scene + ?Sized>(system: &System<'_, S>, state: &RandomState) -> f64 {
+    let mut F = vec![0.0; system.info().n_coordinates()];
+    let mut h = vec![0.0; system.info().n_rows()];
+    let RandomState { t, q, v } = state;
+    system.scene().applied_force(system.fixed(), *t, q, v, &mut F);
+    system.scene().convective_term(system.fixed(), *t, q, v, &mut h);
+    max_abs(&F).max(max_abs(&h)).max(1.0)
 }
 
 /// A solution vector at a state; `None` where K is singular.

@@ -4,8 +4,8 @@
 //! described by `&'static` data.
 
 use crate::model::{
-    CoordinateInfo, Formula, LARGEST_N_MEMBERS, LayoutFault, PointInfo, Repeats, RowInfo, SceneInfo, SparsityPattern,
-    TemplateInfo,
+    CoordinateInfo, Formula, LARGEST_N_MEMBERS, LayoutFault, OutputInfo, PointInfo, Repeats, RowInfo, SceneInfo,
+    SparsityPattern, TemplateInfo,
 };
 use std::fmt::Write;
 use std::sync::{Mutex, PoisonError};
@@ -27,11 +27,14 @@ impl Known {
         if let Some((_, info)) = known.iter().find(|(of, _)| of == counts) {
             return info;
         }
-        let declared = fixed.counts();
-        let empty = counts.iter().zip(declared).find(|(count, _)| **count == 0);
-        let mut layout =
-            Layout { fault: empty.map(|(_, c)| LayoutFault::NoMembers { name: c.name }), ..Layout::default() };
-        fill(&mut layout);
+        let empty = counts.iter().zip(fixed.counts()).find(|(count, _)| **count == 0);
+        let empty = empty.map(|(_, count)| LayoutFault::NoMembers { name: count.name });
+        let large = counts.iter().find(|count| **count > LARGEST_COUNT);
+        let large = large.map(|&n_members| LayoutFault::TooManyMembers { n_members });
+        let mut layout = Layout { fault: empty.or(large), ..Layout::default() };
+        if layout.fault.is_none() {
+            fill(&mut layout);
+        }
         let values = counts.to_vec().leak();
         let info: &'static SceneInfo = Box::leak(Box::new(layout.finish(fixed, values)));
         known.push((values.to_vec(), info));
@@ -39,15 +42,18 @@ impl Known {
     }
 }
 
+/// Counts beyond which products of them could overflow; such arrays are too large anyway.
+const LARGEST_COUNT: usize = 1_000_000;
+
 /// An array of bodies, or a single body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Bodies {
+pub struct Bodies<'l> {
     /// Name of the array.
     pub name: &'static str,
     /// Index of its first member among all bodies.
     pub first: usize,
-    /// Its number of members.
-    pub length: usize,
+    /// Its number of members along each of its indices; none for a single body.
+    pub lengths: &'l [usize],
 }
 
 /// A description that is being made.
@@ -58,6 +64,7 @@ pub struct Layout {
     bodies: Vec<&'static str>,
     coordinates: Vec<CoordinateInfo>,
     points: Vec<PointInfo>,
+    outputs: Vec<OutputInfo>,
     position_rows: Rows,
     velocity_rows: Rows,
     fault: Option<LayoutFault>,
@@ -77,18 +84,22 @@ const fn symbol(name: &'static str) -> Formula {
 }
 
 impl Layout {
-    /// A body that stands alone.
-    pub fn body(&mut self, name: &'static str) {
-        if self.has_room(1) {
-            self.push_body(name);
+    /// Adds a body, or an array of bodies whose members are ordered by their indices, the last one fastest.
+    pub fn bodies<'l>(&mut self, name: &'static str, lengths: &'l [usize]) -> Bodies<'l> {
+        let first = self.bodies.len();
+        let n_members = lengths.iter().fold(1, |n: usize, length| n.saturating_mul(*length));
+        if self.has_room(n_members) {
+            for i in 0..n_members {
+                let mut index = vec![0; lengths.len()];
+                let mut rest = i;
+                for (index, length) in index.iter_mut().zip(lengths).rev() {
+                    *index = (rest % length) as i64;
+                    rest /= length;
+                }
+                self.push_body(member(name, &index, ""));
+            }
         }
-    }
-
-    /// An array of `length` bodies.
-    pub fn bodies(&mut self, name: &str, length: usize) {
-        if self.has_room(length) {
-            (0..length).for_each(|i| self.push_body(member(name, &[i as i64], "")));
-        }
+        Bodies { name, first, lengths }
     }
 
     /// The indices of a `for`; none once the description is faulty.
@@ -115,20 +126,23 @@ impl Layout {
         self.bodies.push(name);
     }
 
-    /// Index among all bodies of the member `index` of an array, which the item `template` with the indices `at` uses.
-    /// A member that does not exist is a fault of the description, and stands for the first body.
-    pub fn member(&mut self, template: &TemplateInfo, at: &[i64], array: Bodies, index: i64) -> usize {
-        match usize::try_from(index) {
-            Ok(i) if i < array.length => array.first + i,
-            _ => {
-                if self.fault.is_none() {
-                    let item = item_name(template, at);
-                    let (array, length) = (array.name, array.length);
-                    self.fault = Some(LayoutFault::IndexOutOfRange { item, array, index, length });
+    /// Index among all bodies of a member of an array, which the item `template` with the indices `at` uses. A member
+    /// that does not exist is a fault of the description, and stands for the first body.
+    pub fn member(&mut self, template: &TemplateInfo, at: &[i64], array: Bodies<'_>, index: &[i64]) -> usize {
+        let mut place = 0;
+        for (&index, &length) in index.iter().zip(array.lengths) {
+            match usize::try_from(index) {
+                Ok(i) if i < length => place = place * length + i,
+                _ => {
+                    if self.fault.is_none() {
+                        let item = item_name(template, at);
+                        self.fault = Some(LayoutFault::IndexOutOfRange { item, array: array.name, index, length });
+                    }
+                    return 0;
                 }
-                0
             }
         }
+        array.first + place
     }
 
     /// The rows of the member `at` of a template, on the bodies `slots` that it refers to.
@@ -150,6 +164,11 @@ impl Layout {
         self.points.push(PointInfo { name: member(name, at, ""), body, position: None });
     }
 
+    /// An output; what stands behind its indices is `suffix`.
+    pub fn output(&mut self, output: &OutputInfo, at: &[i64], suffix: &str) {
+        self.outputs.push(OutputInfo { name: member(output.name, at, suffix), ..*output });
+    }
+
     fn finish(self, fixed: &SceneInfo, values: &'static [usize]) -> SceneInfo {
         let (position, velocity) = (self.position_rows, self.velocity_rows);
         let n_position_entries = position.columns.len();
@@ -159,6 +178,7 @@ impl Layout {
             bodies: self.bodies.leak(),
             coordinates: self.coordinates.leak(),
             points: self.points.leak(),
+            outputs: self.outputs.leak(),
             n_position_rows: position.rows.len(),
             rows: [position.rows, velocity.rows].concat().leak(),
             jacobian: SparsityPattern {

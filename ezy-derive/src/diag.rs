@@ -1,11 +1,12 @@
 //! Faults of a model text, collected so that a user sees all faults of a stage at once.
 //!
 //! The wording of every message is in the catalogue below this module: [`syntax`], [`names`], [`values`], [`rules`],
-//! [`scenes`], [`equations`].
+//! [`repeats`], [`scenes`], [`equations`].
 
 pub mod equations;
 pub mod names;
 pub mod nearest;
+pub mod repeats;
 pub mod rules;
 pub mod scenes;
 pub mod syntax;

@@ -39,6 +39,10 @@ fn collect(items: &[Item], fields: &mut Vec<TokenStream>, taken: &mut BTreeSet<S
                 let name = &parameter.name;
                 fields.push(quote!(#name: f64));
             }
+            ItemKind::Count(count) if taken.insert(count.name.to_string()) => {
+                let name = &count.name;
+                fields.push(quote!(#name: usize));
+            }
             ItemKind::Effect(effect) => collect(&effect.items, fields, taken),
             _ => {}
         }

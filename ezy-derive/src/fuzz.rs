@@ -29,6 +29,20 @@ const MORE: &str = "pub model More {
     scene only { start s; until 2 min; with drag, wind; }
 }";
 
+/// Counts, arrays and `for`.
+const REPEATED: &str = "pub model Repeated {
+    count n = 3; count m = 2; param l: m = 1; param c: N*m*s = 0.1;
+    body link[n] { mass: 1, inertia: 1 } body node[n, m+1] { mass: n, inertia: 1 } body hub { mass: 1, inertia: 1 }
+    hinge top: ground(0, 0) ~ link[0](-l/2, 0);
+    for i in 1..n { hinge pin[i]: link[i-1](l/2, 0) ~ link[i](-l/2, 0); point P[i] = link[i](l*i/n, 0); }
+    for i in 0..n { for j in 0..m { rod r[i, j]: node[i, j](0, 0) ~ node[i, j+1](0, 0) length l*(i + 1); } }
+    for i in 1..n { constraint g[i]: P[i].y = 0.1 * i; output o[i]: rad = pin[i].angle; force at P[i]: (0, -2*i); }
+    gravity (0, -9.81);
+    effect rub { release g; for i in 1..n { torque link[i] ~ link[i-1]: -c * pin[i].rate; } torque hub: c * P[n-1].vx / l; }
+    start s { for i in 0..n { link[i] angle 0.1*i; } link[n-1] rate 1; hub at (0, 0); }
+    scene all { start s; until 1 s; } scene rubbed { start s; until 1 s; with rub; }
+}";
+
 /// A linear congruential generator (Knuth's MMIX constants): the same texts on every machine.
 struct Random(u64);
 
@@ -42,11 +56,11 @@ impl Random {
 #[test]
 fn invariant_mutated_texts_give_a_model_or_an_error() {
     let mut random = Random(20);
-    let texts = [EZY_ROLLER, MORE].map(|text| TokenStream::from_str(text).expect("good texts are tokens"));
+    let texts = [EZY_ROLLER, MORE, REPEATED].map(|text| TokenStream::from_str(text).expect("good texts are tokens"));
     let all: Vec<TokenTree> = texts.iter().cloned().flat_map(flatten).collect();
     let mut n_models = 0;
     for i in 0..N_TEXTS {
-        let mut text = texts[i % 2].clone();
+        let mut text = texts[i % 3].clone();
         for _ in 0..=random.below(MAX_MISTAKES) {
             text = mutate(text, &all, &mut random);
         }
@@ -57,13 +71,15 @@ fn invariant_mutated_texts_give_a_model_or_an_error() {
 
 #[test]
 fn invariant_other_constructs_are_a_model() {
-    let items = expand_text(MORE);
-    assert!(!is_error(&items), "{items}");
+    for text in [MORE, REPEATED] {
+        let items = expand_text(text);
+        assert!(!is_error(&items), "{items}");
+    }
 }
 
 #[test]
 fn invariant_deep_brackets_and_signs_end_in_an_error() {
-    for (open, close) in [("(", ")"), ("-", ""), ("sin(", ")"), ("2^", ""), ("1 - (2 * ", ")")] {
+    for (open, close) in [("(", ")"), ("-", ""), ("sin(", ")"), ("2^", ""), ("1 - (2 * ", ")"), ("a[", "]")] {
         let value = format!("{}1{}", open.repeat(2000), close.repeat(2000));
         let items = expand_text(&format!("pub model M {{ param a = {value}; }}"));
         assert!(items.to_string().contains(" more than "), "{items}");

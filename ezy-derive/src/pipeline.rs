@@ -4,7 +4,7 @@
 use proc_macro2::TokenStream;
 
 use crate::diag::Diagnostics;
-use crate::mechanics::Equations;
+use crate::mechanics::{Equations, Templates};
 use crate::{emit, faulty, mechanics, model, parse};
 
 /// A model file as Rust items, or as compile errors on the words to change.
@@ -17,6 +17,12 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(model) = model::resolve(syntax, &mut diag).filter(|_| diag.is_empty()) else {
         return with_faults(diag);
     };
+    if model.is_repeated() {
+        let templates: Vec<Templates> = model.scenes.iter().map(|scene| Templates::derive(&model, scene)).collect();
+        let mut items = diag.into_compile_errors();
+        items.extend(emit::repeated(&model, &templates));
+        return items;
+    }
     mechanics::check::rows(&model, &mut diag);
     if !diag.is_empty() {
         return with_faults(diag);
@@ -88,6 +94,24 @@ mod tests {
     #[test]
     fn regress_expansion_of_the_ezy_roller_is_unchanged() {
         compare_with_golden("ezy_roller.rs", &expanded("vehicles/ezy_roller.rs").0);
+    }
+
+    #[test]
+    fn regress_expansion_of_the_chain_is_unchanged() {
+        compare_with_golden("chain.rs", &expanded("mechanisms/chain.rs").0);
+    }
+
+    #[test]
+    fn invariant_expansion_does_not_depend_on_the_count() {
+        let text = model_text("mechanisms/chain.rs").to_string();
+        let with = |n: &str| {
+            let text = text.replace("count n = 10", &format!("count n = {n}"));
+            expand(text.parse().expect("the text has tokens")).to_string()
+        };
+        let (small, large) = (with("3"), with("777777"));
+        assert!(large.contains("777777") && !large.contains("compile_error"), "{large}");
+        assert!(large.len() - small.len() < 100, "{} and {} signs", small.len(), large.len());
+        assert_eq!(with("777777"), with("555555").replace("555555", "777777"));
     }
 
     #[test]

@@ -251,6 +251,11 @@ impl Word {
         matches!(self.form, [Equation])
     }
 
+    /// Whether it acts on every body without naming one.
+    pub fn acts_on_all_bodies(&self) -> bool {
+        self.word == "gravity"
+    }
+
     /// Whether its name is also a point, with an angle and a rate.
     pub fn is_hinge(&self) -> bool {
         self.word == "hinge"

@@ -6,8 +6,8 @@ pub mod study;
 pub mod vehicles;
 
 pub use mechanisms::{
-    andrews::andrews, double_pendulum::double_pendulum, four_bar::four_bar, pendulum::pendulum,
-    slider_crank::slider_crank,
+    andrews::andrews, chain::chain, double_pendulum::double_pendulum, four_bar::four_bar, hanging_net::hanging_net,
+    n_four_bar::n_four_bar, pendulum::pendulum, slider_crank::slider_crank,
 };
 pub use vehicles::{
     chaplygin_sleigh::chaplygin_sleigh, differential_robot::differential_robot, ezy_roller::ezy_roller,

@@ -20,6 +20,9 @@ pub static MODELS: &[&ModelInfo] = &[
     &crate::slider_crank::MODEL,
     &crate::four_bar::MODEL,
     &crate::andrews::MODEL,
+    &crate::chain::MODEL,
+    &crate::n_four_bar::MODEL,
+    &crate::hanging_net::MODEL,
 ];
 
 /// What `MODEL` or `MODEL/SCENE` means.

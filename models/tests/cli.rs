@@ -340,3 +340,34 @@ fn invariant_wrong_inputs_exit_with_2_and_say_what_to_do() {
         assert!(stderr.contains(message), "{arguments:?}: {stderr}");
     }
 }
+
+#[test]
+fn invariant_count_sets_the_size_of_a_run() {
+    let run = json(&["run", "chain/swing", "--set", "n=3", "--until", "0.01", "--json"]);
+    assert_eq!(keys(&run["state"]).len(), 9);
+    assert_eq!(keys(&run["multipliers"]), ["pin[1].x", "pin[1].y", "pin[2].x", "pin[2].y", "top.x", "top.y"]);
+    let scene = &json(&["show", "chain/swing", "--format", "json"]);
+    assert_eq!((&scene["counts"][0]["name"], &scene["counts"][0]["default"]), (&"n".into(), &10.into()));
+    let listed = json(&["list", "--json"]);
+    let chain = listed["models"].as_array().unwrap().iter().find(|model| model["name"] == "Chain").unwrap();
+    assert_eq!(chain["scenes"][0]["counts"][0]["name"], "n");
+}
+
+#[test]
+fn invariant_count_that_is_no_count_is_refused() {
+    for (value, remedy) in
+        [("n=2.5", "whole number"), ("n=0", "whole number"), ("n=-3", "whole number"), ("n=1e12", "smaller count")]
+    {
+        let refused = ezy(&["run", "chain/swing", "--set", value]);
+        assert_eq!(refused.status.code(), Some(2), "{value}");
+        assert!(text(&refused.stderr).contains(remedy), "{value}: {}", text(&refused.stderr));
+    }
+}
+
+#[test]
+fn invariant_show_of_a_scene_with_counts_tells_its_equations_by_item() {
+    let show = output(&["show", "chain/swing"]);
+    for part in ["n         10", "hinge pin, i in 1..n", "link[i-1].x", "20 position rows", "G^T = ["] {
+        assert!(show.contains(part), "{part} in {show}");
+    }
+}

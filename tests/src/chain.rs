@@ -3,7 +3,7 @@
 //! Written by hand as `model!` writes it for a model with a count: descriptions from loops, kernels in loops, no
 //! generated elimination.
 
-use ezy_core::layout::{Bodies, Known, Layout};
+use ezy_core::layout::{Known, Layout};
 use ezy_core::model::{
     CountInfo, EffectInfo, Formula, Operations, Repeats, RowInfo, RowTemplate, Scene, SceneInfo, SlotCoordinate,
     SparsityPattern, Start, TemplateInfo,
@@ -116,12 +116,12 @@ impl Chain {
     }
 
     fn describe(&self, layout: &mut Layout) {
-        let rods = Bodies { name: "rod", first: 0, length: self.n };
-        layout.bodies("rod", self.n);
-        let slots = [layout.member(&TOP, &[], rods, 0)];
+        let lengths = [self.n];
+        let rods = layout.bodies("rod", &lengths);
+        let slots = [layout.member(&TOP, &[], rods, &[0])];
         layout.rows(&TOP, &[], &slots);
         for i in layout.range(1, self.n as i64) {
-            let slots = [layout.member(&PIN, &[i], rods, i - 1), layout.member(&PIN, &[i], rods, i)];
+            let slots = [layout.member(&PIN, &[i], rods, &[i - 1]), layout.member(&PIN, &[i], rods, &[i])];
             layout.rows(&PIN, &[i], &slots);
         }
     }

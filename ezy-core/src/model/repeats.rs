@@ -92,8 +92,8 @@ pub enum LayoutFault {
     },
     /// An item refers to a member that its array does not have.
     #[error(
-        "{item} uses `{array}[{index}]`, but `{array}` has {length} member{}: {}; change the range of the `for`, the \
-         index or the count", if *length == 1 { "" } else { "s" }, members(array, *length)
+        "{item} uses `{array}` at the index {index}, but its indices go from 0 to {}: change the range of the `for`, \
+         the index or the count", length.saturating_sub(1)
     )]
     IndexOutOfRange {
         /// The item with its indices: hinge `pin[0]`.
@@ -102,15 +102,7 @@ pub enum LayoutFault {
         array: &'static str,
         /// The index that it does not have.
         index: i64,
-        /// Its number of members.
+        /// Its number of members along this index.
         length: usize,
     },
-}
-
-fn members(array: &str, length: usize) -> String {
-    match length {
-        0 => "none".to_owned(),
-        1 => format!("`{array}[0]`"),
-        _ => format!("`{array}[0]` to `{array}[{}]`", length - 1),
-    }
 }

@@ -48,10 +48,16 @@ fn value(model: &Model, coefficients: &Coefficients, id: CoefficientId) -> Token
     match coefficients.node(id) {
         CoefficientNode::Number(x) => kernel::number(*x),
         CoefficientNode::Pi => quote!(::core::f64::consts::PI),
-        CoefficientNode::Parameter(index) => {
-            let field = &model.parameters[*index].name;
-            quote!(self.#field)
-        }
+        CoefficientNode::Parameter(index) => match model.parameters.get(*index) {
+            Some(parameter) => {
+                let field = &parameter.name;
+                quote!(self.#field)
+            }
+            None => {
+                let field = &model.counts[*index - model.parameters.len()].name;
+                quote!((self.#field as f64))
+            }
+        },
         CoefficientNode::Add(a, b) => {
             let (x, y) = (temporary(a.id), temporary(b.id));
             match (a.negative, b.negative) {

@@ -4,8 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::mechanics::solve::Solver;
+use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Equations, Group};
-use crate::model::{Model, Parameter, Scene};
+use crate::model::{InputId, Model, Parameter, ParameterId, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed, print};
 use crate::symbolic::program::Count;
@@ -32,8 +33,8 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     });
     let rows = rows(equations);
     let n_position_rows = equations.constraints.n_position_rows;
-    let parameters = parameters(model, equations);
-    let inputs = inputs(model, equations);
+    let parameters = parameters(model, &equations.parameters, &equations.symbols);
+    let inputs = inputs(model, &equations.inputs, &equations.symbols);
     let outputs = outputs(model, equations);
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
@@ -135,18 +136,17 @@ fn rows(equations: &Equations) -> Vec<TokenStream> {
         .collect()
 }
 
-fn parameters(model: &Model, equations: &Equations) -> Vec<TokenStream> {
-    (equations.parameters.iter())
+pub fn parameters(model: &Model, parameters: &[ParameterId], symbols: &Symbols) -> Vec<TokenStream> {
+    (parameters.iter())
         .map(|id| {
-            let members = declared(model, &model.parameters[id.0], &equations.symbols.parameter(id.0));
+            let members = declared(model, &model.parameters[id.0], &symbols.parameter(id.0));
             quote!(::ezy_core::model::ParameterInfo { #members })
         })
         .collect()
 }
 
-fn inputs(model: &Model, equations: &Equations) -> Vec<TokenStream> {
-    let symbols = &equations.symbols;
-    (equations.inputs.iter())
+pub fn inputs(model: &Model, inputs: &[InputId], symbols: &Symbols) -> Vec<TokenStream> {
+    (inputs.iter())
         .filter_map(|&id| {
             let symbol = symbols.symbol(symbols.input(id)?);
             let members = declared(model, &model.inputs[id.0], &symbol);
@@ -176,7 +176,8 @@ fn outputs(model: &Model, equations: &Equations) -> Vec<TokenStream> {
     (equations.outputs.iter())
         .map(|&(i, value)| {
             let output = &model.outputs[i];
-            let (name, unit, documentation) = (&output.name, &output.unit, &output.documentation);
+            let (name, unit, documentation) =
+                (output.name.clone() + &output.suffix, &output.unit, &output.documentation);
             let formula = formula_of(equations, value);
             quote! {
                 ::ezy_core::model::OutputInfo {
@@ -209,12 +210,12 @@ fn formula_of(equations: &Equations, sum: SumId) -> TokenStream {
     formula(&print(&equations.algebra, &equations.symbols, sum))
 }
 
-fn formula(printed: &Printed) -> TokenStream {
+pub fn formula(printed: &Printed) -> TokenStream {
     let Printed { text, latex, mathml, .. } = printed;
     quote!(::ezy_core::model::Formula { text: #text, latex: #latex, mathml: #mathml })
 }
 
-fn option<T: quote::ToTokens>(value: Option<T>) -> TokenStream {
+pub fn option<T: quote::ToTokens>(value: Option<T>) -> TokenStream {
     match value {
         Some(value) => quote!(::core::option::Option::Some(#value)),
         None => quote!(::core::option::Option::None),

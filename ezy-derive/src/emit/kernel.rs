@@ -18,10 +18,20 @@ pub struct Body {
 
 /// Writes a program; `other` says where inputs besides time, coordinates and velocities are found.
 pub fn body(program: &Program, symbols: &Symbols, other: &dyn Fn(Symbol) -> TokenStream) -> Body {
+    body_at(program, symbols, &|i| quote!(#i), other)
+}
+
+/// As [`body`], with coordinates and velocities at the indices that `place` says.
+pub fn body_at(
+    program: &Program,
+    symbols: &Symbols,
+    place: &dyn Fn(usize) -> TokenStream,
+    other: &dyn Fn(Symbol) -> TokenStream,
+) -> Body {
     let mut writer = Writer { program, symbols, live: program.live(), names: BTreeMap::new(), taken: BTreeSet::new() };
     let mut statements = TokenStream::new();
     for id in writer.live.clone() {
-        statements.extend(writer.statement(id, other));
+        statements.extend(writer.statement(id, place, other));
     }
     let outputs = program.outputs().iter().map(|output| writer.operand(output.node)).collect();
     Body { statements, outputs }
@@ -36,7 +46,12 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn statement(&mut self, id: NodeId, other: &dyn Fn(Symbol) -> TokenStream) -> TokenStream {
+    fn statement(
+        &mut self,
+        id: NodeId,
+        place: &dyn Fn(usize) -> TokenStream,
+        other: &dyn Fn(Symbol) -> TokenStream,
+    ) -> TokenStream {
         let value = match self.program.node(id) {
             Node::Constant(_) | Node::Literal(_) => return TokenStream::new(),
             Node::Input(symbol) => match self.symbols.meaning(*symbol) {
@@ -44,10 +59,16 @@ impl Writer<'_> {
                     self.names.insert(id, Ident::new("t", Span::call_site()));
                     return TokenStream::new();
                 }
-                Meaning::Coordinate(i) => quote!(q[#i]),
-                Meaning::Velocity(i) => quote!(v[#i]),
+                Meaning::Coordinate(i) => {
+                    let i = place(i);
+                    quote!(q[#i])
+                }
+                Meaning::Velocity(i) => {
+                    let i = place(i);
+                    quote!(v[#i])
+                }
                 Meaning::Input(i) => quote!(c[#i]),
-                Meaning::Named(_) => other(*symbol),
+                Meaning::Index(_) | Meaning::Named(_) => other(*symbol),
             },
             Node::Sin(angle) | Node::Cos(angle) => return self.trigonometry(id, *angle),
             Node::Add(a, b) => self.infix(*a, &quote!(+), *b),

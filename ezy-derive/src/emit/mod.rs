@@ -4,32 +4,56 @@ mod constants;
 mod info;
 mod kernel;
 mod page;
+mod repeated;
 mod scene;
+mod templates;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::mechanics::{Equations, Group};
+use crate::mechanics::{Equations, Group, Templates};
 use crate::model::case::{camel_case, snake_case};
 use crate::model::{EffectId, Model, Scene};
 
 /// The module of a model: one type for each scene, and the description of all of them.
 pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
+    let scenes = model.scenes.iter().zip(equations).map(|(scene, equations)| scene::items(model, scene, equations));
+    let (scenes, summaries): (Vec<_>, Vec<_>) = scenes.unzip();
+    let page = page::model(model, &summaries);
+    module(model, &page, &scenes, |type_name| quote!(|| &#type_name::INFO))
+}
+
+/// The same for a model whose sizes are numbers of a run.
+pub fn repeated(model: &Model, templates: &[Templates<'_>]) -> TokenStream {
+    let scenes = model.scenes.iter().zip(templates);
+    let scenes: Vec<_> = scenes.map(|(scene, templates)| repeated::items(model, scene, templates)).collect();
+    module(
+        model,
+        &TokenStream::new(),
+        &scenes,
+        |type_name| quote!(|| ::ezy_core::model::Scene::info(&<#type_name as ::core::default::Default>::default())),
+    )
+}
+
+fn module(
+    model: &Model,
+    page: &TokenStream,
+    scenes: &[TokenStream],
+    info: impl Fn(&Ident) -> TokenStream,
+) -> TokenStream {
     let visibility = &model.visibility;
     let module = Ident::new(&snake_case(&model.name.to_string()), model.name.span());
     let name = model.name.to_string();
     let documentation = &model.documentation;
     let all: Vec<_> = (0..model.effects.len()).map(|i| Group::Effect(EffectId(i))).collect();
     let effects = info::effects(model, &all);
-    let scenes = model.scenes.iter().zip(equations).map(|(scene, equations)| scene::items(model, scene, equations));
-    let (scenes, summaries): (Vec<_>, Vec<_>) = scenes.unzip();
-    let page = page::model(model, &summaries);
     let entries = model.scenes.iter().map(|scene| {
         let (type_name, name) = (scene_type(scene), scene.name.to_string());
+        let info = info(&type_name);
         quote! {
             ::ezy_core::model::SceneEntry {
                 name: #name,
-                info: || &#type_name::INFO,
+                info: #info,
                 new: || ::std::boxed::Box::new(<#type_name as ::core::default::Default>::default()),
             }
         }

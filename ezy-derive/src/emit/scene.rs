@@ -7,7 +7,7 @@ use super::kernel::{self, Body};
 use super::{constants, info, page, scene_type};
 use crate::mechanics::Equations;
 use crate::mechanics::solve::{self, Correction, Solver};
-use crate::model::{Model, Scene};
+use crate::model::{Model, Parameter, Scene};
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::{SumId, Symbol};
 
@@ -26,7 +26,8 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let info = info::scene(model, scene, &equations, &emitted);
     let type_name = scene_type(scene);
     let structure = structure(model, scene, &equations, &type_name, &emitted);
-    let (parameter, set_parameter) = parameter_access(model, &equations);
+    let parameters: Vec<&Ident> = equations.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
+    let (parameter, set_parameter) = parameter_access(&parameters);
     let summary = page::Summary::new(model, scene, type_name.to_string(), &equations, &emitted);
     let items = quote! {
         #structure
@@ -283,26 +284,13 @@ fn structure(
 ) -> TokenStream {
     let count = emitted.accelerations.program.count();
     let page = page::scene(model, equations, emitted);
-    let title = if scene.documentation.trim().is_empty() {
-        format!("Scene `{}` of `{}`.", scene.name, model.name)
-    } else {
-        scene.documentation.clone()
-    };
+    let title = title(model, scene);
     let cost = format!(
         "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
         count.mul, count.add, count.div, count.trig
     );
     let parameters: Vec<_> = equations.parameters.iter().map(|id| &model.parameters[id.0]).collect();
-    let fields = parameters.iter().map(|parameter| {
-        let name = &parameter.name;
-        let unit = if parameter.unit.is_empty() { "1" } else { &parameter.unit };
-        let title = match parameter.documentation.trim() {
-            "" => format!("Parameter `{name}`"),
-            text => text.to_owned(),
-        };
-        let documentation = format!("{title} ({unit}); default `{}`.", parameter.default_text);
-        quote!(#[doc = #documentation] pub #name: f64)
-    });
+    let fields = parameters.iter().map(|parameter| field(parameter));
     let defaults = parameters.iter().map(|parameter| {
         let (name, value) = (&parameter.name, parameter.default);
         quote!(#name: #value)
@@ -325,9 +313,29 @@ fn structure(
     }
 }
 
+/// The first line of the documentation of a scene.
+pub fn title(model: &Model, scene: &Scene) -> String {
+    if scene.documentation.trim().is_empty() {
+        format!("Scene `{}` of `{}`.", scene.name, model.name)
+    } else {
+        scene.documentation.clone()
+    }
+}
+
+/// The field of a parameter.
+pub fn field(parameter: &Parameter) -> TokenStream {
+    let name = &parameter.name;
+    let unit = if parameter.unit.is_empty() { "1" } else { &parameter.unit };
+    let title = match parameter.documentation.trim() {
+        "" => format!("Parameter `{name}`"),
+        text => text.to_owned(),
+    };
+    let documentation = format!("{title} ({unit}); default `{}`.", parameter.default_text);
+    quote!(#[doc = #documentation] pub #name: f64)
+}
+
 /// Bodies of `parameter` and `set_parameter`.
-fn parameter_access(model: &Model, equations: &Equations) -> (TokenStream, TokenStream) {
-    let names: Vec<&Ident> = equations.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
+pub fn parameter_access(names: &[&Ident]) -> (TokenStream, TokenStream) {
     let indices: Vec<usize> = (0..names.len()).collect();
     (
         quote!(match index { #(#indices => self.#names,)* _ => f64::NAN }),

@@ -42,6 +42,16 @@ impl Writer<'_> {
                 let place = self.model.points[point.0].place.clone();
                 self.velocity(&place)[*component as usize]
             }
+            Expr::MemberPosition(place, component) => self.position(place)[*component as usize],
+            Expr::MemberVelocity(place, component) => self.velocity(place)[*component as usize],
+            Expr::Count(id) => {
+                let count = self.algebra.coefficients.parameter(self.model.parameters.len() + id.0);
+                self.algebra.constant(count)
+            }
+            Expr::Index(id) => {
+                let symbol = self.symbols.index(*id);
+                self.algebra.symbol(symbol)
+            }
             Expr::HingeAngle(row) => self.hinge_difference(*row, false),
             Expr::HingeRate(row) => self.hinge_difference(*row, true),
             Expr::Neg(a) => {

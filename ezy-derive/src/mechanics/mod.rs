@@ -15,7 +15,10 @@ mod rows;
 pub mod scene;
 pub mod solve;
 pub mod symbols;
+mod templates;
 #[cfg(test)]
 mod tests;
 
+pub use rows::ScalarRow;
 pub use scene::{Equations, Group};
+pub use templates::{ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates};

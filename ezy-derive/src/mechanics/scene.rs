@@ -149,7 +149,7 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
 /// Adds the power Σ λ_i g_t,i of the rows that move with time; returns the symbols of these λ_i with their rows.
 ///
 /// From M a + Gᵀ λ = F and G v = −g_t: d/dt ½ vᵀ M v = F·v − λ·G v = F·v + λ·g_t.
-fn drives(
+pub fn drives(
     algebra: &mut Algebra,
     symbols: &mut Symbols,
     constraints: &Constraints,

@@ -1,5 +1,6 @@
 //! The symbols of a scene: time, coordinates, velocities, and values named on the way.
 
+use crate::model::whole::IndexId;
 use crate::model::{BodyId, Component, InputId, Model};
 use crate::symbolic::Symbol;
 use crate::symbolic::print::{Names, Printed};
@@ -11,6 +12,9 @@ pub struct Symbols {
     coordinates: Vec<Printed>,
     velocities: Vec<Printed>,
     inputs: Vec<(InputId, Printed)>,
+    /// Indices of `for`.
+    indices: Vec<Printed>,
+    /// Parameters, then counts.
     parameters: Vec<Printed>,
     named: Vec<String>,
 }
@@ -22,6 +26,8 @@ pub enum Meaning {
     Coordinate(usize),
     Velocity(usize),
     Input(usize),
+    /// The index of a `for`.
+    Index(usize),
     /// Index into the values that a kernel names or reads besides.
     Named(usize),
 }
@@ -31,15 +37,18 @@ impl Symbols {
     pub fn new(model: &Model, inputs: &[InputId]) -> Self {
         let (mut coordinates, mut velocities) = (Vec::new(), Vec::new());
         for body in &model.bodies {
-            let body = body.name.to_string();
+            let body = body.name.clone();
             for (letter, position, velocity) in [("x", "x", "vx"), ("y", "y", "vy"), ("phi", "phi", "omega")] {
                 coordinates.push(spelling::of_body(&format!("{body}.{position}"), letter, &body, false));
                 velocities.push(spelling::of_body(&format!("{body}.{velocity}"), letter, &body, true));
             }
         }
-        let parameters = model.parameters.iter().map(|p| spelling::name(&p.name.to_string())).collect();
+        let counts = model.counts.iter().map(|count| &count.name);
+        let parameters = model.parameters.iter().map(|p| &p.name).chain(counts);
+        let parameters = parameters.map(|name| spelling::name(&name.to_string())).collect();
+        let indices = model.indices.iter().map(|name| spelling::name(name)).collect();
         let inputs = inputs.iter().map(|&id| (id, spelling::name(&model.inputs[id.0].name.to_string()))).collect();
-        Self { coordinates, velocities, inputs, parameters, named: Vec::new() }
+        Self { coordinates, velocities, inputs, indices, parameters, named: Vec::new() }
     }
 
     pub fn n_coordinates(&self) -> usize {
@@ -72,10 +81,22 @@ impl Symbols {
         self.inputs.len()
     }
 
+    pub fn index(&self, id: IndexId) -> Symbol {
+        symbol(1 + 2 * self.n_coordinates() + self.n_inputs() + id.0)
+    }
+
+    /// The index of a `for` that a symbol stands for.
+    pub fn index_of(&self, symbol: Symbol) -> Option<IndexId> {
+        match self.meaning(symbol) {
+            Meaning::Index(i) => Some(IndexId(i)),
+            _ => None,
+        }
+    }
+
     /// A new symbol for a value that a kernel computes or reads.
     pub fn new_named(&mut self, name: String) -> Symbol {
         self.named.push(name);
-        symbol(self.named.len() + 2 * self.n_coordinates() + self.n_inputs())
+        symbol(self.named.len() + 2 * self.n_coordinates() + self.n_inputs() + self.indices.len())
     }
 
     pub fn meaning(&self, symbol: Symbol) -> Meaning {
@@ -85,7 +106,8 @@ impl Symbols {
             _ if i <= n => Meaning::Coordinate(i - 1),
             _ if i <= 2 * n => Meaning::Velocity(i - 1 - n),
             _ if i <= 2 * n + self.n_inputs() => Meaning::Input(i - 1 - 2 * n),
-            _ => Meaning::Named(i - 1 - 2 * n - self.n_inputs()),
+            _ if i <= 2 * n + self.n_inputs() + self.indices.len() => Meaning::Index(i - 1 - 2 * n - self.n_inputs()),
+            _ => Meaning::Named(i - 1 - 2 * n - self.n_inputs() - self.indices.len()),
         }
     }
 
@@ -93,9 +115,10 @@ impl Symbols {
     pub fn code_name(&self, symbol: Symbol) -> String {
         match self.meaning(symbol) {
             Meaning::Time => "t".to_owned(),
-            Meaning::Coordinate(i) => self.coordinates[i].text.replace('.', "_"),
-            Meaning::Velocity(i) => self.velocities[i].text.replace('.', "_"),
+            Meaning::Coordinate(i) => identifier(&self.coordinates[i].text),
+            Meaning::Velocity(i) => identifier(&self.velocities[i].text),
             Meaning::Input(i) => self.inputs[i].1.text.clone(),
+            Meaning::Index(i) => self.indices[i].text.clone(),
             Meaning::Named(i) => self.named[i].clone(),
         }
     }
@@ -116,6 +139,7 @@ impl Names for Symbols {
             Meaning::Coordinate(i) => self.coordinates[i].clone(),
             Meaning::Velocity(i) => self.velocities[i].clone(),
             Meaning::Input(i) => self.inputs[i].1.clone(),
+            Meaning::Index(i) => self.indices[i].clone(),
             Meaning::Named(i) => spelling::name(&self.named[i]),
         }
     }
@@ -123,6 +147,12 @@ impl Names for Symbols {
     fn parameter(&self, index: usize) -> Printed {
         self.parameters[index].clone()
     }
+}
+
+/// `seat.x` as `seat_x`, `link[i-1].x` as `link_i_1_x`.
+fn identifier(text: &str) -> String {
+    let parts = text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join("_")
 }
 
 /// Place of a coordinate in q.

@@ -17,8 +17,9 @@ fn evaluate(expr: &ast::Expr, of: &str) -> Result<f64> {
         ast::Expr::Number { value, .. } => Ok(*value),
         ast::Expr::Name(name) if name == "pi" => Ok(PI),
         ast::Expr::Name(name) => Err(values::name_in_constant(name, &name.to_string(), of)),
+        ast::Expr::Indexed(name) => Err(values::name_in_constant(&**name, &name.word.to_string(), of)),
         ast::Expr::Member { owner, member } => {
-            Err(values::name_in_constant(expr.extent(), &format!("{owner}.{member}"), of))
+            Err(values::name_in_constant(expr.extent(), &format!("{}.{member}", owner.word), of))
         }
         ast::Expr::Call { function, .. } => Err(values::name_in_constant(function, &function.to_string(), of)),
         ast::Expr::Vector { .. } => Err(values::expected_scalar(expr.extent(), of)),

@@ -3,7 +3,8 @@
 use super::names::{Names, Scope};
 use super::unit::Unit;
 use super::value::Value;
-use super::{Expr, Place};
+use super::whole::Whole;
+use super::{Array, Expr, Loop, Place, Slot};
 use crate::diag::Diagnostics;
 use crate::parse::ast;
 use proc_macro2::Ident;
@@ -21,14 +22,44 @@ pub struct Context<'a> {
     pub n_lets_in_work: usize,
     /// By [`super::PointId`].
     pub points: Vec<Lazy<PointSource<'a>, Place>>,
+    /// Points and hinges that are declared in a `for`: each use has a place of its own.
+    pub point_arrays: Vec<Lazy<ArraySource<'a>, ()>>,
+    /// Name and declared value of each count.
+    pub counts: Vec<(String, i64)>,
+    /// Names of indices by [`super::whole::IndexId`].
+    pub indices: Vec<String>,
+    /// The `for` around the present item, outermost first.
+    pub loops: Vec<Loop>,
+    /// What the names of indices stand for now.
+    pub bound: Vec<(String, Whole)>,
+    /// By the `array` of a [`Slot`].
+    pub arrays: Vec<Array>,
+    /// By [`super::BodyId`].
+    pub slots: Vec<Slot>,
+}
+
+/// A declaration in a `for`.
+#[derive(Clone, Copy)]
+pub struct ArraySource<'a> {
+    pub source: PointSource<'a>,
+    pub loops: &'a [ast::Loop],
 }
 
 /// Where the place of a point is written.
 #[derive(Clone, Copy)]
 pub enum PointSource<'a> {
     Point(&'a ast::Point),
-    /// A hinge by its name and its first place.
-    Hinge(&'a Ident, &'a ast::Place),
+    /// A hinge by its name and its places.
+    Hinge(&'a Ident, &'a ast::Place, &'a ast::Place),
+}
+
+impl PointSource<'_> {
+    pub const fn what_array(self) -> &'static str {
+        match self {
+            Self::Point(_) => "an array of points",
+            Self::Hinge(..) => "an array of hinges",
+        }
+    }
 }
 
 /// Something that is resolved when it is first used.
@@ -105,11 +136,15 @@ impl Purpose {
 /// What an expression depends on.
 pub fn motion(expr: &Expr) -> Motion {
     match expr {
-        Expr::Number(_) | Expr::Pi | Expr::Parameter(_) => Motion::Parameters,
+        Expr::Number(_) | Expr::Pi | Expr::Parameter(_) | Expr::Count(_) | Expr::Index(_) => Motion::Parameters,
         Expr::Input(_) => Motion::Input,
         Expr::Time => Motion::Time,
-        Expr::Coordinate(..) | Expr::PointPosition(..) | Expr::HingeAngle(_) => Motion::Position,
-        Expr::Velocity(..) | Expr::PointVelocity(..) | Expr::HingeRate(_) => Motion::Velocity,
+        Expr::Coordinate(..) | Expr::PointPosition(..) | Expr::MemberPosition(..) | Expr::HingeAngle(_) => {
+            Motion::Position
+        }
+        Expr::Velocity(..) | Expr::PointVelocity(..) | Expr::MemberVelocity(..) | Expr::HingeRate(_) => {
+            Motion::Velocity
+        }
         Expr::Neg(a) => motion(a),
         Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Mul(a, b) | Expr::Div(a, b) | Expr::Pow(a, b) => {
             motion(a).max(motion(b))

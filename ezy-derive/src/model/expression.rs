@@ -32,6 +32,10 @@ impl Context<'_> {
         match expr {
             ast::Expr::Number { value, .. } => Some(Value::scalar(Expr::Number(*value), Measure::Unknown)),
             ast::Expr::Name(name) => self.name(name, purpose),
+            ast::Expr::Indexed(name) => {
+                self.indexed_value(name);
+                None
+            }
             ast::Expr::Member { owner, member } => self.member(owner, member, purpose),
             ast::Expr::Call { function, arguments, end } => self.call(function, arguments, *end, purpose),
             ast::Expr::Vector { x, y, .. } => self.vector(x, y, purpose),
@@ -130,7 +134,11 @@ impl Context<'_> {
             self.forbid_motion(name, Motion::Time, purpose)?;
             return Some(Value::scalar(Expr::Time, Dimension::TIME));
         }
+        if let Some(index) = self.index_value(name) {
+            return Some(Value::scalar(index.to_expr(), Measure::Unknown));
+        }
         match self.names.lookup(purpose.scope, name) {
+            Some(Symbol::Count(id)) => Some(Value::scalar(Expr::Count(id), Measure::Unknown)),
             Some(Symbol::Parameter(id)) => {
                 let unit = self.units.get(id.0).copied().flatten();
                 Some(in_si(Expr::Parameter(id), unit))

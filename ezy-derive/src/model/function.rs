@@ -147,8 +147,9 @@ impl Context<'_> {
     /// `slip_angle(P, body)`: from the x axis of the body, whichever way it rolls, to the velocity of P:
     /// atan2(v · n, |v · e|).
     fn slip_angle(&mut self, arguments: &[ast::Expr], purpose: &Purpose) -> Option<Value> {
-        let [ast::Expr::Name(point), ast::Expr::Name(body)] = arguments else {
-            let other = arguments.iter().find(|argument| !matches!(argument, ast::Expr::Name(_)))?;
+        let names = arguments.iter().map(ast::Expr::as_name).collect::<Option<Vec<_>>>();
+        let Some([point, body]) = names.as_deref() else {
+            let other = arguments.iter().find(|argument| argument.as_name().is_none())?;
             self.diag.error(values::expected_name(other.extent(), "slip_angle", "slip_angle(A, seat)"));
             return None;
         };

@@ -56,13 +56,19 @@ impl Context<'_> {
         match place {
             ast::Place::OnBody(place) => self.on_body(place, scope),
             ast::Place::Named(name) => match self.names.lookup(scope, name) {
-                Some(Symbol::Point(id) | Symbol::Hinge(_, id)) => self.point_place(id, name),
+                Some(symbol @ (Symbol::Point(id) | Symbol::Hinge(_, id))) => {
+                    self.refuse_index(name, symbol.what())?;
+                    self.point_place(id, name)
+                }
+                Some(Symbol::Points(id) | Symbol::Hinges(_, id)) => {
+                    self.with_member(id, name, |context, source| context.source_place(source))
+                }
                 Some(Symbol::Broken) => None,
                 Some(symbol) => {
                     self.diag.error(names::not_a_place(name, symbol.what(), matches!(symbol, Symbol::Body(_))));
                     None
                 }
-                None if name == "ground" => {
+                None if name.word == "ground" => {
                     self.diag.error(names::not_a_place(name, "the fixed ground", true));
                     None
                 }
@@ -87,12 +93,17 @@ impl Context<'_> {
             State::Waiting => {}
         }
         self.points[id.0].state = State::InWork;
-        let place = match self.points[id.0].source {
-            PointSource::Point(point) => self.on_body(&point.place, None),
-            PointSource::Hinge(_, place) => self.place(place, None),
-        };
+        let place = self.source_place(self.points[id.0].source);
         self.points[id.0].state = place.clone().map_or(State::Faulty, State::Done);
         place
+    }
+
+    /// The place of a point, or the first one of a hinge.
+    pub fn source_place(&mut self, source: PointSource<'_>) -> Option<Place> {
+        match source {
+            PointSource::Point(point) => self.on_body(&point.place, None),
+            PointSource::Hinge(_, place, _) => self.place(place, None),
+        }
     }
 
     fn on_body(&mut self, place: &ast::OnBody, scope: Scope) -> Option<Place> {
@@ -105,17 +116,21 @@ impl Context<'_> {
     }
 
     /// A body, or `Some(None)` for the ground.
-    pub fn body_or_ground(&mut self, name: &Ident) -> Option<Option<BodyId>> {
-        if name == "ground" { Some(None) } else { self.body(name, true).map(Some) }
+    pub fn body_or_ground(&mut self, name: &ast::Name) -> Option<Option<BodyId>> {
+        if name.word == "ground" {
+            return self.refuse_index(name, "the fixed ground").map(|()| None);
+        }
+        self.body(name, true).map(Some)
     }
 
     /// A body that is not the ground.
-    pub fn body(&mut self, name: &Ident, or_ground: bool) -> Option<BodyId> {
+    pub fn body(&mut self, name: &ast::Name, or_ground: bool) -> Option<BodyId> {
         let error = match self.names.lookup(None, name) {
-            Some(Symbol::Body(id)) => return Some(id),
+            Some(Symbol::Body(id)) => return self.refuse_index(name, "a body").map(|()| id),
+            Some(Symbol::Bodies(array)) => return self.body_member(array, name),
             Some(Symbol::Broken) => return None,
             Some(symbol) => names::not_a_body(name, symbol.what()),
-            None if name == "ground" => rules::ground_is_no_body(name),
+            None if name.word == "ground" => rules::ground_is_no_body(name),
             None => {
                 let ground: &[&str] = if or_ground { &["ground"] } else { &[] };
                 names::unknown_body(name, &[ground, &self.names.bodies()].concat())

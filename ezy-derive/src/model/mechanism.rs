@@ -3,15 +3,22 @@
 use super::constant::at_defaults;
 use super::context::{Context, Purpose};
 use super::dimension::Dimension;
-use super::{Body, Row};
+use super::{Expr, Row};
 use crate::diag::{Extent, rules};
 use crate::parse::ast;
 
+/// Mass and inertia of a declared body, or of each member of a declared array.
+#[derive(Debug, Clone)]
+pub struct Declared {
+    pub mass: Expr,
+    pub inertia: Expr,
+}
+
 impl Context<'_> {
-    pub fn body_item(&mut self, body: &ast::Body, defaults: &[f64]) -> Option<Body> {
+    pub fn body_item(&mut self, body: &ast::Body, defaults: &[f64]) -> Option<Declared> {
         let mass = self.inertial(&body.mass, body, "mass", "kg", Dimension::MASS, defaults);
         let inertia = self.inertial(&body.inertia, body, "inertia", "kg*m^2", Dimension::INERTIA, defaults);
-        Some(Body { name: body.name.clone(), mass: mass?, inertia: inertia? })
+        Some(Declared { mass: mass?, inertia: inertia? })
     }
 
     /// Mass or inertia: parameters alone, not negative as declared.
@@ -24,7 +31,7 @@ impl Context<'_> {
         dimension: Dimension,
         defaults: &[f64],
     ) -> Option<super::Expr> {
-        let what = format!("the {word} of body `{}`", body.name);
+        let what = format!("the {word} of body `{}`", body.name.word);
         let value = self.scalar(expr, &Purpose::fixed(None, what.clone()), &what, Some(dimension))?;
         if let Some(number) = at_defaults(&value, defaults).filter(|number| *number < 0.0) {
             self.diag.error(rules::negative_mass(expr.extent(), &what, number, unit));
@@ -33,9 +40,10 @@ impl Context<'_> {
     }
 
     /// Bodies whose mass or inertia is written as zero need a row that holds them.
-    pub fn check_massless(&mut self, bodies: &[(&ast::Body, Body)], rows: &[Row]) {
-        for (i, (source, body)) in bodies.iter().enumerate() {
-            let held = rows.iter().any(|row| touches(row, super::BodyId(i)));
+    /// `bodies` with the index of their array.
+    pub fn check_massless(&mut self, bodies: &[(usize, &ast::Body, Declared)], rows: &[Row]) {
+        for (array, source, body) in bodies {
+            let held = rows.iter().any(|row| touches(row, |body| self.slots[body.0].array == *array));
             if held {
                 continue;
             }
@@ -43,7 +51,7 @@ impl Context<'_> {
             {
                 if at_defaults(value, &[]) == Some(0.0) {
                     let at: Extent = expr.extent();
-                    self.diag.error(rules::massless_and_free(at, &body.name, word));
+                    self.diag.error(rules::massless_and_free(at, &source.name, word));
                 }
             }
         }
@@ -51,13 +59,13 @@ impl Context<'_> {
 }
 
 /// Whether a row restricts a body: the bodies of an equation are not looked for.
-fn touches(row: &Row, body: super::BodyId) -> bool {
-    row.word.may_be_unnamed() || row.arguments.all_bodies().any(|other| other == body)
+fn touches(row: &Row, is_wanted: impl Fn(super::BodyId) -> bool) -> bool {
+    row.word.may_be_unnamed() || row.arguments.all_bodies().any(is_wanted)
 }
 
 impl ast::Place {
     /// The name that a message about the place sits on.
-    pub const fn owner(&self) -> &proc_macro2::Ident {
+    pub const fn owner(&self) -> &ast::Name {
         match self {
             Self::Named(name) => name,
             Self::OnBody(place) => &place.body,

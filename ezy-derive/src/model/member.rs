@@ -4,8 +4,9 @@ use super::context::{Context, Motion, Purpose};
 use super::dimension::Dimension;
 use super::names::Symbol;
 use super::value::Value;
-use super::{BodyId, Component, Expr, PointId};
+use super::{BodyId, Component, Expr, Place, PointId};
 use crate::diag::{Extent, names};
+use crate::parse::ast;
 use proc_macro2::Ident;
 
 const BODY: &[&str] = &["x", "y", "phi", "vx", "vy", "omega", "r", "v"];
@@ -16,16 +17,16 @@ impl Context<'_> {
     /// What can stand behind the dot.
     pub const fn members(symbol: Symbol) -> &'static [&'static str] {
         match symbol {
-            Symbol::Body(_) => BODY,
-            Symbol::Point(_) => POINT,
-            Symbol::Hinge(..) => HINGE,
+            Symbol::Body(_) | Symbol::Bodies(_) => BODY,
+            Symbol::Point(_) | Symbol::Points(_) => POINT,
+            Symbol::Hinge(..) | Symbol::Hinges(..) => HINGE,
             _ => &[],
         }
     }
 
-    pub fn member(&mut self, owner: &Ident, member: &Ident, purpose: &Purpose) -> Option<Value> {
+    pub fn member(&mut self, owner: &ast::Name, member: &Ident, purpose: &Purpose) -> Option<Value> {
         let Some(symbol) = self.names.lookup(purpose.scope, owner) else {
-            let error = if owner == "ground" || owner == "t" || owner == "pi" {
+            let error = if ["ground", "t", "pi"].iter().any(|word| owner.word == word) {
                 names::no_members(member, owner, "a name of the language")
             } else {
                 names::unknown_owner(owner, &self.names.owners())
@@ -36,14 +37,35 @@ impl Context<'_> {
         let name = member.to_string();
         let value = match symbol {
             Symbol::Broken => return None,
-            Symbol::Body(id) => body_member(id, &name),
-            Symbol::Point(id) => point_member(id, &name),
-            Symbol::Hinge(row, point) => match name.as_str() {
-                "angle" => Some(Value::scalar(Expr::HingeAngle(row), Dimension::NONE)),
-                "rate" => Some(Value::scalar(Expr::HingeRate(row), Dimension::ANGULAR_VELOCITY)),
-                _ => point_member(point, &name),
-            },
-            Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Output | Symbol::Let(_) | Symbol::Row(..) => {
+            Symbol::Body(_) | Symbol::Bodies(_) => body_member(self.body(owner, false)?, &name),
+            Symbol::Point(id) => {
+                self.refuse_index(owner, symbol.what())?;
+                point_member(&Carrier::Point(id), &name)
+            }
+            Symbol::Hinge(row, point) => {
+                self.refuse_index(owner, symbol.what())?;
+                match name.as_str() {
+                    "angle" => Some(Value::scalar(Expr::HingeAngle(row), Dimension::NONE)),
+                    "rate" => Some(Value::scalar(Expr::HingeRate(row), Dimension::ANGULAR_VELOCITY)),
+                    _ => point_member(&Carrier::Point(point), &name),
+                }
+            }
+            Symbol::Hinges(_, id) if name == "angle" => {
+                Some(Value::scalar(self.hinge_member(id, owner, false)?, Dimension::NONE))
+            }
+            Symbol::Hinges(_, id) if name == "rate" => {
+                Some(Value::scalar(self.hinge_member(id, owner, true)?, Dimension::ANGULAR_VELOCITY))
+            }
+            Symbol::Points(id) | Symbol::Hinges(_, id) => {
+                let place = self.with_member(id, owner, |context, source| context.source_place(source))?;
+                point_member(&Carrier::Member(place), &name)
+            }
+            Symbol::Count(_)
+            | Symbol::Parameter(_)
+            | Symbol::Input(_)
+            | Symbol::Output
+            | Symbol::Let(_)
+            | Symbol::Row(..) => {
                 self.diag.error(names::no_members(member, owner, symbol.what()));
                 return None;
             }
@@ -75,9 +97,22 @@ fn body_member(id: BodyId, member: &str) -> Option<Value> {
     })
 }
 
-fn point_member(id: PointId, member: &str) -> Option<Value> {
-    let position = |component| Expr::PointPosition(id, component);
-    let velocity = |component| Expr::PointVelocity(id, component);
+/// What carries the members of a point.
+enum Carrier {
+    Point(PointId),
+    /// A member of an array.
+    Member(Place),
+}
+
+fn point_member(carrier: &Carrier, member: &str) -> Option<Value> {
+    let position = |component| match carrier {
+        Carrier::Point(id) => Expr::PointPosition(*id, component),
+        Carrier::Member(place) => Expr::MemberPosition(Box::new(place.clone()), component),
+    };
+    let velocity = |component| match carrier {
+        Carrier::Point(id) => Expr::PointVelocity(*id, component),
+        Carrier::Member(place) => Expr::MemberVelocity(Box::new(place.clone()), component),
+    };
     Some(match member {
         "x" => Value::scalar(position(Component::X), Dimension::LENGTH),
         "y" => Value::scalar(position(Component::Y), Dimension::LENGTH),

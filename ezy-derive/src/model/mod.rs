@@ -13,6 +13,7 @@ mod mechanism;
 mod member;
 mod names;
 mod output;
+mod repeat;
 mod resolve;
 mod scene;
 mod start;
@@ -21,12 +22,14 @@ mod statement;
 mod tests;
 mod unit;
 mod value;
+pub mod whole;
 
 pub use crate::function::Function;
 pub use resolve::resolve;
 
 use crate::words::Word;
 use proc_macro2::Ident;
+use whole::{CountId, IndexId, Whole};
 
 /// Index into [`Model::bodies`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -56,6 +59,13 @@ pub struct Model {
     /// Name of the model as written, CamelCase.
     pub name: Ident,
     pub documentation: String,
+    /// Numbers of a run that say how often things are repeated.
+    pub counts: Vec<Count>,
+    /// Names of the indices of `for`.
+    pub indices: Vec<String>,
+    /// Declared bodies, single or in arrays.
+    pub arrays: Vec<Array>,
+    /// Single bodies, and members of arrays as they are referred to.
     pub bodies: Vec<Body>,
     /// Parameters of the model and of its effects, in declared order.
     pub parameters: Vec<Parameter>,
@@ -73,8 +83,45 @@ pub struct Model {
 }
 
 #[derive(Debug)]
-pub struct Body {
+pub struct Count {
     pub name: Ident,
+    pub default: i64,
+    pub documentation: String,
+}
+
+/// Bodies that are declared together.
+#[derive(Debug, Clone)]
+pub struct Array {
+    pub name: Ident,
+    /// None for a single body.
+    pub lengths: Vec<Whole>,
+    /// Of each member.
+    pub mass: Expr,
+    pub inertia: Expr,
+}
+
+/// A member of an array as it is referred to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Slot {
+    /// Index into [`Model::arrays`].
+    pub array: usize,
+    /// None for a single body.
+    pub index: Vec<Whole>,
+}
+
+/// A `for` around a declaration.
+#[derive(Debug, Clone)]
+pub struct Loop {
+    pub index: IndexId,
+    pub from: Whole,
+    pub to: Whole,
+}
+
+#[derive(Debug)]
+pub struct Body {
+    /// `seat`, or `link[i-1]`.
+    pub name: String,
+    pub slot: Slot,
     pub mass: Expr,
     pub inertia: Expr,
 }
@@ -95,8 +142,11 @@ pub struct Parameter {
 /// A scalar output; a vector is two of them.
 #[derive(Debug)]
 pub struct Output {
-    /// `p`, or `p.x` and `p.y`.
     pub name: String,
+    /// `.x` and `.y` of a vector.
+    pub suffix: String,
+    /// The `for` around its declaration, outermost first.
+    pub loops: Vec<Loop>,
     /// As written, blanks removed; empty when none was declared.
     pub unit: String,
     pub documentation: String,
@@ -109,6 +159,8 @@ pub struct Output {
 #[derive(Debug)]
 pub struct Point {
     pub name: Ident,
+    /// The `for` around its declaration, outermost first.
+    pub loops: Vec<Loop>,
     pub place: Place,
 }
 
@@ -134,6 +186,8 @@ pub struct Row {
     pub word: &'static Word,
     /// The effect that declares it; `None` when the model itself does.
     pub effect: Option<EffectId>,
+    /// The `for` around its declaration, outermost first.
+    pub loops: Vec<Loop>,
     pub arguments: Arguments,
 }
 
@@ -142,6 +196,8 @@ pub struct Force {
     pub word: &'static Word,
     /// The effect that declares it; `None` when the model itself does.
     pub effect: Option<EffectId>,
+    /// The `for` around its declaration, outermost first.
+    pub loops: Vec<Loop>,
     pub arguments: Arguments,
 }
 
@@ -186,6 +242,8 @@ pub struct StartValue {
     pub rate: bool,
     /// Depends on parameters alone.
     pub value: Expr,
+    /// The `for` around it, outermost first.
+    pub loops: Vec<Loop>,
 }
 
 #[derive(Debug)]
@@ -207,6 +265,11 @@ impl Arguments {
 }
 
 impl Model {
+    /// Whether sizes are numbers of a run.
+    pub fn is_repeated(&self) -> bool {
+        !self.counts.is_empty() || !self.indices.is_empty() || self.arrays.iter().any(|a| !a.lengths.is_empty())
+    }
+
     /// The rows of a scene: those of the model and of its effects, without what its effects release.
     pub fn rows_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (RowId, &'a Row)> {
         let called = |row: &Row| row.effect.is_none_or(|effect| scene.effects.contains(&effect));
@@ -241,6 +304,13 @@ pub enum Expr {
     PointPosition(PointId, Component),
     /// `point.vx`, `point.vy`
     PointVelocity(PointId, Component),
+    /// Position of a member of an array of points.
+    MemberPosition(Box<Place>, Component),
+    /// Velocity of a member of an array of points.
+    MemberVelocity(Box<Place>, Component),
+    Count(CountId),
+    /// The index of a `for`, as a number.
+    Index(IndexId),
     /// `hinge.angle` = φ_b − φ_a
     HingeAngle(RowId),
     /// `hinge.rate` = φ̇_b − φ̇_a

@@ -1,6 +1,7 @@
 //! What each name stands for. A model has one set of names for everything that expressions and places can
 //! use; each effect adds its own.
 
+use super::whole::CountId;
 use super::{BodyId, EffectId, InputId, ParameterId, PointId, RowId};
 use crate::diag::{Diagnostics, names as message};
 use proc_macro2::{Ident, Span};
@@ -11,12 +12,19 @@ const RESERVED: [(&str, &str); 3] = [("t", "the time"), ("pi", "the number π"),
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Symbol {
     Body(BodyId),
+    /// An array of bodies.
+    Bodies(usize),
+    Count(CountId),
     Parameter(ParameterId),
     Input(InputId),
     Output,
     Let(usize),
     Point(PointId),
     Hinge(RowId, PointId),
+    /// Points that are declared in a `for`.
+    Points(usize),
+    /// Hinges that are declared in a `for`.
+    Hinges(RowId, usize),
     /// A row that is no point, and its word.
     Row(RowId, &'static str),
     /// Its declaration could not be read; uses are no faults.
@@ -28,6 +36,10 @@ impl Symbol {
     pub const fn what(self) -> &'static str {
         match self {
             Self::Body(_) => "a body",
+            Self::Bodies(_) => "an array of bodies",
+            Self::Count(_) => "a count",
+            Self::Points(_) => "an array of points",
+            Self::Hinges(..) => "an array of hinges",
             Self::Parameter(_) => "a parameter",
             Self::Input(_) => "an input",
             Self::Output => "an output",
@@ -40,11 +52,11 @@ impl Symbol {
     }
 
     const fn is_value(self) -> bool {
-        matches!(self, Self::Parameter(_) | Self::Input(_) | Self::Let(_))
+        matches!(self, Self::Parameter(_) | Self::Count(_) | Self::Input(_) | Self::Let(_))
     }
 
     const fn is_place(self) -> bool {
-        matches!(self, Self::Point(_) | Self::Hinge(..))
+        matches!(self, Self::Point(_) | Self::Points(_) | Self::Hinge(..) | Self::Hinges(..))
     }
 }
 
@@ -109,7 +121,8 @@ impl Names {
     }
 
     pub fn bodies(&self) -> Vec<&str> {
-        let bodies = self.model.iter().filter(|declared| matches!(declared.symbol, Symbol::Body(_)));
+        let bodies =
+            self.model.iter().filter(|declared| matches!(declared.symbol, Symbol::Body(_) | Symbol::Bodies(_)));
         bodies.map(|declared| declared.name.as_str()).collect()
     }
 
@@ -126,7 +139,9 @@ impl Names {
 
     /// Everything that can be released.
     pub fn rows(&self, scope: Scope) -> Vec<&str> {
-        let rows = self.visible(scope).filter(|d| matches!(d.symbol, Symbol::Hinge(..) | Symbol::Row(..)));
+        let rows = self
+            .visible(scope)
+            .filter(|d| matches!(d.symbol, Symbol::Hinge(..) | Symbol::Hinges(..) | Symbol::Row(..)));
         rows.map(|declared| declared.name.as_str()).collect()
     }
 

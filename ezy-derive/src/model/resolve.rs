@@ -1,11 +1,13 @@
 //! From the tree to the model: declare every name, then resolve every use.
 
 use super::constant::constant;
-use super::context::{Context, Lazy, PointSource};
+use super::context::{ArraySource, Context, Lazy, PointSource};
+use super::mechanism::Declared;
 use super::names::{Names, Scope, Symbol};
+use super::repeat::count_symbol;
 use super::scene::{Choice, parameters};
 use super::unit::Unit;
-use super::{BodyId, Effect, EffectId, InputId, Model, Parameter, ParameterId, Point, PointId, RowId};
+use super::{Body, Count, Effect, EffectId, InputId, Model, Parameter, ParameterId, Point, PointId, RowId};
 use crate::diag::{Diagnostics, names, rules, scenes};
 use crate::parse::ast::{self, Item, ItemKind, Phrase};
 use proc_macro2::Ident;
@@ -21,11 +23,18 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
             lets: Vec::new(),
             n_lets_in_work: 0,
             points: Vec::new(),
+            point_arrays: Vec::new(),
+            counts: Vec::new(),
+            indices: Vec::new(),
+            loops: Vec::new(),
+            bound: Vec::new(),
+            arrays: Vec::new(),
+            slots: Vec::new(),
         },
+        counts: Vec::new(),
         parameters: Vec::new(),
         inputs: Vec::new(),
         effects: Vec::new(),
-        n_bodies: 0,
         rows: Vec::new(),
     };
     resolver.declare_model(&ast);
@@ -35,12 +44,19 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
 
 struct Resolver<'a> {
     context: Context<'a>,
+    counts: Vec<Count>,
     parameters: Vec<Parameter>,
     inputs: Vec<Parameter>,
     effects: Vec<&'a ast::Effect>,
-    n_bodies: usize,
     /// Rows of the model, then of its effects.
-    rows: Vec<(&'a ast::Statement, Scope)>,
+    rows: Vec<RowSource<'a>>,
+}
+
+/// Where a row is declared.
+struct RowSource<'a> {
+    statement: &'a ast::Statement,
+    loops: &'a [ast::Loop],
+    scope: Scope,
 }
 
 impl<'a> Resolver<'a> {
@@ -61,6 +77,12 @@ impl<'a> Resolver<'a> {
         for name in &ast.broken {
             self.context.names.declare_broken(name);
         }
+        let bodies = ast.items.iter().filter_map(|item| match &item.kind {
+            ItemKind::Body(body) => Some(&body.name),
+            _ => None,
+        });
+        bodies.enumerate().for_each(|(i, name)| self.context.resolve_lengths(i, name));
+        self.context.check_index_names(&ast.loops);
     }
 
     fn declare(&mut self, item: &'a Item, scope: Scope) {
@@ -78,32 +100,52 @@ impl<'a> Resolver<'a> {
                 self.inputs.push(parameter_of(input, "input", &item.documentation, scope, context));
                 (&input.name, Symbol::Input(id))
             }
-            ItemKind::Output(output) => (&output.name, Symbol::Output),
+            ItemKind::Count(count) => {
+                let resolved = context.count(count, &item.documentation);
+                context.counts.push((count.name.to_string(), resolved.default));
+                self.counts.push(resolved);
+                (&count.name, count_symbol(self.counts.len() - 1))
+            }
+            ItemKind::Output(output) => (&output.name.word, Symbol::Output),
             ItemKind::Let(value) => {
                 context.lets.push(Lazy::waiting((scope, value)));
                 (&value.name, Symbol::Let(context.lets.len() - 1))
             }
-            ItemKind::Body(body) => {
-                self.n_bodies += 1;
-                (&body.name, Symbol::Body(BodyId(self.n_bodies - 1)))
-            }
+            ItemKind::Body(body) => (&body.name.word, context.declare_bodies(body)),
             ItemKind::Point(point) => {
-                context.points.push(Lazy::waiting(PointSource::Point(point)));
-                (&point.name, Symbol::Point(PointId(context.points.len() - 1)))
+                let source = PointSource::Point(point);
+                let symbol = match &item.loops[..] {
+                    [] => {
+                        context.points.push(Lazy::waiting(source));
+                        Symbol::Point(PointId(context.points.len() - 1))
+                    }
+                    loops => {
+                        context.point_arrays.push(Lazy::waiting(ArraySource { source, loops }));
+                        Symbol::Points(context.point_arrays.len() - 1)
+                    }
+                };
+                (&point.name.word, symbol)
             }
             ItemKind::Statement(row) if row.word.is_row() => {
                 let id = RowId(self.rows.len());
-                self.rows.push((row, scope));
+                self.rows.push(RowSource { statement: row, loops: &item.loops, scope });
                 let Some(name) = &row.name else { return };
                 let first = row.phrases.first();
                 let symbol = match first {
-                    Some(Phrase::Pair(place, _)) if row.word.is_hinge() => {
-                        context.points.push(Lazy::waiting(PointSource::Hinge(name, place)));
-                        Symbol::Hinge(id, PointId(context.points.len() - 1))
+                    Some(Phrase::Pair(pair)) if row.word.is_hinge() => {
+                        let [a, b] = &**pair;
+                        let source = PointSource::Hinge(&name.word, a, b);
+                        if item.loops.is_empty() {
+                            context.points.push(Lazy::waiting(source));
+                            Symbol::Hinge(id, PointId(context.points.len() - 1))
+                        } else {
+                            context.point_arrays.push(Lazy::waiting(ArraySource { source, loops: &item.loops }));
+                            Symbol::Hinges(id, context.point_arrays.len() - 1)
+                        }
                     }
                     _ => Symbol::Row(id, row.word.word),
                 };
-                (name, symbol)
+                (&name.word, symbol)
             }
             _ => return,
         };
@@ -121,38 +163,59 @@ impl<'a> Resolver<'a> {
         let mut points = Vec::new();
         for id in 0..context.points.len() {
             let name = match context.points[id].source {
-                PointSource::Point(point) => &point.name,
-                PointSource::Hinge(name, _) => name,
+                PointSource::Point(point) => {
+                    context.check_declared_name(&point.name, &[]);
+                    &point.name.word
+                }
+                PointSource::Hinge(name, ..) => name,
             };
             let place = context.point_place(PointId(id), name);
-            points.extend(place.map(|place| Point { name: name.clone(), place }));
+            points.extend(place.map(|place| Point { name: name.clone(), loops: Vec::new(), place }));
+        }
+        for id in 0..context.point_arrays.len() {
+            let ArraySource { source, loops: written } = context.point_arrays[id].source;
+            let loops = context.enter(written);
+            let name = match source {
+                PointSource::Point(point) => {
+                    context.check_declared_name(&point.name, written);
+                    &point.name.word
+                }
+                PointSource::Hinge(name, ..) => name,
+            };
+            let place = context.declared_member(id);
+            points.extend(place.map(|place| Point { name: name.clone(), loops, place }));
+            context.leave();
         }
         let (mut bodies, mut rows, mut forces, mut effects) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (mut starts, mut start_names, mut scenes) = (Vec::new(), Vec::new(), Vec::new());
-        for (i, (&(statement, effect), name)) in self.rows.iter().zip(&row_names).enumerate() {
-            rows.extend(context.row(statement, name, RowId(i), effect));
+        for (i, (row, name)) in self.rows.iter().zip(&row_names).enumerate() {
+            rows.extend(context.row(row.statement, row.loops, name, RowId(i), row.scope));
         }
-        let mut outputs = Vec::new();
+        let (mut outputs, mut n_arrays) = (Vec::new(), 0);
         for item in &ast.items {
             match &item.kind {
-                ItemKind::Output(output) => outputs.extend(context.output(output, &item.documentation, None)),
+                ItemKind::Output(output) => outputs.extend(context.output(output, item, None)),
                 ItemKind::Body(body) => {
-                    bodies.extend(context.body_item(body, &defaults).map(|resolved| (body, resolved)));
+                    let array = n_arrays;
+                    n_arrays += 1;
+                    bodies.extend(context.body_item(body, &defaults).map(|resolved| (array, body, resolved)));
                 }
-                ItemKind::Statement(force) if !force.word.is_row() => forces.extend(context.force(force, None)),
+                ItemKind::Statement(force) if !force.word.is_row() => {
+                    forces.extend(context.force(force, &item.loops, None));
+                }
                 ItemKind::Release(row) => context.diag.error(scenes::release_outside_effect(row)),
                 ItemKind::Effect(effect) => {
                     let id = EffectId(effects.len());
                     for item in &effect.items {
                         if let ItemKind::Output(output) = &item.kind {
-                            outputs.extend(context.output(output, &item.documentation, Some(id)));
+                            outputs.extend(context.output(output, item, Some(id)));
                         }
                     }
                     let inner = effect.items.iter().filter_map(|item| match &item.kind {
-                        ItemKind::Statement(force) if !force.word.is_row() => Some(force),
+                        ItemKind::Statement(force) if !force.word.is_row() => Some((force, &item.loops)),
                         _ => None,
                     });
-                    forces.extend(inner.filter_map(|force| context.force(force, Some(id))));
+                    forces.extend(inner.flat_map(|(force, loops)| context.force(force, loops, Some(id))));
                     effects.push(Effect {
                         name: effect.name.clone(),
                         documentation: item.documentation.clone(),
@@ -182,7 +245,7 @@ impl<'a> Resolver<'a> {
             .filter_map(|(item, scene)| context.scene(scene, item.documentation.clone(), &choice))
             .collect();
         context.check_releases(&scenes, &effects, &row_names);
-        context.check_whole(ast, self.n_bodies, scene_items.len());
+        context.check_whole(ast, context.arrays.len(), scene_items.len());
         if context.diag.is_empty() {
             context.warn_unused_parameters(&choice, &scene_items);
         }
@@ -190,7 +253,10 @@ impl<'a> Resolver<'a> {
             visibility: ast.visibility.clone(),
             name: ast.name.clone(),
             documentation: ast.documentation.clone(),
-            bodies: bodies.into_iter().map(|(_, body)| body).collect(),
+            counts: std::mem::take(&mut self.counts),
+            bodies: context.bodies(&bodies),
+            indices: std::mem::take(&mut context.indices),
+            arrays: std::mem::take(&mut context.arrays),
             parameters: std::mem::take(&mut self.parameters),
             inputs: std::mem::take(&mut self.inputs),
             outputs,
@@ -209,13 +275,13 @@ impl Resolver<'_> {
     fn row_names(&self) -> Vec<Ident> {
         let mut n_unnamed = 0;
         let mut name = |statement: &ast::Statement| match &statement.name {
-            Some(name) => name.clone(),
+            Some(name) => name.word.clone(),
             None => {
                 n_unnamed += 1;
                 Ident::new(&format!("{}_{n_unnamed}", statement.word.word.replace(' ', "_")), statement.keyword.span())
             }
         };
-        self.rows.iter().map(|(statement, _)| name(statement)).collect()
+        self.rows.iter().map(|row| name(row.statement)).collect()
     }
 }
 
@@ -247,6 +313,19 @@ fn unique(names: &[&Ident], what: &str, diag: &mut Diagnostics) {
 }
 
 impl Context<'_> {
+    /// Every slot with the mass and inertia of its array; only what follows a fault lacks some.
+    fn bodies(&mut self, declared: &[(usize, &ast::Body, Declared)]) -> Vec<Body> {
+        for (array, _, of) in declared {
+            (self.arrays[*array].mass, self.arrays[*array].inertia) = (of.mass.clone(), of.inertia.clone());
+        }
+        let body = |slot: &super::Slot| {
+            let (_, _, of) = declared.iter().find(|(array, ..)| *array == slot.array)?;
+            let (mass, inertia) = (of.mass.clone(), of.inertia.clone());
+            Some(Body { name: self.slot_text(slot), slot: slot.clone(), mass, inertia })
+        };
+        self.slots.iter().filter_map(body).collect()
+    }
+
     /// A model needs a body to move, a scene to run, and a module name.
     fn check_whole(&mut self, ast: &ast::Model, n_bodies: usize, n_scenes: usize) {
         let module = super::case::snake_case(&ast.name.to_string());

@@ -35,7 +35,7 @@ impl Context<'_> {
             let ast::ItemKind::Release(name) = &item.kind else { continue };
             let symbol = self.names.lookup(Some(id), name);
             match symbol {
-                Some(Symbol::Hinge(row, _) | Symbol::Row(row, _)) => {
+                Some(Symbol::Hinge(row, _) | Symbol::Hinges(row, _) | Symbol::Row(row, _)) => {
                     match released.iter().find(|(other, _)| *other == row) {
                         Some((_, first)) => self.diag.error(scenes::released_twice(name, first)),
                         None => released.push((row, name)),
@@ -167,7 +167,7 @@ pub fn parameters(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
 fn values(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
     effect.items.iter().filter_map(|item| match &item.kind {
         ast::ItemKind::Parameter(value) | ast::ItemKind::Input(value) => Some(&value.name),
-        ast::ItemKind::Output(output) => Some(&output.name),
+        ast::ItemKind::Output(output) => Some(&output.name.word),
         _ => None,
     })
 }

@@ -27,10 +27,11 @@ impl Context<'_> {
         let mut values: Vec<StartValue> = Vec::new();
         let mut words: Vec<&Ident> = Vec::new();
         for given in &start.given {
-            if given.body == "ground" {
+            if given.body.word == "ground" {
                 self.diag.error(scenes::ground_starts(&given.body));
                 continue;
             }
+            let loops = self.enter(&given.loops);
             let Some(body) = self.body(&given.body, false) else { continue };
             for (value, (component, rate)) in given.values.iter().zip(components(given.quantity)) {
                 let Some(value) = value else { continue };
@@ -48,10 +49,17 @@ impl Context<'_> {
                 {
                     self.diag.error(scenes::moves_at_rest(rest, &start.name, &name, &given.word));
                 }
-                values.push(StartValue { body, component: *component, rate: *rate, value: resolved });
+                values.push(StartValue {
+                    body,
+                    component: *component,
+                    rate: *rate,
+                    value: resolved,
+                    loops: loops.clone(),
+                });
                 words.push(&given.word);
             }
         }
+        self.leave();
         Start { name: start.name.clone(), values }
     }
 }

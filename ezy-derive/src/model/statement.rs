@@ -7,20 +7,51 @@ use super::unit::Unit;
 use super::value::Form;
 use super::{Arguments, Expr, Force, Row, RowId};
 use crate::diag::{rules, values};
-use crate::parse::ast::{Phrase, Statement};
+use crate::parse::ast::{self, Phrase, Statement};
 use crate::words::{Class, Otherwise};
 use proc_macro2::Ident;
 
 impl Context<'_> {
     /// A row; `name` is its own or the one that it got.
-    pub fn row(&mut self, statement: &Statement, name: &Ident, id: RowId, effect: Scope) -> Option<Row> {
-        let arguments = self.arguments(statement, Some(name), effect, Some(id))?;
-        Some(Row { name: name.clone(), word: statement.word, effect, arguments })
+    pub fn row(
+        &mut self,
+        statement: &Statement,
+        loops: &[ast::Loop],
+        name: &Ident,
+        id: RowId,
+        effect: Scope,
+    ) -> Option<Row> {
+        let loops_of_row = self.enter(loops);
+        if let Some(name) = &statement.name {
+            self.check_declared_name(name, loops);
+        }
+        let arguments = self.arguments(statement, Some(name), effect, Some(id));
+        self.leave();
+        Some(Row { name: name.clone(), word: statement.word, effect, loops: loops_of_row, arguments: arguments? })
     }
 
-    pub fn force(&mut self, statement: &Statement, effect: Scope) -> Option<Force> {
-        let arguments = self.arguments(statement, None, effect, None)?;
-        Some(Force { word: statement.word, effect, arguments })
+    /// A force; of a gravity that acts on arrays, one for each of them.
+    pub fn force(&mut self, statement: &Statement, loops: &[ast::Loop], effect: Scope) -> Vec<Force> {
+        let loops = self.enter(loops);
+        let arguments = self.arguments(statement, None, effect, None);
+        let word = statement.word;
+        let forces = match arguments {
+            None => Vec::new(),
+            Some(arguments) if word.acts_on_all_bodies() && self.is_repeated() => {
+                let on = |(body, loops)| {
+                    let arguments = Arguments {
+                        bodies: vec![Some(body)],
+                        vector: arguments.vector.clone(),
+                        ..Arguments::default()
+                    };
+                    Force { word, effect, loops, arguments }
+                };
+                self.all_bodies().into_iter().map(on).collect()
+            }
+            Some(arguments) => vec![Force { word, effect, loops, arguments }],
+        };
+        self.leave();
+        forces
     }
 
     fn arguments(
@@ -60,10 +91,12 @@ impl Context<'_> {
     ) {
         let scope = purpose.scope;
         match phrase {
-            Phrase::Pair(a, b) => {
+            Phrase::Pair(pair) => {
+                let [a, b] = &**pair;
                 let first = match statement.name.as_ref().and_then(|name| self.names.lookup(scope, name)) {
                     // the hinge's own point: its faults are told once
                     Some(Symbol::Hinge(id, point)) if Some(id) == row => self.point_place(point, a.owner()),
+                    Some(Symbol::Hinges(id, point)) if Some(id) == row => self.declared_member(point),
                     _ => self.place(a, scope),
                 };
                 let second = self.place(b, scope);
@@ -82,11 +115,15 @@ impl Context<'_> {
                 arguments.places.extend(place);
             }
             Phrase::Couple(a, b) => {
-                if a == b {
+                let single = a.indices.is_empty() && b.indices.is_empty();
+                if single && a.word == b.word {
                     self.diag.error(rules::couple_of_one(b, subject));
                     return;
                 }
                 let bodies = [self.body_or_ground(a), self.body_or_ground(b)];
+                if !single && bodies[0].is_some() && bodies[0] == bodies[1] {
+                    self.diag.error(rules::couple_of_one(b, subject));
+                }
                 arguments.bodies.extend(bodies.into_iter().flatten());
             }
             Phrase::Body(body) => arguments.bodies.extend(self.body(body, false).map(Some)),

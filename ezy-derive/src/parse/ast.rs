@@ -3,6 +3,7 @@
 use crate::diag::Extent;
 use crate::words::{Asked, Setting, Word};
 use proc_macro2::{Ident, Span};
+use std::ops::Deref;
 
 pub struct Model {
     pub visibility: syn::Visibility,
@@ -11,16 +12,38 @@ pub struct Model {
     pub items: Vec<Item>,
     /// Names of items that could not be parsed: their uses are no faults of their own.
     pub broken: Vec<Ident>,
+    /// Every `for`, once, with those around it.
+    pub loops: Vec<(Loop, Vec<Loop>)>,
 }
 
 #[derive(Debug)]
 pub struct Item {
     pub documentation: String,
+    /// The `for` around the item, outermost first.
+    pub loops: Vec<Loop>,
     pub kind: ItemKind,
+}
+
+/// `for variable in from..to`
+#[derive(Debug, Clone)]
+pub struct Loop {
+    pub variable: Ident,
+    pub from: Expr,
+    pub to: Expr,
+}
+
+/// A name with what stands in brackets behind it: `link[i-1]`.
+#[derive(Debug, Clone)]
+pub struct Name {
+    pub word: Ident,
+    pub indices: Vec<Expr>,
+    /// The last token.
+    pub end: Span,
 }
 
 #[derive(Debug)]
 pub enum ItemKind {
+    Count(Count),
     Parameter(Parameter),
     /// Written like a parameter.
     Input(Parameter),
@@ -36,6 +59,12 @@ pub enum ItemKind {
 }
 
 #[derive(Debug)]
+pub struct Count {
+    pub name: Ident,
+    pub value: Expr,
+}
+
+#[derive(Debug)]
 pub struct Parameter {
     pub name: Ident,
     pub unit: Option<Unit>,
@@ -46,7 +75,7 @@ pub struct Parameter {
 
 #[derive(Debug)]
 pub struct Output {
-    pub name: Ident,
+    pub name: Name,
     pub unit: Option<Unit>,
     pub value: Expr,
 }
@@ -59,14 +88,15 @@ pub struct Let {
 
 #[derive(Debug)]
 pub struct Body {
-    pub name: Ident,
+    /// The indices are the lengths of an array.
+    pub name: Name,
     pub mass: Expr,
     pub inertia: Expr,
 }
 
 #[derive(Debug)]
 pub struct Point {
-    pub name: Ident,
+    pub name: Name,
     pub place: OnBody,
 }
 
@@ -77,17 +107,17 @@ pub struct Statement {
     /// The word as written.
     pub keyword: Ident,
     /// Forces have none, some rows need none.
-    pub name: Option<Ident>,
+    pub name: Option<Name>,
     pub phrases: Vec<Phrase>,
 }
 
 /// What was written for a part of a statement.
 #[derive(Debug)]
 pub enum Phrase {
-    Pair(Place, Place),
+    Pair(Box<[Place; 2]>),
     At(Place),
-    Couple(Ident, Ident),
-    Body(Ident),
+    Couple(Name, Name),
+    Body(Name),
     Direction { across: bool, direction: OnBody },
     Scalar(Asked, Expr),
     Vector(Asked, Expr),
@@ -112,7 +142,9 @@ pub struct Start {
 /// One quantity of a body in a start.
 #[derive(Debug)]
 pub struct Given {
-    pub body: Ident,
+    /// The `for` around it, outermost first.
+    pub loops: Vec<Loop>,
+    pub body: Name,
     pub quantity: Quantity,
     /// The word that gives it.
     pub word: Ident,
@@ -151,14 +183,14 @@ pub struct Duration {
 /// A point by its name, or a place on a body.
 #[derive(Debug)]
 pub enum Place {
-    Named(Ident),
+    Named(Name),
     OnBody(OnBody),
 }
 
 /// `body(x, y)`: a place or a direction in the axes of a body.
 #[derive(Debug)]
 pub struct OnBody {
-    pub body: Ident,
+    pub body: Name,
     pub x: Expr,
     pub y: Expr,
 }
@@ -179,13 +211,38 @@ pub struct UnitFactor {
 
 #[derive(Debug, Clone)]
 pub enum Expr {
-    Number { value: f64, span: Span },
+    Number {
+        value: f64,
+        span: Span,
+    },
     Name(Ident),
-    Member { owner: Ident, member: Ident },
-    Call { function: Ident, arguments: Vec<Expr>, end: Span },
-    Vector { x: Box<Expr>, y: Box<Expr>, start: Span, end: Span },
-    Negative { sign: Span, operand: Box<Expr> },
-    Binary { operator: Operator, span: Span, left: Box<Expr>, right: Box<Expr> },
+    /// A name with indices and no member.
+    Indexed(Box<Name>),
+    Member {
+        owner: Box<Name>,
+        member: Ident,
+    },
+    Call {
+        function: Ident,
+        arguments: Vec<Expr>,
+        end: Span,
+    },
+    Vector {
+        x: Box<Expr>,
+        y: Box<Expr>,
+        start: Span,
+        end: Span,
+    },
+    Negative {
+        sign: Span,
+        operand: Box<Expr>,
+    },
+    Binary {
+        operator: Operator,
+        span: Span,
+        left: Box<Expr>,
+        right: Box<Expr>,
+    },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -195,6 +252,20 @@ pub enum Operator {
     Multiply,
     Divide,
     Power,
+}
+
+impl Deref for Name {
+    type Target = Ident;
+
+    fn deref(&self) -> &Ident {
+        &self.word
+    }
+}
+
+impl From<&Name> for Extent {
+    fn from(name: &Name) -> Self {
+        Self { first: name.word.span(), last: name.end }
+    }
 }
 
 impl Operator {
@@ -210,10 +281,20 @@ impl Operator {
 }
 
 impl Expr {
+    /// A name alone, with or without indices.
+    pub fn as_name(&self) -> Option<Name> {
+        match self {
+            Self::Name(word) => Some(Name { word: word.clone(), indices: Vec::new(), end: word.span() }),
+            Self::Indexed(name) => Some(Name::clone(name)),
+            _ => None,
+        }
+    }
+
     pub fn extent(&self) -> Extent {
         match self {
             Self::Number { span, .. } => (*span).into(),
             Self::Name(name) => name.into(),
+            Self::Indexed(name) => (&**name).into(),
             Self::Member { owner, member } => Extent { first: owner.span(), last: member.span() },
             Self::Call { function, end, .. } => Extent { first: function.span(), last: *end },
             Self::Vector { start, end, .. } => Extent { first: *start, last: *end },

@@ -2,7 +2,7 @@
 
 use super::Log;
 use super::ast::{Body, Expr, ItemKind};
-use super::expression::expression;
+use super::expression::{expression, indexed};
 use super::token::{braced, name, sign};
 use crate::diag::syntax;
 use proc_macro2::Ident;
@@ -12,7 +12,7 @@ use syn::{Result, Token};
 const FIELDS: [&str; 2] = ["mass", "inertia"];
 
 pub fn body(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
-    let body = name(input, "the name of the body")?;
+    let body = indexed(input, "the name of the body")?;
     let fields = braced(input)?.inside;
     let mut given: [Option<(Ident, Expr)>; FIELDS.len()] = [None, None];
     while !fields.is_empty() {

@@ -11,6 +11,6 @@ pub fn effect(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
     let name = name(input, "the name of the effect")?;
     let inside = braced(input)?.inside;
     let mut effect = Effect { name, items: Vec::new() };
-    items(&inside, EFFECT, &mut effect.items, log);
+    items(&inside, EFFECT, &[], &mut effect.items, log);
     Ok(ItemKind::Effect(effect))
 }

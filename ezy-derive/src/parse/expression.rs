@@ -1,6 +1,6 @@
 //! Expressions, by recursive descent: `+ -` bind weakest, then `* /`, then the sign, then `^` (to the right).
 
-use super::ast::{Expr, Operator};
+use super::ast::{Expr, Name, Operator};
 use super::token::{Bracketed, end, expected, name, parenthesised, peek_number};
 use crate::diag::syntax;
 use proc_macro2::Span;
@@ -15,6 +15,11 @@ const MAX_BRACKETS: usize = 50;
 /// A scalar or a vector.
 pub fn expression(input: ParseStream) -> Result<Expr> {
     Parser { parts: 0, brackets: 0 }.sum(input)
+}
+
+/// A name, with or without indices.
+pub fn indexed(input: ParseStream, what: &str) -> Result<Name> {
+    Parser { parts: 0, brackets: 0 }.indexed(input, what)
 }
 
 struct Parser {
@@ -84,18 +89,43 @@ impl Parser {
         if input.peek(syn::token::Paren) {
             return self.in_brackets(input, Self::group);
         }
-        let owner = name(input, "a value")?;
-        if input.peek(syn::token::Paren) {
+        let owner = self.indexed(input, "a value")?;
+        if input.peek(syn::token::Paren) && owner.indices.is_empty() {
+            let function = owner.word;
             return self.in_brackets(input, |parser, brackets| {
                 let arguments = parser.arguments(&brackets.inside)?;
-                Ok(Expr::Call { function: owner, arguments, end: brackets.close })
+                Ok(Expr::Call { function, arguments, end: brackets.close })
             });
         }
         if input.peek(Token![.]) {
             input.parse::<Token![.]>()?;
-            return Ok(Expr::Member { owner, member: name(input, "the name of a member")? });
+            let member = name(input, "the name of a member")?;
+            return Ok(Expr::Member { owner: Box::new(owner), member });
         }
-        Ok(Expr::Name(owner))
+        Ok(if owner.indices.is_empty() { Expr::Name(owner.word) } else { Expr::Indexed(Box::new(owner)) })
+    }
+
+    fn indexed(&mut self, input: ParseStream, what: &str) -> Result<Name> {
+        let word = name(input, what)?;
+        let mut indexed = Name { end: word.span(), word, indices: Vec::new() };
+        if !input.peek(syn::token::Bracket) {
+            return Ok(indexed);
+        }
+        let inside;
+        let brackets = syn::bracketed!(inside in input).span;
+        if self.brackets == MAX_BRACKETS {
+            return Err(syntax::brackets_too_deep(brackets.open(), MAX_BRACKETS));
+        }
+        self.brackets += 1;
+        indexed.indices.push(self.sum(&inside)?);
+        while inside.peek(Token![,]) {
+            inside.parse::<Token![,]>()?;
+            indexed.indices.push(self.sum(&inside)?);
+        }
+        self.brackets -= 1;
+        end(&inside, "]")?;
+        indexed.end = brackets.close();
+        Ok(indexed)
     }
 
     fn in_brackets(

@@ -1,9 +1,9 @@
 //! The items of a model or an effect: one row of a table for each word, and what is skipped after a fault.
 
-use super::ast::{Item, ItemKind};
+use super::ast::{Item, ItemKind, Loop};
 use super::statement::statement;
-use super::token::{expected, skip};
-use super::{Log, body, effect, let_value, output, parameter, point, release, scene, start};
+use super::token::{braced, expected, peek_word, skip};
+use super::{Log, body, effect, let_value, output, parameter, point, release, repeat, scene, start};
 use crate::diag::syntax;
 use crate::words::WORDS;
 use proc_macro2::Ident;
@@ -23,46 +23,63 @@ struct ItemWord {
 pub struct Level {
     place: &'static str,
     items: &'static [ItemWord],
+    /// What can stand in a `for`, besides rows and forces.
+    in_for: &'static [ItemWord],
 }
 
 /// The items of a model.
-pub const MODEL: Level = Level { place: "a model", items: &ITEMS };
-/// The items of an effect: the last ones of the table.
-pub const EFFECT: Level = Level { place: "an effect", items: ITEMS.split_at(N_MODEL_ITEMS).1 };
+pub const MODEL: Level = Level {
+    place: "a model",
+    items: &[BODY, POINT, EFFECT_ITEM, START, SCENE, PARAM, INPUT, OUTPUT, LET, RELEASE, COUNT],
+    in_for: &[POINT, OUTPUT],
+};
+/// The items of an effect.
+pub const EFFECT: Level = Level { place: "an effect", items: &[PARAM, INPUT, OUTPUT, LET, RELEASE], in_for: &[OUTPUT] };
 
-/// How many items only a model can have.
-const N_MODEL_ITEMS: usize = 5;
-
-const ITEMS: [ItemWord; 10] = [
-    ItemWord { word: "body", example: "body seat { mass: m1, inertia: i1 }", parse: body::body },
-    ItemWord { word: "point", example: "point A = seat(-a, 0);", parse: point::point },
-    ItemWord { word: "effect", example: "effect pump { torque seat ~ bar: 2*cos(t); }", parse: effect::effect },
-    ItemWord { word: "start", example: "start folded { seat at (0, 0) angle 0; at rest; }", parse: start::start },
-    ItemWord { word: "scene", example: "scene driven { start folded; until 60 s; with pump; }", parse: scene::scene },
-    ItemWord { word: "param", example: "param a: m = 0.2;", parse: parameter::parameter },
-    ItemWord { word: "input", example: "input torque: N*m = 0;", parse: parameter::input },
-    ItemWord { word: "output", example: "output speed: m/s = norm(seat.v);", parse: output::output },
-    ItemWord { word: "let", example: "let speed = norm(seat.v);", parse: let_value::let_value },
-    ItemWord { word: "release", example: "release rear;", parse: release::release },
-];
+const BODY: ItemWord = ItemWord { word: "body", example: "body seat { mass: m1, inertia: i1 }", parse: body::body };
+const POINT: ItemWord = ItemWord { word: "point", example: "point A = seat(-a, 0);", parse: point::point };
+const EFFECT_ITEM: ItemWord =
+    ItemWord { word: "effect", example: "effect pump { torque seat ~ bar: 2*cos(t); }", parse: effect::effect };
+const START: ItemWord =
+    ItemWord { word: "start", example: "start folded { seat at (0, 0) angle 0; at rest; }", parse: start::start };
+const SCENE: ItemWord =
+    ItemWord { word: "scene", example: "scene driven { start folded; until 60 s; with pump; }", parse: scene::scene };
+const PARAM: ItemWord = ItemWord { word: "param", example: "param a: m = 0.2;", parse: parameter::parameter };
+const INPUT: ItemWord = ItemWord { word: "input", example: "input torque: N*m = 0;", parse: parameter::input };
+const OUTPUT: ItemWord =
+    ItemWord { word: "output", example: "output speed: m/s = norm(seat.v);", parse: output::output };
+const LET: ItemWord = ItemWord { word: "let", example: "let speed = norm(seat.v);", parse: let_value::let_value };
+const RELEASE: ItemWord = ItemWord { word: "release", example: "release rear;", parse: release::release };
+const COUNT: ItemWord = ItemWord { word: "count", example: "count n = 100;", parse: repeat::count };
 
 impl Level {
     /// Every word of the level, in the order of the manual.
     fn words(self) -> Vec<&'static str> {
-        self.items.iter().map(|item| item.word).chain(WORDS.iter().map(|row| row.word)).collect()
+        let items = self.items.iter().map(|item| item.word);
+        items.chain(WORDS.iter().map(|row| row.word)).chain(["for"]).collect()
+    }
+
+    /// The inside of a `for` at this level.
+    const fn repeated(self) -> Self {
+        Self { place: "a `for`", items: self.in_for, in_for: self.in_for }
     }
 }
 
-/// Reads items to the end of the brackets. After a fault it goes on with the next item.
-pub fn items(input: ParseStream, level: Level, items: &mut Vec<Item>, log: &mut Log) {
+/// Reads items to the end of the brackets, inside the `for` of `loops`. After a fault it goes on with the next item.
+pub fn items(input: ParseStream, level: Level, loops: &[Loop], items: &mut Vec<Item>, log: &mut Log) {
     while !input.is_empty() {
         if input.peek(Token![;]) {
             input.parse::<Token![;]>().ok(); // an empty item, as in Rust
             continue;
         }
         let begin = input.fork();
-        match item(input, level, log) {
-            Ok(item) => items.push(item),
+        let outcome = if peek_word(input, "for") {
+            repeated(input, level, loops, items, log)
+        } else {
+            item(input, level, loops, log).map(|item| items.push(item))
+        };
+        match outcome {
+            Ok(()) => {}
             Err(error) => {
                 log.diag.error(error);
                 log.broken.extend(item_name(&begin.fork()));
@@ -72,7 +89,16 @@ pub fn items(input: ParseStream, level: Level, items: &mut Vec<Item>, log: &mut 
     }
 }
 
-fn item(input: ParseStream, level: Level, log: &mut Log) -> Result<Item> {
+/// `for i in a..b { … }`: its items, each with the `for` around it.
+fn repeated(input: ParseStream, level: Level, outer: &[Loop], items: &mut Vec<Item>, log: &mut Log) -> Result<()> {
+    let range = repeat::range(input, outer)?;
+    let inside = braced(input)?.inside;
+    log.loops.push((range.clone(), outer.to_vec()));
+    self::items(&inside, level.repeated(), &[outer, &[range]].concat(), items, log);
+    Ok(())
+}
+
+fn item(input: ParseStream, level: Level, loops: &[Loop], log: &mut Log) -> Result<Item> {
     let begin = input.span();
     let documentation = documentation(input)?;
     if input.is_empty() {
@@ -89,7 +115,7 @@ fn item(input: ParseStream, level: Level, log: &mut Log) -> Result<Item> {
         return Err(syntax::unknown_word(&word, level.place, &level.words()));
     };
     let kind = kind.map_err(|error| syntax::with_example(error, name, example))?;
-    Ok(Item { documentation, kind })
+    Ok(Item { documentation, loops: loops.to_vec(), kind })
 }
 
 /// Whether the next tokens are this word, or these words.

@@ -11,6 +11,7 @@ mod parameter;
 mod place;
 mod point;
 mod release;
+mod repeat;
 mod scene;
 mod start;
 mod statement;
@@ -34,6 +35,7 @@ pub fn unit_of_text(text: &str) -> Result<ast::Unit> {
 pub struct Log<'a> {
     pub diag: &'a mut Diagnostics,
     pub broken: Vec<Ident>,
+    pub loops: Vec<(ast::Loop, Vec<ast::Loop>)>,
 }
 
 /// The model text as a tree. Faults go to `diag`; what could not be parsed is missing in the tree, its name is kept.
@@ -44,8 +46,9 @@ pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
         documentation: String::new(),
         items: Vec::new(),
         broken: Vec::new(),
+        loops: Vec::new(),
     };
-    let mut log = Log { diag, broken: Vec::new() };
+    let mut log = Log { diag, broken: Vec::new(), loops: Vec::new() };
     let mut header = Ok(());
     let rest = (|input: ParseStream| {
         header = self::model(input, &mut model, &mut log)
@@ -54,6 +57,7 @@ pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
     })
     .parse2(tokens);
     model.broken = log.broken;
+    model.loops = log.loops;
     if header.is_err() {
         model.broken.push(model.name.clone()); // then everything is missing, which is no fault of its own
     }
@@ -72,7 +76,7 @@ fn model(input: ParseStream, model: &mut ast::Model, log: &mut Log) -> Result<()
     word(input, "model")?;
     model.name = name(input, "the name of the model")?;
     let body = token::braced(input)?;
-    item::items(&body.inside, item::MODEL, &mut model.items, log);
+    item::items(&body.inside, item::MODEL, &[], &mut model.items, log);
     if !input.is_empty() {
         log.diag.error(syntax::text_after_model(input.span(), &found(input)));
     }

@@ -2,14 +2,14 @@
 
 use super::Log;
 use super::ast::{ItemKind, Output};
-use super::expression::expression;
-use super::token::{name, sign};
+use super::expression::{expression, indexed};
+use super::token::sign;
 use super::unit::optional_unit;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 pub fn output(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
-    let name = name(input, "the name of the output")?;
+    let name = indexed(input, "the name of the output")?;
     let unit = optional_unit(input)?;
     sign::<Token![=]>(input)?;
     let value = expression(input)?;

@@ -1,14 +1,14 @@
 //! Places and directions: `body(x, y)`, or the name of a point.
 
 use super::ast::{OnBody, Place};
-use super::expression::expression;
-use super::token::{end, name, parenthesised};
+use super::expression::{expression, indexed};
+use super::token::{end, parenthesised};
 use crate::diag::syntax;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 pub fn place(input: ParseStream) -> Result<Place> {
-    let owner = name(input, "a place: the name of a point, or `body(x, y)`")?;
+    let owner = indexed(input, "a place: the name of a point, or `body(x, y)`")?;
     if !input.peek(syn::token::Paren) {
         return Ok(Place::Named(owner));
     }
@@ -17,7 +17,7 @@ pub fn place(input: ParseStream) -> Result<Place> {
 }
 
 pub fn on_body(input: ParseStream, what: &str) -> Result<OnBody> {
-    let body = name(input, what)?;
+    let body = indexed(input, what)?;
     let (x, y) = pair(input, expression)?;
     Ok(OnBody { body, x, y })
 }

@@ -2,13 +2,14 @@
 
 use super::Log;
 use super::ast::{ItemKind, Point};
+use super::expression::indexed;
 use super::place::on_body;
-use super::token::{name, sign};
+use super::token::sign;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 pub fn point(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
-    let name = name(input, "the name of the point")?;
+    let name = indexed(input, "the name of the point")?;
     sign::<Token![=]>(input)?;
     let place = on_body(input, "a place `body(x, y)`")?;
     sign::<Token![;]>(input)?;

@@ -1,10 +1,10 @@
 //! `start name { body at (x, y) angle e velocity (vx, vy) rate w; …; at rest; }`
 
-use super::Log;
-use super::ast::{Expr, Given, ItemKind, Quantity, Start};
-use super::expression::expression;
+use super::ast::{Expr, Given, ItemKind, Loop, Name, Quantity, Start};
+use super::expression::{expression, indexed};
 use super::place::pair;
 use super::token::{braced, expected, name, peek_word, sign, skip, word};
+use super::{Log, repeat};
 use crate::diag::nearest::nearest;
 use crate::diag::syntax;
 use proc_macro2::Ident;
@@ -28,30 +28,50 @@ pub fn start(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
     let name = name(input, "the name of the start")?;
     let inside = braced(input)?.inside;
     let mut start = Start { name, given: Vec::new(), at_rest: None };
-    while !inside.is_empty() {
-        if let Err(error) = statement(&inside, &mut start) {
-            log.diag.error(syntax::with_example(error, "start", "start folded { seat at (0, 0) angle 0; at rest; }"));
-            while !inside.peek(Token![;]) && skip(&inside) {}
-            inside.parse::<Option<Token![;]>>()?;
-        }
-    }
+    statements(&inside, &mut start, &[], log)?;
     Ok(ItemKind::Start(start))
 }
 
-fn statement(input: ParseStream, start: &mut Start) -> Result<()> {
+fn statements(inside: ParseStream, start: &mut Start, outer: &[Loop], log: &mut Log) -> Result<()> {
+    while !inside.is_empty() {
+        let outcome = if peek_word(inside, "for") {
+            repeated(inside, start, outer, log)
+        } else {
+            statement(inside, start, outer).map_err(|error| {
+                syntax::with_example(error, "start", "start folded { seat at (0, 0) angle 0; at rest; }")
+            })
+        };
+        if let Err(error) = outcome {
+            log.diag.error(error);
+            while !inside.peek(Token![;]) && skip(inside) {}
+            inside.parse::<Option<Token![;]>>()?;
+        }
+    }
+    Ok(())
+}
+
+/// `for i in a..b { … }`
+fn repeated(input: ParseStream, start: &mut Start, outer: &[Loop], log: &mut Log) -> Result<()> {
+    let range = repeat::range(input, outer)?;
+    let inside = braced(input)?.inside;
+    log.loops.push((range.clone(), outer.to_vec()));
+    statements(&inside, start, &[outer, &[range]].concat(), log)
+}
+
+fn statement(input: ParseStream, start: &mut Start, loops: &[Loop]) -> Result<()> {
     if peek_word(input, "at") && input.peek2(Ident::peek_any) && is_at_rest(&input.fork()) {
         word(input, "at")?;
         start.at_rest = Some(word(input, "rest")?);
         sign::<Token![;]>(input)?;
         return Ok(());
     }
-    let body = name(input, "the name of a body, or `at rest`")?;
+    let body = indexed(input, "the name of a body, or `at rest`")?;
     if input.peek(Token![;]) {
         return Err(syntax::empty_start_statement(&body));
     }
     let first = start.given.len();
     while !input.peek(Token![;]) {
-        let given = given(input, &body, start.given.len() == first)?;
+        let given = given(input, &body, loops, start.given.len() == first)?;
         start.given.push(given);
     }
     sign::<Token![;]>(input).map(|_| ())
@@ -61,7 +81,7 @@ fn is_at_rest(fork: ParseStream) -> bool {
     fork.call(Ident::parse_any).is_ok() && peek_word(fork, "rest") && fork.peek2(Token![;])
 }
 
-fn given(input: ParseStream, body: &Ident, first: bool) -> Result<Given> {
+fn given(input: ParseStream, body: &Name, loops: &[Loop], first: bool) -> Result<Given> {
     let Some((word, _)) = input.cursor().ident() else { return Err(expected(input, "a quantity or `;`")) };
     let Some((_, quantity)) = QUANTITIES.iter().find(|(known, _)| word == known) else {
         let words: Vec<&str> = QUANTITIES.iter().map(|(known, _)| *known).collect();
@@ -81,7 +101,7 @@ fn given(input: ParseStream, body: &Ident, first: bool) -> Result<Given> {
         }
         _ => vec![Some(expression(input)?)],
     };
-    Ok(Given { body: body.clone(), quantity: *quantity, word, values })
+    Ok(Given { loops: loops.to_vec(), body: body.clone(), quantity: *quantity, word, values })
 }
 
 /// `_` leaves a component free.

@@ -1,12 +1,12 @@
 //! Rows and forces: read by the form that the table of words gives.
 
-use super::ast::{ItemKind, Phrase, Statement};
-use super::expression::expression;
+use super::ast::{ItemKind, Name, Phrase, Statement};
+use super::expression::{expression, indexed};
 use super::place::{on_body, place};
-use super::token::{expected, name, peek_word, sign, word};
+use super::token::{expected, peek_word, sign, word};
 use crate::diag::syntax;
 use crate::words::{Otherwise, Part, Setting, Word};
-use proc_macro2::Ident;
+use proc_macro2::{Delimiter, Ident};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
@@ -23,12 +23,15 @@ pub fn statement(input: ParseStream, word: &'static Word, keyword: Ident) -> Res
     Ok(ItemKind::Statement(statement))
 }
 
-fn row_name(input: ParseStream, word: &Word) -> Result<Option<Ident>> {
-    let named = input.cursor().ident().is_some_and(|(_, rest)| rest.punct().is_some_and(|(p, _)| p.as_char() == ':'));
+fn row_name(input: ParseStream, word: &Word) -> Result<Option<Name>> {
+    let named = input.cursor().ident().is_some_and(|(_, rest)| {
+        let behind = rest.group(Delimiter::Bracket).map_or(rest, |(_, _, rest)| rest);
+        behind.punct().is_some_and(|(p, _)| p.as_char() == ':')
+    });
     if !named && word.may_be_unnamed() {
         return Ok(None);
     }
-    let name = name(input, &format!("the name of the {}", word.word))?;
+    let name = indexed(input, &format!("the name of the {}", word.word))?;
     sign::<Token![:]>(input)?;
     Ok(Some(name))
 }
@@ -45,22 +48,22 @@ fn part(input: ParseStream, part: &'static Part, statement: &mut Statement) -> R
         Part::Pair => {
             let a = place(input)?;
             sign::<Token![~]>(input)?;
-            Phrase::Pair(a, place(input)?)
+            Phrase::Pair(Box::new([a, place(input)?]))
         }
         Part::At => {
             word(input, "at")?;
             Phrase::At(place(input)?)
         }
         Part::Couple => {
-            let a = name(input, "the name of a body")?;
+            let a = indexed(input, "the name of a body")?;
             sign::<Token![~]>(input)?;
-            Phrase::Couple(a, name(input, "the name of a body")?)
+            Phrase::Couple(a, indexed(input, "the name of a body")?)
         }
         Part::BodyOrCouple => {
-            let a = name(input, "the name of a body")?;
+            let a = indexed(input, "the name of a body")?;
             if input.peek(Token![~]) {
                 sign::<Token![~]>(input)?;
-                Phrase::Couple(a, name(input, "the name of a body")?)
+                Phrase::Couple(a, indexed(input, "the name of a body")?)
             } else if input.peek(Token![:]) {
                 Phrase::Body(a)
             } else {

@@ -18,6 +18,7 @@ mod paid_when_asked;
 mod projection;
 mod rank;
 mod recording;
+mod repeats;
 mod selection;
 mod self_check;
 mod setup;

@@ -63,7 +63,7 @@ impl Point for Given<'_> {
         match self.symbols.meaning(symbol) {
             Meaning::Coordinate(i) => self.q[i].unwrap_or(0.0),
             Meaning::Velocity(i) => self.v[i].unwrap_or(0.0),
-            Meaning::Time | Meaning::Input(_) | Meaning::Named(_) => 0.0,
+            Meaning::Time | Meaning::Input(_) | Meaning::Index(_) | Meaning::Named(_) => 0.0,
         }
     }
 

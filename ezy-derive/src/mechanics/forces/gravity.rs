@@ -10,18 +10,20 @@ pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
     let Some((x, y)) = &of.vector else { return };
     let g = [writer.write(x), writer.write(y)];
     let steady = g.iter().all(|&g| writer.algebra.as_coefficient(g).is_some());
-    for i in 0..writer.model.bodies.len() {
-        let mass = writer.write(&writer.model.bodies[i].mass);
+    let all = (0..writer.model.bodies.len()).map(BodyId);
+    let named: Vec<BodyId> = of.bodies.iter().copied().flatten().collect();
+    for body in if named.is_empty() { all.collect() } else { named } {
+        let mass = writer.write(&writer.model.bodies[body.0].mass);
         for (g, component) in g.into_iter().zip([Component::X, Component::Y]) {
             let weight = writer.algebra.mul(mass, g);
             if steady {
-                let coordinate = writer.symbols.coordinate(BodyId(i), component);
+                let coordinate = writer.symbols.coordinate(body, component);
                 let coordinate = writer.algebra.symbol(coordinate);
                 let work = writer.algebra.mul(weight, coordinate);
                 let potential = writer.algebra.neg(work);
                 load.potential(writer, potential);
             } else {
-                let entry = &mut load.work_force[index(BodyId(i), component)];
+                let entry = &mut load.work_force[index(body, component)];
                 *entry = writer.algebra.add(*entry, weight);
             }
         }

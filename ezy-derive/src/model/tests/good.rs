@@ -169,7 +169,8 @@ fn analytic_outputs_are_scalars_in_their_units() {
     let items = "output place: mm = (A.x, 2); output angle: deg = 1 * seat.phi; output any = t;
          effect watch { output speed = seat.vx; }";
     let model = with_torque(items, "1");
-    let outputs: Vec<String> = model.outputs.iter().map(|o| format!("{} [{}] {:?}", o.name, o.unit, o.value)).collect();
+    let outputs: Vec<String> =
+        model.outputs.iter().map(|o| format!("{}{} [{}] {:?}", o.name, o.suffix, o.unit, o.value)).collect();
     assert_eq!(
         outputs,
         [

@@ -47,6 +47,14 @@ fn regress_messages_of_starts_and_scenes() {
     check("scenes", |items| format!("{BEFORE}{items}{BEHIND}"));
 }
 
+#[test]
+fn regress_messages_of_counts_and_arrays() {
+    check("repeats", |items| {
+        let before = BEFORE.replace("start begin", "count n = 4; body link[n] { mass: 1, inertia: 1 } start begin");
+        format!("{before}{items}{BEHIND}")
+    });
+}
+
 /// Compares the messages of each case of a golden file.
 fn check(golden: &str, model: impl Fn(&str) -> String) {
     let manifest = PathBuf::from(env!("CARGO_MANIFEST_DIR"));

@@ -1,0 +1,176 @@
+//! The equations of a scene with arrays: each item once, for all members that a run will have.
+
+use super::constraints::Constraints;
+use super::expression::Writer;
+use super::forces::Load;
+use super::kinematics::Vector;
+use super::rows;
+use super::scene::{Group, drives};
+use super::symbols::Symbols;
+use crate::model::{BodyId, EffectId, Force, InputId, Model, Output, ParameterId, Point, Row, Scene, StartValue};
+use crate::symbolic::{Algebra, SumId, Symbol};
+
+/// Everything that is emitted for a scene with arrays. Coordinates are those of the model's slots.
+#[derive(Debug)]
+pub struct Templates<'m> {
+    pub algebra: Algebra,
+    pub symbols: Symbols,
+    /// Parameters of the model and of the scene's effects.
+    pub parameters: Vec<ParameterId>,
+    /// Inputs of the model and of the scene's effects.
+    pub inputs: Vec<InputId>,
+    /// Mass, mass and inertia by [`Model::arrays`].
+    pub masses: Vec<[SumId; 3]>,
+    /// Position rows first.
+    pub rows: Vec<RowTemplate<'m>>,
+    pub forces: Vec<ForceTemplate<'m>>,
+    /// The groups whose work is counted, in order.
+    pub groups: Vec<Group>,
+    pub points: Vec<PointTemplate<'m>>,
+    pub outputs: Vec<OutputTemplate<'m>>,
+    pub start: Vec<(&'m StartValue, SumId)>,
+}
+
+/// A declared row.
+#[derive(Debug)]
+pub struct RowTemplate<'m> {
+    pub row: &'m Row,
+    /// The bodies that it reads or moves.
+    pub slots: Vec<BodyId>,
+    /// Its own rows alone.
+    pub constraints: Constraints,
+    /// Symbols of the multipliers of rows that move with time, with the place among its own rows.
+    pub multipliers: Vec<(Symbol, usize)>,
+    /// Power of those rows.
+    pub power: SumId,
+}
+
+/// A declared force.
+#[derive(Debug)]
+pub struct ForceTemplate<'m> {
+    pub force: &'m Force,
+    /// The bodies that it reads or moves.
+    pub slots: Vec<BodyId>,
+    pub group: Group,
+    /// What it adds to F, by coordinate; zeros left out.
+    pub entries: Vec<(usize, SumId)>,
+    pub power: SumId,
+    pub potential: SumId,
+}
+
+/// A named point.
+#[derive(Debug)]
+pub struct PointTemplate<'m> {
+    pub point: &'m Point,
+    pub slots: Vec<BodyId>,
+    pub position: Vector,
+}
+
+#[derive(Debug)]
+pub struct OutputTemplate<'m> {
+    pub output: &'m Output,
+    pub slots: Vec<BodyId>,
+    pub value: SumId,
+}
+
+impl RowTemplate<'_> {
+    pub fn is_position(&self) -> bool {
+        self.constraints.n_position_rows > 0
+    }
+}
+
+impl<'m> Templates<'m> {
+    pub fn derive(model: &'m Model, scene: &'m Scene) -> Self {
+        let mut algebra = Algebra::new();
+        let called = |effect: Option<EffectId>| effect.is_none_or(|effect| scene.effects.contains(&effect));
+        let inputs: Vec<InputId> =
+            (0..model.inputs.len()).map(InputId).filter(|id| called(model.inputs[id.0].effect)).collect();
+        let mut symbols = Symbols::new(model, &inputs);
+        let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
+        let masses = model.arrays.iter().map(|array| {
+            let (mass, inertia) = (writer.write(&array.mass), writer.write(&array.inertia));
+            [mass, mass, inertia]
+        });
+        let masses = masses.collect();
+        let forces = forces(model, &mut writer, scene);
+        let points = model.points.iter().map(|point| {
+            let position = writer.position(&point.place);
+            PointTemplate { point, slots: slots(&mut writer, &position), position }
+        });
+        let points = points.collect();
+        let outputs = model.outputs.iter().filter(|output| called(output.effect));
+        let outputs = outputs.map(|output| {
+            let value = writer.write(&output.value);
+            OutputTemplate { output, slots: slots(&mut writer, &[value]), value }
+        });
+        let outputs = outputs.collect();
+        let start = model.starts[scene.start.0].values.iter();
+        let start = start.map(|given| (given, writer.write(&given.value))).collect();
+        let rows = model.rows_of(scene).map(|(id, row)| {
+            let scalar_rows = rows::scalar_rows(&mut writer, row, id);
+            let constraints = Constraints::derive(&mut writer, scalar_rows);
+            let sums = [&constraints.velocity[..], &constraints.convective].concat();
+            (row, slots(&mut writer, &sums), constraints)
+        });
+        let (position, velocity): (Vec<_>, Vec<_>) = rows.partition(|(.., rows)| rows.n_position_rows > 0);
+        let rows = position.into_iter().chain(velocity);
+        let rows: Vec<_> =
+            rows.map(|(row, slots, rows)| RowTemplate::new(&mut algebra, &mut symbols, row, slots, rows)).collect();
+        let parameters =
+            (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
+        // forces of the model that have a potential do no work to record
+        let works = |force: &ForceTemplate| force.group == Group::Model && !force.power.is_zero();
+        let of_model = forces.iter().any(works).then_some(Group::Model);
+        let drives = rows.iter().any(|row| !row.multipliers.is_empty()).then_some(Group::Drives);
+        let groups = of_model.into_iter().chain(scene.effects.iter().copied().map(Group::Effect)).chain(drives);
+        let groups = groups.collect();
+        Self { algebra, symbols, parameters, inputs, masses, rows, forces, groups, points, outputs, start }
+    }
+}
+
+impl<'m> RowTemplate<'m> {
+    fn new(
+        algebra: &mut Algebra,
+        symbols: &mut Symbols,
+        row: &'m Row,
+        slots: Vec<BodyId>,
+        constraints: Constraints,
+    ) -> Self {
+        let mut groups = Vec::new();
+        let multipliers = drives(algebra, symbols, &constraints, &mut groups);
+        let power = groups.first().map_or(SumId::ZERO, |&(_, power)| power);
+        Self { row, slots, constraints, multipliers, power }
+    }
+}
+
+/// Each force that a scene calls for by itself.
+fn forces<'m>(model: &'m Model, writer: &mut Writer<'_>, scene: &Scene) -> Vec<ForceTemplate<'m>> {
+    let groups = std::iter::once(None).chain(scene.effects.iter().copied().map(Some));
+    let of_group = |group| model.forces.iter().filter(move |force| force.effect == group);
+    let mut derived = Vec::new();
+    for force in groups.flat_map(of_group) {
+        let mut load = Load::new(writer.symbols.n_coordinates());
+        load.add(writer, force);
+        let (generalised, power) = load.finish(writer);
+        let entries: Vec<_> = generalised.into_iter().enumerate().filter(|(_, entry)| !entry.is_zero()).collect();
+        let mut sums: Vec<SumId> = entries.iter().map(|&(_, entry)| entry).collect();
+        sums.extend([power, load.potential]);
+        let mut slots = slots(writer, &sums);
+        slots.extend(entries.iter().map(|&(i, _)| BodyId(i / 3)));
+        slots.sort_unstable();
+        slots.dedup();
+        let group = force.effect.map_or(Group::Model, Group::Effect);
+        derived.push(ForceTemplate { force, slots, group, entries, power, potential: load.potential });
+    }
+    derived
+}
+
+/// The bodies whose coordinates or velocities some of the sums read.
+fn slots(writer: &mut Writer<'_>, sums: &[SumId]) -> Vec<BodyId> {
+    let mut reads = |symbol| sums.iter().any(|&sum| !writer.algebra.diff(sum, symbol).is_zero());
+    let symbols = writer.symbols;
+    let mut read = |body: &BodyId| {
+        (3 * body.0..3 * body.0 + 3).any(|i| reads(symbols.coordinate_at(i)) || reads(symbols.velocity_at(i)))
+    };
+    (0..writer.model.bodies.len()).map(BodyId).filter(|body| read(body)).collect()
+}

@@ -1,0 +1,114 @@
+//! Whole numbers of a model: counts, indices of `for`, and what is computed from them.
+
+use super::Expr;
+
+/// Index into [`super::Model::counts`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CountId(pub usize);
+/// Index into [`super::Model::indices`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct IndexId(pub usize);
+
+/// A whole number that is known when a run begins, or in a pass of a `for`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Whole {
+    Number(i64),
+    Count(CountId),
+    Index(IndexId),
+    Sum(Box<Whole>, Box<Whole>),
+    Difference(Box<Whole>, Box<Whole>),
+    Product(Box<Whole>, Box<Whole>),
+}
+
+/// Values of counts and indices by their ids; `None` for an index that has none now.
+pub struct Values<'a> {
+    pub counts: &'a [i64],
+    pub indices: &'a [(IndexId, i64)],
+}
+
+/// Names of counts and indices by their ids.
+pub struct WholeNames<'a> {
+    pub counts: &'a [String],
+    pub indices: &'a [String],
+}
+
+impl Whole {
+    /// `None` where an index has no value, or beyond 64 bits.
+    pub fn evaluate(&self, values: &Values<'_>) -> Option<i64> {
+        let both = |a: &Self, b: &Self| Some((a.evaluate(values)?, b.evaluate(values)?));
+        match self {
+            Self::Number(number) => Some(*number),
+            Self::Count(id) => values.counts.get(id.0).copied(),
+            Self::Index(id) => values.indices.iter().find(|(other, _)| other == id).map(|(_, value)| *value),
+            Self::Sum(a, b) => both(a, b).and_then(|(a, b)| a.checked_add(b)),
+            Self::Difference(a, b) => both(a, b).and_then(|(a, b)| a.checked_sub(b)),
+            Self::Product(a, b) => both(a, b).and_then(|(a, b)| a.checked_mul(b)),
+        }
+    }
+
+    /// As a value of the model language.
+    pub fn to_expr(&self) -> Expr {
+        let both = |a: &Self, b: &Self| (Box::new(a.to_expr()), Box::new(b.to_expr()));
+        match self {
+            Self::Number(number) => Expr::Number(*number as f64),
+            Self::Count(id) => Expr::Count(*id),
+            Self::Index(id) => Expr::Index(*id),
+            Self::Sum(a, b) => {
+                let (a, b) = both(a, b);
+                Expr::Add(a, b)
+            }
+            Self::Difference(a, b) => {
+                let (a, b) = both(a, b);
+                Expr::Sub(a, b)
+            }
+            Self::Product(a, b) => {
+                let (a, b) = both(a, b);
+                Expr::Mul(a, b)
+            }
+        }
+    }
+
+    /// As written: `i-1`.
+    pub fn text(&self, names: &WholeNames<'_>) -> String {
+        let in_product = |part: &Self| match part {
+            Self::Sum(..) | Self::Difference(..) => format!("({})", part.text(names)),
+            _ => part.text(names),
+        };
+        match self {
+            Self::Number(number) => number.to_string(),
+            Self::Count(id) => names.counts[id.0].clone(),
+            Self::Index(id) => names.indices[id.0].clone(),
+            Self::Sum(a, b) => format!("{}+{}", a.text(names), b.text(names)),
+            Self::Difference(a, b) => match **b {
+                Self::Sum(..) | Self::Difference(..) => format!("{}-({})", a.text(names), b.text(names)),
+                _ => format!("{}-{}", a.text(names), b.text(names)),
+            },
+            Self::Product(a, b) => format!("{}*{}", in_product(a), in_product(b)),
+        }
+    }
+
+    pub fn sum(a: Self, b: Self) -> Self {
+        match (a, b) {
+            (Self::Number(a), Self::Number(b)) => Self::Number(a.saturating_add(b)),
+            (a, Self::Number(0)) => a,
+            (Self::Number(0), b) => b,
+            (a, b) => Self::Sum(Box::new(a), Box::new(b)),
+        }
+    }
+
+    pub fn difference(a: Self, b: Self) -> Self {
+        match (a, b) {
+            (Self::Number(a), Self::Number(b)) => Self::Number(a.saturating_sub(b)),
+            (a, Self::Number(0)) => a,
+            (a, b) => Self::Difference(Box::new(a), Box::new(b)),
+        }
+    }
+
+    pub fn product(a: Self, b: Self) -> Self {
+        match (a, b) {
+            (Self::Number(a), Self::Number(b)) => Self::Number(a.saturating_mul(b)),
+            (a, Self::Number(1)) | (Self::Number(1), a) => a,
+            (a, b) => Self::Product(Box::new(a), Box::new(b)),
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! Rows of four-bar linkages against the closed form of parallel cranks.
+
+use ezy_core::prelude::*;
+use ezy_models::n_four_bar;
+use ezy_tests::garage::{at_times, load, number, worse};
+
+/// RK4 at 1 ms over 0.5 s, for the top joint and its velocity of 3 m/s.
+const TOP: f64 = 1e-9;
+
+#[test]
+fn reference_linkages_of_one_to_forty_loops() {
+    let file = load("a02_n_four_bar");
+    for case in file["cases"].as_array().unwrap() {
+        let n = number(&case["N"]) as usize;
+        let rows: Vec<_> = case["rows"].as_array().unwrap().iter().filter(|row| number(&row[0]) <= 0.5).collect();
+        // long rows of linkages only at the beginning
+        let rows = if n > 3 { &rows[..1] } else { &rows[..] };
+        let scene = n_four_bar::Fall { n, ..Default::default() };
+        let order = || Simulation::new(&scene).method(Method::rk4(1e-3));
+        at_times(order, 0.1, rows.iter().map(|row| number(&row[0])), |i, s| {
+            let phi = number(&rows[i][1]);
+            let rate = number(&rows[i][2]);
+            let mut error = 0.0;
+            for crank in 0..=n {
+                error = worse(error, s.coordinates[3 * crank + 2] - (std::f64::consts::FRAC_PI_2 - phi));
+                error = worse(error, s.velocities[3 * crank + 2] + rate);
+            }
+            assert!(error <= TOP, "{n} loops: {error:.1e} at {} s", s.t);
+        });
+    }
+}

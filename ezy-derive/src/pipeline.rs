@@ -154,6 +154,34 @@ mod tests {
     }
 
     #[test]
+    fn analytic_rows_of_velocities_that_integrate_are_reported() {
+        for row in [
+            "velocity constraint r: one.omega = 2 * two.omega;",
+            "velocity constraint r: one.vx = a * cos(one.phi) * one.omega;",
+            "velocity constraint r: one.x * one.vx + one.y * one.vy = 0;",
+            "velocity constraint r: one.vx = 3 * t;",
+            "hinge P: ground(0, 0) ~ one(a, 0); velocity constraint r: cos(one.phi) * one.vx = 0.1 * two.vx;",
+        ] {
+            let found = messages(row);
+            assert!(found.contains("`r` integrates"), "{row}: {found}");
+        }
+    }
+
+    #[test]
+    fn analytic_rows_of_velocities_that_do_not_integrate_are_silent() {
+        for row in [
+            "skate r: at one(a, 0) along one(1, 0);",
+            "roll r: at one(0, 0) along one(1, 0) = a * two.omega;",
+            "velocity constraint r: one.vx = one.y * one.omega;",
+            "velocity constraint r: one.vx = a * cos(t) * one.omega;",
+            "hinge P: one(b, 0) ~ two(-b, 0); skate r: at one(-a, 0) along one(1, 0);",
+        ] {
+            let found = messages(row);
+            assert!(!found.contains("integrates") && !found.contains("compile_error"), "{row}: {found}");
+        }
+    }
+
+    #[test]
     fn invariant_expansion_is_the_same_twice() {
         assert_eq!(expanded("vehicles/ezy_roller.rs"), expanded("vehicles/ezy_roller.rs"));
     }

@@ -95,6 +95,13 @@ fn analytic_functions_have_their_values() {
 }
 
 #[test]
+fn analytic_smooth_step_is_its_polynomial_between_zero_and_one() {
+    assert_eq!(value("", "smooth_step(3, 1, 2) + 10 * smooth_step(0, 1, 2)"), 1.0);
+    // s = 1/4: s³ (10 − 15 s + 6 s²)
+    assert_eq!(value("", "smooth_step(1.25, 1, 2) * 512"), 53.0);
+}
+
+#[test]
 fn analytic_vectors_split_into_components() {
     assert_eq!(value("let u = 2 * (1, 2) - (1, 1) / 2;", "dot(u, (1, 10))"), 1.5 + 35.0);
 }

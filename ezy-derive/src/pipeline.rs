@@ -17,19 +17,17 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(model) = model::resolve(syntax, &mut diag).filter(|_| diag.is_empty()) else {
         return with_faults(diag);
     };
-    if model.is_repeated() {
-        let templates: Vec<Templates> = model.scenes.iter().map(|scene| Templates::derive(&model, scene)).collect();
-        let mut items = diag.into_compile_errors();
-        items.extend(emit::repeated(&model, &templates));
-        return items;
-    }
     mechanics::check::rows(&model, &mut diag);
     if !diag.is_empty() {
         return with_faults(diag);
     }
-    let equations = model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect();
     let mut items = diag.into_compile_errors();
-    items.extend(emit::model(&model, equations));
+    items.extend(if model.is_repeated() {
+        let templates: Vec<Templates> = model.scenes.iter().map(|scene| Templates::derive(&model, scene)).collect();
+        emit::repeated(&model, &templates)
+    } else {
+        emit::model(&model, model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect())
+    });
     items
 }
 
@@ -134,6 +132,20 @@ mod tests {
         assert!(found.contains("row `right` repeats what `left` already demands"), "{found}");
         let found = messages("hinge P: one(a, 0) ~ two(0, 0); hinge Q: one(a, 0) ~ two(0, 0);");
         assert!(found.contains("row `Q.x` repeats what `P.x` already demands"), "{found}");
+    }
+
+    #[test]
+    fn analytic_faults_inside_a_for_are_found() {
+        let array = "count n = 4; body link[n] { mass: 1, inertia: 1 }";
+        let found = messages(&format!(
+            "{array} for i in 1..n {{ weld w[i]: link[i-1](a, 0) ~ link[i](0, 0); \
+             velocity constraint fast[i]: link[i].vx * link[i].vy = 0; constraint empty[i]: 0 * link[i].x = 0; }}"
+        ));
+        assert!(found.contains("`fast` is not linear") && found.contains("`empty` restricts no motion"), "{found}");
+        let found = messages(&format!(
+            "{array} weld first: one(0, 0) ~ link[n-1](0, 0); gear second: one ~ link[n-1] ratio 1;"
+        ));
+        assert!(found.contains("row `second` repeats what `first.angle` already demands"), "{found}");
     }
 
     #[test]

@@ -3,8 +3,9 @@
 //! `cargo bench -p ezy-tests`. The candidates take turns, and the best of many rounds counts, so that what else the
 //! machine does falls on all of them.
 
+use ezy_core::linalg::SparseKkt;
 use ezy_core::prelude::*;
-use ezy_models::ezy_roller;
+use ezy_models::{chain, ezy_roller};
 use nalgebra::{SMatrix, SVector};
 use std::hint::black_box;
 use std::time::Instant;
@@ -25,6 +26,7 @@ const PLAIN_LU: &str = "accelerations/plain LU of a 10 x 10 (nalgebra)";
 fn main() {
     accelerations();
     driven_run();
+    chains();
 }
 
 fn accelerations() {
@@ -94,4 +96,26 @@ fn driven_run() {
             format!("{} steps, {} evaluations, {} factorisations", cost.steps, cost.evaluations, cost.factorizations);
     }
     println!("run/driven 60 s/rk4 1 ms                           {:8.1} ms  {counts}", 1e3 * seconds);
+}
+
+/// Rods of the chains, and steps of their runs.
+const CHAINS: [(usize, u32); 4] = [(10, 1000), (100, 300), (1_000, 30), (10_000, 5)];
+
+/// The time of a step for each rod, which should not depend on how many there are.
+fn chains() {
+    for (n, n_steps) in CHAINS {
+        let scene = chain::Swing { n, l: 1.0 / n as f64, m: 1.0 / n as f64, ..Default::default() };
+        let info = scene.info();
+        let entries = SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())
+            .expect("the pattern of a chain can be analysed")
+            .n_factor_entries();
+        let order = || Simulation::new(&scene).method(Method::rk4(1e-6)).until(1e-6 * f64::from(n_steps));
+        let runs = (0..N_RUNS).map(|_| order().run().expect("the chain runs").cost.seconds);
+        let step = runs.fold(f64::INFINITY, f64::min) / f64::from(n_steps);
+        println!(
+            "step/chain of {n:5} rods/rk4 with both projections   {:8.2} us a rod  {:.1} entries of L a rod",
+            1e6 * step / n as f64,
+            entries as f64 / n as f64
+        );
+    }
 }

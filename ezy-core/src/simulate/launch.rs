@@ -15,6 +15,9 @@ const MAX_STEPS: f64 = 1e10;
 /// A few hundred bytes each: some gigabytes.
 const MAX_SAMPLES: f64 = 1e7;
 
+/// In all samples together, 8 GB: samples of ten thousand bodies are a hundred thousand numbers.
+const MAX_NUMBERS: f64 = 1e9;
+
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// Runs.
     ///
@@ -92,8 +95,11 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
                 return Err(SetupError::Every { every_s });
             }
             let samples = (until_s - start_s) / every_s;
-            if samples > MAX_SAMPLES {
-                return Err(SetupError::TooManySamples { samples, every_s, limit: MAX_SAMPLES });
+            let info = self.scene.info();
+            let n_numbers = (3 * info.n_coordinates() + info.n_rows()).max(1) as f64;
+            let limit = MAX_SAMPLES.min(MAX_NUMBERS / n_numbers);
+            if samples > limit {
+                return Err(SetupError::TooManySamples { samples, every_s, limit });
             }
         }
         Ok(Clock::new(start_s, until_s, step_s))

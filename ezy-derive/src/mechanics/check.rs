@@ -22,6 +22,9 @@ const DEPENDENT: f64 = 1e-9;
 
 /// Reports faulty rows of the scenes of a model at the words that declare them, each once. Works on equations of its
 /// own: what it writes down must not change the order of what is emitted.
+///
+/// In a model with arrays every reference to a member counts as a body of its own, so that only faults are found which
+/// do not depend on the counts.
 pub fn rows(model: &Model, diag: &mut Diagnostics) {
     let mut reported = Vec::new();
     let mut seen: Vec<Vec<RowId>> = Vec::new();

@@ -147,10 +147,11 @@ impl<'a> Context<'a> {
         let index = self.indices_of(name, lengths.len())?;
         let counts: Vec<i64> = self.counts.iter().map(|(_, value)| *value).collect();
         for ((index, length), at) in index.iter().zip(&lengths).zip(&name.indices) {
+            let known = matches!(length, Whole::Number(_));
             let length = length.evaluate(&Values { counts: &counts, indices: &[] })?;
             if let Some(wrong) = self.extremes(index).into_iter().find(|value| !(0..length).contains(value)) {
                 let counts = self.counts.iter().map(|(name, value)| format!("{name} = {value}"));
-                let counts = counts.collect::<Vec<_>>().join(", ");
+                let counts = if known { String::new() } else { counts.collect::<Vec<_>>().join(", ") };
                 self.diag.error(repeats::out_of_range(at.extent(), name, wrong, length, &counts));
                 return None;
             }

@@ -13,7 +13,8 @@ const HOLDS: f64 = 1e-3;
 /// Reports rows that the given values break, with the declared parameters.
 pub fn start(model: &Model, scene: &Scene, equations: &Equations, diag: &mut Diagnostics) {
     let n_q = equations.mass.len();
-    let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let counts = model.counts.iter().map(|count| count.default as f64);
+    let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).chain(counts).collect();
     let mut state = Given { symbols: &equations.symbols, defaults, q: vec![None; n_q], v: vec![None; n_q] };
     for given in &equations.start {
         let value = equations.algebra.evaluate(given.value, &state);

@@ -152,6 +152,15 @@ impl SparsityPattern {
     }
 }
 
+/// A symbol for a long expression that occurs in others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Abbreviation {
+    /// `u1`
+    pub symbol: Formula,
+    /// What it stands for.
+    pub formula: Formula,
+}
+
 /// Operations of one evaluation of a kernel, as emitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Operations {
@@ -226,6 +235,8 @@ pub struct SceneInfo {
     pub force_entries: &'static [Formula],
     /// V: 0 where no force has a potential.
     pub potential_energy: Formula,
+    /// What symbols in these formulas stand for, besides coordinates, parameters and inputs.
+    pub abbreviations: &'static [Abbreviation],
     /// Order in which the generated elimination takes the rows.
     pub elimination: &'static [EliminationStep],
     /// Operations of [`Scene::accelerations`].

@@ -98,6 +98,7 @@ static FIXED: SceneInfo = SceneInfo {
     mass_entries: &[],
     force_entries: &[],
     potential_energy: Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
+    abbreviations: &[],
     elimination: &[],
     acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
     correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

@@ -83,6 +83,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         mass_entries: &[],
         force_entries: &[],
         potential_energy: Formula { text: "0", latex: "0", mathml: "" },
+        abbreviations: &[],
         elimination: &[],
         acceleration_operations: Operations::default(),
         correction_operations: Operations::default(),

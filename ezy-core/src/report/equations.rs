@@ -3,7 +3,7 @@
 //! Symbols and signs: `docs/notation.md`. Nothing is typed in here but the form of the equations; every entry
 //! comes from the expression that is compiled.
 
-use crate::model::{Formula, SceneInfo};
+use crate::model::{Abbreviation, Formula, SceneInfo};
 
 pub use super::matrix::bracketed;
 use super::matrix::{Cell, Listing, Matrix, Names, equation_lines};
@@ -89,6 +89,9 @@ pub fn equations(info: &SceneInfo) -> Vec<Equation> {
     if info.potential_energy.text != "0" {
         list.push(equation("potential energy", &[&V_ENERGY, &info.potential_energy], none()));
     }
+    if !info.abbreviations.is_empty() {
+        list.push(abbreviations(info));
+    }
     list.push(motion(!position_rows.is_empty(), !velocity_rows.is_empty()));
     list
 }
@@ -118,20 +121,47 @@ pub(super) fn column(entries: impl IntoIterator<Item = Formula>) -> Matrix {
 
 /// Where the named points are.
 fn points(info: &SceneInfo) -> Equation {
-    let (mut text, mut latex, mut mathml) = (String::new(), Vec::new(), String::new());
-    let width = info.points.iter().map(|point| point.name.chars().count()).max().unwrap_or(0);
-    for (point, [x, y]) in info.points.iter().filter_map(|point| Some((point, point.position?))) {
+    let places = info.points.iter().filter_map(|point| Some((point.name, point.position?)));
+    let definition = |(name, [x, y]): (&str, [Formula; 2])| {
         let position = column([x, y]);
-        text += &format!("{:width$} = ({}, {})\n", point.name, x.text, y.text);
-        latex.push(format!("\\mathrm{{{}}} &= {}", point.name.replace('_', "\\_"), position.latex()));
-        let name = format!("<mtext>{}</mtext>", point.name);
-        mathml += &format!("<mtr><mtd>{name}</mtd><mtd><mo>=</mo></mtd><mtd>{}</mtd></mtr>", position.mathml());
-    }
+        Definition {
+            text: [name.to_owned(), format!("({}, {})", x.text, y.text)],
+            latex: [format!("\\mathrm{{{}}}", name.replace('_', "\\_")), position.latex()],
+            mathml: [format!("<mtext>{name}</mtext>"), position.mathml()],
+        }
+    };
+    definitions("points", &places.map(definition).collect::<Vec<_>>())
+}
+
+/// What symbols for long expressions stand for.
+fn abbreviations(info: &SceneInfo) -> Equation {
+    let definition = |Abbreviation { symbol, formula }: &Abbreviation| {
+        let of = |part: fn(&Formula) -> &'static str| [symbol, formula].map(|of| part(of).to_owned());
+        Definition { text: of(|f| f.text), latex: of(|f| f.latex), mathml: of(|f| f.mathml) }
+    };
+    definitions("abbreviations", &info.abbreviations.iter().map(definition).collect::<Vec<_>>())
+}
+
+/// A symbol and what it is, in the three renderings.
+struct Definition {
+    text: [String; 2],
+    latex: [String; 2],
+    mathml: [String; 2],
+}
+
+/// Definitions under each other.
+fn definitions(name: &'static str, list: &[Definition]) -> Equation {
+    let width = list.iter().map(|d| d.text[0].chars().count()).max().unwrap_or(0);
+    let text = list.iter().map(|Definition { text: [symbol, value], .. }| format!("{symbol:width$} = {value}\n"));
+    let latex = list.iter().map(|Definition { latex: [symbol, value], .. }| format!("{symbol} &= {value}"));
+    let mathml = list.iter().map(|Definition { mathml: [symbol, value], .. }| {
+        format!("<mtr><mtd>{symbol}</mtd><mtd><mo>=</mo></mtd><mtd>{value}</mtd></mtr>")
+    });
     Equation {
-        name: "points",
-        text,
-        latex: format!("\\begin{{aligned}} {} \\end{{aligned}}", latex.join(" \\\\ ")),
-        mathml: format!("<math display=\"block\"><mtable>{mathml}</mtable></math>"),
+        name,
+        text: text.collect(),
+        latex: format!("\\begin{{aligned}} {} \\end{{aligned}}", latex.collect::<Vec<_>>().join(" \\\\ ")),
+        mathml: format!("<math display=\"block\"><mtable>{}</mtable></math>", mathml.collect::<String>()),
     }
 }
 
@@ -214,6 +244,7 @@ mod tests {
         mass_entries: &[formula("m"), formula("m"), formula("i")],
         force_entries: &[formula("p"), formula("0"), formula("0")],
         potential_energy: formula("0"),
+        abbreviations: &[],
         elimination: &[],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

@@ -3,12 +3,13 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::abbreviations::Abbreviations;
 use crate::mechanics::solve::Solver;
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Equations, Group};
 use crate::model::{InputId, Model, Parameter, ParameterId, Scene};
 use crate::symbolic::SumId;
-use crate::symbolic::print::{Names, Printed, print};
+use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::program::Count;
 
 /// What the emitted kernels turned out to be.
@@ -16,35 +17,44 @@ pub struct Emitted<'a> {
     pub accelerations: &'a Solver,
     pub correction: &'a Solver,
     pub n_constants: usize,
+    pub names: &'a Abbreviations<'a>,
 }
 
 /// The value of `SceneInfo` for a scene.
 pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emitted<'_>) -> TokenStream {
+    let names = emitted.names;
     let model_name = model.name.to_string();
     let name = scene.name.to_string();
     let documentation = &scene.documentation;
     let bodies = model.bodies.iter().map(|body| body.name.to_string());
     let coordinates = coordinates(equations);
-    let points = equations.points.iter().map(|point| {
-        let (name, body) = (&point.name, option(point.body.map(|body| body.0)));
-        let position = point.position.map(|x| formula_of(equations, x));
-        let position = option(Some(quote!([#(#position),*])));
-        quote!(::ezy_core::model::PointInfo { name: #name, body: #body, position: #position })
-    });
-    let rows = rows(equations);
+    let points: Vec<_> = (equations.points.iter())
+        .map(|point| {
+            let (name, body) = (&point.name, option(point.body.map(|body| body.0)));
+            let position = point.position.map(|x| formula_of(names, x));
+            let position = option(Some(quote!([#(#position),*])));
+            quote!(::ezy_core::model::PointInfo { name: #name, body: #body, position: #position })
+        })
+        .collect();
+    let rows = rows(equations, names);
     let n_position_rows = equations.constraints.n_position_rows;
     let parameters = parameters(model, &equations.parameters, &equations.symbols);
     let inputs = inputs(model, &equations.inputs, &equations.symbols);
-    let outputs = outputs(model, equations);
+    let outputs = outputs(model, equations, names);
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = emitted.n_constants;
     let (starts, columns) = pattern(equations);
     let entries = equations.constraints.jacobian.iter().flatten();
-    let jacobian_entries = entries.map(|&(_, entry)| formula_of(equations, entry));
-    let mass_entries = equations.mass_entries.iter().map(|&mass| formula_of(equations, mass));
-    let force_entries = equations.force.iter().map(|&force| formula_of(equations, force));
-    let potential_energy = formula_of(equations, equations.potential);
+    let jacobian_entries: Vec<_> = entries.map(|&(_, entry)| formula_of(names, entry)).collect();
+    let mass_entries: Vec<_> = equations.mass_entries.iter().map(|&mass| formula_of(names, mass)).collect();
+    let force_entries: Vec<_> = equations.force.iter().map(|&force| formula_of(names, force)).collect();
+    let potential_energy = formula_of(names, equations.potential);
+    // last, since they are what printing met
+    let abbreviations = names.definitions().into_iter().map(|(symbol, value)| {
+        let (symbol, formula) = (formula(&symbol), formula(&value));
+        quote!(::ezy_core::model::Abbreviation { symbol: #symbol, formula: #formula })
+    });
     let elimination = emitted.accelerations.order.iter().map(|(rows, constant_pivot)| {
         quote!(::ezy_core::model::EliminationStep { rows: &[#(#rows),*], constant_pivot: #constant_pivot })
     });
@@ -71,6 +81,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             mass_entries: &[#(#mass_entries),*],
             force_entries: &[#(#force_entries),*],
             potential_energy: #potential_energy,
+            abbreviations: &[#(#abbreviations),*],
             elimination: &[#(#elimination),*],
             acceleration_operations: #acceleration_operations,
             correction_operations: #correction_operations,
@@ -115,14 +126,14 @@ fn coordinates(equations: &Equations) -> Vec<TokenStream> {
         .collect()
 }
 
-fn rows(equations: &Equations) -> Vec<TokenStream> {
+fn rows(equations: &Equations, names: &Abbreviations<'_>) -> Vec<TokenStream> {
     let constraints = &equations.constraints;
     (constraints.rows.iter().enumerate())
         .map(|(i, row)| {
             let (name, kind, unit) = (&row.name, row.kind, &row.unit);
             let constraint = constraints.position.get(i).copied().unwrap_or(constraints.velocity[i]);
-            let constraint = formula_of(equations, constraint);
-            let convective = formula_of(equations, constraints.convective[i]);
+            let constraint = formula_of(names, constraint);
+            let convective = formula_of(names, constraints.convective[i]);
             quote! {
                 ::ezy_core::model::RowInfo {
                     name: #name,
@@ -172,13 +183,13 @@ fn declared(model: &Model, parameter: &Parameter, symbol: &Printed) -> TokenStre
     }
 }
 
-fn outputs(model: &Model, equations: &Equations) -> Vec<TokenStream> {
+fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> Vec<TokenStream> {
     (equations.outputs.iter())
         .map(|&(i, value)| {
             let output = &model.outputs[i];
             let (name, unit, documentation) =
                 (output.name.clone() + &output.suffix, &output.unit, &output.documentation);
-            let formula = formula_of(equations, value);
+            let formula = formula_of(names, value);
             quote! {
                 ::ezy_core::model::OutputInfo {
                     name: #name,
@@ -206,8 +217,8 @@ fn operations(count: Count) -> TokenStream {
     quote!(::ezy_core::model::Operations { add: #add, mul: #mul, div: #div, trig: #trig, calls: #calls })
 }
 
-fn formula_of(equations: &Equations, sum: SumId) -> TokenStream {
-    formula(&print(&equations.algebra, &equations.symbols, sum))
+fn formula_of(names: &Abbreviations<'_>, sum: SumId) -> TokenStream {
+    formula(&names.print(sum))
 }
 
 pub fn formula(printed: &Printed) -> TokenStream {

@@ -1,5 +1,6 @@
 //! From equations to Rust items. Nothing here can fail, and nothing here does algebra.
 
+mod abbreviations;
 mod constants;
 mod info;
 mod kernel;

@@ -64,8 +64,8 @@ pub fn scene(model: &Model, equations: &Equations, emitted: &Emitted<'_>) -> Tok
     page.section("Parameters", tables::parameters(model, equations));
     page.section("Inputs", tables::inputs(model, equations));
     page.section("Rows", tables::rows(equations));
-    equations::write(&mut page, equations);
-    page.section("Outputs", tables::outputs(model, equations));
+    equations::write(&mut page, equations, emitted.names);
+    page.section("Outputs", tables::outputs(model, equations, emitted.names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
     page.section("Order of elimination", tables::elimination(equations, &emitted.accelerations.order));
     page.section("Operations", tables::operations(emitted));

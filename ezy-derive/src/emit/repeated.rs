@@ -147,6 +147,7 @@ fn fixed(model: &Model, scene: &Scene, templates: &Templates<'_>, n_constants: u
             mass_entries: &[],
             force_entries: &[],
             potential_energy: ::ezy_core::model::Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
+            abbreviations: &[],
             elimination: &[],
             acceleration_operations: ::ezy_core::model::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             correction_operations: ::ezy_core::model::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

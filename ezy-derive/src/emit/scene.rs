@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
+use super::abbreviations::Abbreviations;
 use super::kernel::{self, Body};
 use super::{constants, info, page, scene_type};
 use crate::mechanics::Equations;
@@ -22,7 +23,8 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let n_inputs = equations.inputs.len();
     let n_fixed = n_inputs + n_constants;
     let constants = constants::statements(model, &equations.algebra.coefficients, &pool, n_inputs);
-    let emitted = info::Emitted { accelerations: &accelerations, correction: &correction, n_constants };
+    let names = &Abbreviations::new(&equations);
+    let emitted = info::Emitted { accelerations: &accelerations, correction: &correction, n_constants, names };
     let info = info::scene(model, scene, &equations, &emitted);
     let type_name = scene_type(scene);
     let structure = structure(model, scene, &equations, &type_name, &emitted);

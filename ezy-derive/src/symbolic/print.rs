@@ -26,6 +26,11 @@ enum Level {
 pub trait Names {
     fn symbol(&self, symbol: Symbol) -> Printed;
     fn parameter(&self, index: usize) -> Printed;
+    /// What stands for a sum within another expression, if it shall not be `written_out`.
+    fn abbreviation(&self, sum: SumId, written_out: &Printed) -> Option<Printed> {
+        let _ = (sum, written_out);
+        None
+    }
 }
 
 impl Printed {
@@ -74,6 +79,12 @@ impl<N: Names> Printer<'_, N> {
         add(parts)
     }
 
+    /// A sum within another expression.
+    fn inner(&self, sum: SumId) -> Printed {
+        let written_out = self.sum(sum);
+        self.names.abbreviation(sum, &written_out).unwrap_or(written_out)
+    }
+
     /// Coefficient, plain symbols, then functions: the order in which such terms are written by hand.
     fn term(&self, k: Coefficient, monomial: MonomialId) -> Printed {
         let mut factors = self.algebra.monomial(monomial).clone();
@@ -96,14 +107,16 @@ impl<N: Names> Printer<'_, N> {
             _ => None,
         };
         if let Some((function, angle)) = squared_function {
-            return call(function, Some(n), vec![self.sum(*angle)]);
+            return call(function, Some(n), vec![self.inner(*angle)]);
         }
         let base = match self.algebra.atom(atom) {
             Atom::Symbol(symbol) => self.names.symbol(*symbol),
-            Atom::Sin(angle) => call(Function::Sin, None, vec![self.sum(*angle)]),
-            Atom::Cos(angle) => call(Function::Cos, None, vec![self.sum(*angle)]),
-            Atom::Call(function, arguments) => call(*function, None, arguments.iter().map(|&x| self.sum(x)).collect()),
-            Atom::Group(sum) => self.sum(*sum).in_parentheses(),
+            Atom::Sin(angle) => call(Function::Sin, None, vec![self.inner(*angle)]),
+            Atom::Cos(angle) => call(Function::Cos, None, vec![self.inner(*angle)]),
+            Atom::Call(function, arguments) => {
+                call(*function, None, arguments.iter().map(|&x| self.inner(x)).collect())
+            }
+            Atom::Group(sum) => self.inner(*sum).at_least(Level::Atom),
         };
         if n == 1 { base } else { raise(base, n) }
     }
@@ -177,6 +190,8 @@ fn product(factors: Vec<Printed>) -> Printed {
             None => powers.push((factor, 1)),
         }
     }
+    // a number is written before letters
+    powers.sort_by_key(|(base, _)| !base.text.starts_with(|sign: char| sign.is_ascii_digit()));
     let mut factors = powers.into_iter().map(|(base, n)| if n == 1 { base } else { raise(base, n) });
     let Some(first) = factors.next() else { return Printed::number(1.0) };
     let Some(second) = factors.next() else { return first };

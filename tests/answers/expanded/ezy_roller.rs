@@ -568,6 +568,7 @@ pub mod ezy_roller {
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
+            abbreviations: &[],
             elimination: &[
                 ::ezy_core::model::EliminationStep {
                     rows: &[2usize],
@@ -1738,6 +1739,7 @@ pub mod ezy_roller {
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
+            abbreviations: &[],
             elimination: &[
                 ::ezy_core::model::EliminationStep {
                     rows: &[2usize],
@@ -2974,6 +2976,7 @@ pub mod ezy_roller {
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
+            abbreviations: &[],
             elimination: &[
                 ::ezy_core::model::EliminationStep {
                     rows: &[2usize],
@@ -4244,19 +4247,19 @@ pub mod ezy_roller {
             ],
             force_entries: &[
                 ::ezy_core::model::Formula {
-                    text: "-k*seat.vx - k*a*seat.omega*sin(seat.phi) + cornering*sin(seat.phi)*atan2(-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi), sqrt(creep^2 + (seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi))^2))",
-                    latex: "-k \\, \\dot{x}_{\\mathrm{seat}} - k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\mathrm{cornering} \\, \\sin{\\varphi_{\\mathrm{seat}}} \\, \\operatorname{atan2}\\left(-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}, \\sqrt{\\mathrm{creep}^{2} + \\left(\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}\\right)^{2}}\\right)",
-                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msup><mrow><mrow><mo>(</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>)</mo></mrow></mrow><mn>2</mn></msup></mrow></msqrt><mo>)</mo></mrow></mrow></mrow>",
+                    text: "-k*seat.vx - k*a*seat.omega*sin(seat.phi) + cornering*sin(seat.phi)*atan2(u1, sqrt(creep^2 + u2^2))",
+                    latex: "-k \\, \\dot{x}_{\\mathrm{seat}} - k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\mathrm{cornering} \\, \\sin{\\varphi_{\\mathrm{seat}}} \\, \\operatorname{atan2}{u_{1}, \\sqrt{\\mathrm{creep}^{2} + u_{2}^{2}}}",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>u</mi><mtext>1</mtext></msub><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msubsup><mi>u</mi><mtext>2</mtext><mn>2</mn></msubsup></mrow></msqrt></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
-                    text: "-k*seat.vy + k*a*seat.omega*cos(seat.phi) - cornering*cos(seat.phi)*atan2(-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi), sqrt(creep^2 + (seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi))^2))",
-                    latex: "-k \\, \\dot{y}_{\\mathrm{seat}} + k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\mathrm{cornering} \\, \\cos{\\varphi_{\\mathrm{seat}}} \\, \\operatorname{atan2}\\left(-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}, \\sqrt{\\mathrm{creep}^{2} + \\left(\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}\\right)^{2}}\\right)",
-                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msup><mrow><mrow><mo>(</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>)</mo></mrow></mrow><mn>2</mn></msup></mrow></msqrt><mo>)</mo></mrow></mrow></mrow>",
+                    text: "-k*seat.vy + k*a*seat.omega*cos(seat.phi) - cornering*cos(seat.phi)*atan2(u1, sqrt(creep^2 + u2^2))",
+                    latex: "-k \\, \\dot{y}_{\\mathrm{seat}} + k \\, a \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\mathrm{cornering} \\, \\cos{\\varphi_{\\mathrm{seat}}} \\, \\operatorname{atan2}{u_{1}, \\sqrt{\\mathrm{creep}^{2} + u_{2}^{2}}}",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>u</mi><mtext>1</mtext></msub><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msubsup><mi>u</mi><mtext>2</mtext><mn>2</mn></msubsup></mrow></msqrt></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
-                    text: "-k*a^2*seat.omega + m0*cos(omega*t) - k*a*seat.vx*sin(seat.phi) + k*a*seat.vy*cos(seat.phi) + cornering*a*atan2(-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi), sqrt(creep^2 + (seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi))^2))",
-                    latex: "-k \\, a^{2} \\, \\dot{\\varphi}_{\\mathrm{seat}} + m_{0} \\, \\cos\\left(\\omega \\, t\\right) - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\mathrm{cornering} \\, a \\, \\operatorname{atan2}\\left(-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}, \\sqrt{\\mathrm{creep}^{2} + \\left(\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}\\right)^{2}}\\right)",
-                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msup><mrow><mi>a</mi></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msup><mrow><mrow><mo>(</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>)</mo></mrow></mrow><mn>2</mn></msup></mrow></msqrt><mo>)</mo></mrow></mrow></mrow>",
+                    text: "-k*a^2*seat.omega + m0*cos(omega*t) - k*a*seat.vx*sin(seat.phi) + k*a*seat.vy*cos(seat.phi) + cornering*a*atan2(u1, sqrt(creep^2 + u2^2))",
+                    latex: "-k \\, a^{2} \\, \\dot{\\varphi}_{\\mathrm{seat}} + m_{0} \\, \\cos\\left(\\omega \\, t\\right) - k \\, a \\, \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + k \\, a \\, \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\mathrm{cornering} \\, a \\, \\operatorname{atan2}{u_{1}, \\sqrt{\\mathrm{creep}^{2} + u_{2}^{2}}}",
+                    mathml: "<mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><msup><mrow><mi>a</mi></mrow><mn>2</mn></msup><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow><mo>−</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>k</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><mi>cornering</mi><mspace width=\"0.17em\"/><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>atan2</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>u</mi><mtext>1</mtext></msub><mo>,</mo><msqrt><mrow><msup><mrow><mi>creep</mi></mrow><mn>2</mn></msup><mo>+</mo><msubsup><mi>u</mi><mtext>2</mtext><mn>2</mn></msubsup></mrow></msqrt></mrow></mrow>",
                 },
                 ::ezy_core::model::Formula {
                     text: "0",
@@ -4279,6 +4282,32 @@ pub mod ezy_roller {
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
+            abbreviations: &[
+                ::ezy_core::model::Abbreviation {
+                    symbol: ::ezy_core::model::Formula {
+                        text: "u1",
+                        latex: "u_{1}",
+                        mathml: "<msub><mi>u</mi><mtext>1</mtext></msub>",
+                    },
+                    formula: ::ezy_core::model::Formula {
+                        text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
+                        latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                },
+                ::ezy_core::model::Abbreviation {
+                    symbol: ::ezy_core::model::Formula {
+                        text: "u2",
+                        latex: "u_{2}",
+                        mathml: "<msub><mi>u</mi><mtext>2</mtext></msub>",
+                    },
+                    formula: ::ezy_core::model::Formula {
+                        text: "seat.vx*cos(seat.phi) + seat.vy*sin(seat.phi)",
+                        latex: "\\dot{x}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    },
+                },
+            ],
             elimination: &[
                 ::ezy_core::model::EliminationStep {
                     rows: &[2usize],
@@ -5536,6 +5565,7 @@ pub mod ezy_roller {
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
+            abbreviations: &[],
             elimination: &[
                 ::ezy_core::model::EliminationStep {
                     rows: &[2usize],

@@ -136,6 +136,7 @@ const fn scene(
         mass_entries: &MASS_ENTRIES,
         force_entries,
         potential_energy: f("0"),
+        abbreviations: &[],
         elimination: &[],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

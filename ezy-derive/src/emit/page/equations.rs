@@ -4,14 +4,15 @@ use std::ops::Range;
 
 use super::Page;
 use super::mathml::{WIDEST_MATRIX, column, display, letter, lines, matrix, named_column, sub, zero};
+use crate::emit::abbreviations::Abbreviations;
 use crate::mechanics::Equations;
 use crate::symbolic::SumId;
-use crate::symbolic::print::{Printed, print};
+use crate::symbolic::print::Printed;
 use crate::symbolic::spelling;
 
 /// Headings and displayed equations; what the scene does not have is left out.
-pub fn write(page: &mut Page, equations: &Equations) {
-    let printer = Printer { equations };
+pub fn write(page: &mut Page, equations: &Equations, names: &Abbreviations<'_>) {
+    let printer = Printer { equations, names };
     let constraints = &equations.constraints;
     let n_h = constraints.n_position_rows;
     let n_c = constraints.rows.len();
@@ -45,17 +46,24 @@ pub fn write(page: &mut Page, equations: &Equations) {
         page.heading("Potential energy");
         page.paragraph(display(&[letter("V"), printer.entry(equations.potential)]));
     }
+    let definitions = names.definitions();
+    if !definitions.is_empty() {
+        page.heading("Abbreviations");
+        let rows = definitions.into_iter().map(|(symbol, value)| vec![symbol.mathml + "<mo>=</mo>" + &value.mathml]);
+        page.paragraph(display(&[lines(rows)]));
+    }
     page.heading("Equations of motion");
     page.paragraph(motion(n_h > 0, n_c > n_h));
 }
 
 struct Printer<'a> {
     equations: &'a Equations,
+    names: &'a Abbreviations<'a>,
 }
 
 impl Printer<'_> {
     fn entry(&self, sum: SumId) -> String {
-        print(&self.equations.algebra, &self.equations.symbols, sum).mathml
+        self.names.print(sum).mathml
     }
 
     fn column(&self, sums: &[SumId]) -> String {

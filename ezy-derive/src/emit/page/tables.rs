@@ -1,10 +1,11 @@
 //! The tables of a page, in Markdown.
 
 use super::mathml::inline;
+use crate::emit::abbreviations::Abbreviations;
 use crate::emit::info::Emitted;
 use crate::mechanics::Equations;
 use crate::model::{Model, Parameter};
-use crate::symbolic::print::{Names, Printed, print};
+use crate::symbolic::print::{Names, Printed};
 
 /// A table with a head, nothing when it has no rows; line breaks and bars within cells are kept harmless.
 pub fn markdown(heads: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
@@ -47,11 +48,11 @@ fn declared(model: &Model, parameter: &Parameter, symbol: &Printed) -> Vec<Strin
 }
 
 /// What the scene computes when it is asked.
-pub fn outputs(model: &Model, equations: &Equations) -> Vec<String> {
+pub fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> Vec<String> {
     let rows = equations.outputs.iter().map(|&(i, value)| {
         let output = &model.outputs[i];
-        let formula = inline(&print(&equations.algebra, &equations.symbols, value).mathml);
-        vec![format!("`{}`", output.name), formula, unit(&output.unit), output.documentation.clone()]
+        let formula = inline(&names.print(value).mathml);
+        vec![format!("`{}{}`", output.name, output.suffix), formula, unit(&output.unit), output.documentation.clone()]
     });
     markdown(&["output", "", "unit", "what it is"], rows)
 }

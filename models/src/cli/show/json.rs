@@ -1,6 +1,8 @@
 //! A scene as JSON.
 
-use ezy_core::model::{EliminationStep, Formula, InputInfo, OutputInfo, ParameterInfo, PointInfo, RowInfo, SceneInfo};
+use ezy_core::model::{
+    Abbreviation, EliminationStep, Formula, InputInfo, OutputInfo, ParameterInfo, PointInfo, RowInfo, SceneInfo,
+};
 
 use ezy_core::report::templates::{TemplateEquations, templates};
 
@@ -35,6 +37,7 @@ pub fn scene(info: &SceneInfo) -> Json {
         ("mass_matrix", by_coordinate(info.mass_entries)),
         ("applied_force", by_coordinate(info.force_entries)),
         ("potential_energy", formula(&info.potential_energy)),
+        ("abbreviations", Json::list(info.abbreviations.iter().map(abbreviation))),
         ("elimination", Json::list(info.elimination.iter().map(|step| elimination(info, step)))),
         ("operations", Json::object(operations)),
     ])
@@ -43,6 +46,10 @@ pub fn scene(info: &SceneInfo) -> Json {
 fn formula(formula: &Formula) -> Json {
     let [text, latex, mathml] = [formula.text, formula.latex, formula.mathml].map(Json::text);
     Json::object([("text", text), ("latex", latex), ("mathml", mathml)])
+}
+
+fn abbreviation(of: &Abbreviation) -> Json {
+    Json::object([("symbol", formula(&of.symbol)), ("value", formula(&of.formula))])
 }
 
 fn parameter(p: &ParameterInfo) -> Json {

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Coordinates: `rod.x rod.y rod.phi`; rows: `pivot.x pivot.y`. Freedom: 1.
-//! Without friction kinetic energy minus the work of gravity is constant.
+//! Without friction the sum of kinetic and potential energy is constant.
 
 use ezy_core::model;
 
@@ -21,7 +21,7 @@ model! {
 
         body rod { mass: mass, inertia: mass*l^2/12 }
         hinge pivot: ground(0, 0) ~ rod(-l/2, 0);
-        force at rod(0, 0): (0, -mass*g);
+        gravity (0, -g);
 
         /// Friction in the hinge, proportional to its speed.
         effect friction {

@@ -248,7 +248,7 @@ fn call(function: Function, power: Option<i32>, arguments: Vec<Printed>) -> Prin
             format!("<msqrt><mrow>{mathml}</mrow></msqrt>"),
         );
     }
-    let bare = arguments.iter().all(|a| a.level == Level::Atom);
+    let bare = arguments.len() == 1 && arguments.iter().all(|a| a.level == Level::Atom);
     let latex = if bare { format!("{{{latex}}}") } else { format!("\\left({latex}\\right)") };
     let mathml = if bare {
         format!("<mspace width=\"0.17em\"/>{mathml}")

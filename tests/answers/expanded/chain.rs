@@ -124,6 +124,7 @@ pub mod chain {
                 latex: "0",
                 mathml: "<mn>0</mn>",
             },
+            abbreviations: &[],
             elimination: &[],
             acceleration_operations: ::ezy_core::model::Operations {
                 add: 0,
@@ -1175,6 +1176,7 @@ pub mod chain {
                 latex: "0",
                 mathml: "<mn>0</mn>",
             },
+            abbreviations: &[],
             elimination: &[],
             acceleration_operations: ::ezy_core::model::Operations {
                 add: 0,

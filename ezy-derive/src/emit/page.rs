@@ -4,6 +4,7 @@
 //! MathML in one line, which passes through Markdown untouched and needs no script and no style sheet.
 
 mod equations;
+mod items;
 mod mathml;
 mod tables;
 
@@ -11,7 +12,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::info::Emitted;
-use crate::mechanics::Equations;
+use crate::mechanics::{Equations, Templates};
 use crate::model::{Model, Scene};
 
 /// What the page of a model says of one of its scenes.
@@ -61,14 +62,27 @@ pub fn scene(model: &Model, equations: &Equations, emitted: &Emitted<'_>) -> Tok
     let [positions, velocities] = freedom(equations);
     let mut page = Page::default();
     page.paragraph(format!("Freedom: {positions} of positions, {velocities} of velocities."));
-    page.section("Parameters", tables::parameters(model, equations));
-    page.section("Inputs", tables::inputs(model, equations));
+    page.section("Parameters", tables::parameters(model, &equations.parameters, &equations.symbols));
+    page.section("Inputs", tables::inputs(model, &equations.inputs, &equations.symbols));
     page.section("Rows", tables::rows(equations));
     equations::write(&mut page, equations, emitted.names);
     page.section("Outputs", tables::outputs(model, equations, emitted.names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
     page.section("Order of elimination", tables::elimination(equations, &emitted.accelerations.order));
     page.section("Operations", tables::operations(emitted));
+    page.attribute()
+}
+
+/// The page of a scene with counts: equations of each item, for all of its members.
+pub fn repeated(model: &Model, templates: &Templates<'_>) -> TokenStream {
+    let mut page = Page::default();
+    let solved = "Its sizes are numbers of a run: it is solved by the sparse backend, at a cost that grows with the number of \
+                  bodies. Each equation holds for all members of its item.";
+    page.paragraph(solved.to_owned());
+    page.section("Counts", tables::counts(model));
+    page.section("Parameters", tables::parameters(model, &templates.parameters, &templates.symbols));
+    page.section("Inputs", tables::inputs(model, &templates.inputs, &templates.symbols));
+    items::write(&mut page, model, templates);
     page.attribute()
 }
 

@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 
 use super::kernel::{self, Body};
 use super::templates::{self, Template};
-use super::{constants, info, scene, scene_type};
+use super::{constants, info, page, scene, scene_type};
 use crate::mechanics::{Group, Templates};
 use crate::model::whole::Whole;
 use crate::model::{Array, BodyId, Loop, Model, Scene, Slot};
@@ -96,11 +96,11 @@ fn structure(model: &Model, scene: &Scene, templates: &Templates<'_>, type_name:
     });
     let defaults = count_defaults.chain(defaults);
     let title = scene::title(model, scene);
-    let page = templates::page(model, templates);
+    let page = page::repeated(model, templates);
     quote! {
         #[doc = #title]
         #[doc = ""]
-        #[cfg_attr(doc, doc = #page)]
+        #page
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct #type_name {
             #(#fields),*

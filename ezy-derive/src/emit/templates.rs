@@ -5,10 +5,10 @@ use quote::quote;
 
 use super::info::{formula, option};
 use crate::mechanics::{ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates};
-use crate::model::whole::{CountId, WholeNames};
+use crate::model::whole::WholeNames;
 use crate::model::{BodyId, EffectId, Loop, Model, StartValue};
 use crate::symbolic::SumId;
-use crate::symbolic::print::{Printed, print};
+use crate::symbolic::print::print;
 use crate::symbolic::spelling;
 
 /// An item of the model file, repeated or not.
@@ -195,7 +195,8 @@ fn masses(model: &Model, i: usize, masses: &[SumId], printed: &dyn Fn(SumId) -> 
     quote!(&[#(#entries),*])
 }
 
-fn lengths(model: &Model, i: usize) -> Vec<String> {
+/// `i in 0..n` of an array of bodies.
+pub fn lengths(model: &Model, i: usize) -> Vec<String> {
     let counts = count_names(model);
     let names = WholeNames { counts: &counts, indices: &model.indices };
     let lengths = model.arrays[i].lengths.iter().zip(INDICES.iter().cycle());
@@ -203,7 +204,7 @@ fn lengths(model: &Model, i: usize) -> Vec<String> {
 }
 
 /// `i in 1..n`
-fn ranges(model: &Model, loops: &[Loop]) -> Vec<String> {
+pub fn ranges(model: &Model, loops: &[Loop]) -> Vec<String> {
     let counts = count_names(model);
     let names = WholeNames { counts: &counts, indices: &model.indices };
     let range = |around: &Loop| {
@@ -217,32 +218,7 @@ fn count_names(model: &Model) -> Vec<String> {
 }
 
 /// `[i]`, or nothing outside any `for`.
-fn indices(model: &Model, loops: &[Loop]) -> String {
+pub fn indices(model: &Model, loops: &[Loop]) -> String {
     let names: Vec<&str> = loops.iter().map(|around| model.indices[around.index.0].as_str()).collect();
     if names.is_empty() { String::new() } else { format!("[{}]", names.join(",")) }
-}
-
-/// What `cargo doc` says of the scene: counts, and the constraints of every item.
-pub fn page(model: &Model, templates: &Templates<'_>) -> String {
-    let counts = (0..model.counts.len()).map(CountId).map(|id| {
-        let count = &model.counts[id.0];
-        format!("`{}` = {}", count.name, count.default)
-    });
-    let mut page = format!(
-        "Its sizes are numbers of a run ({}): it is solved by the sparse backend, at a cost that grows with the number \
-         of bodies. Rows, each for all of its members:\n\n",
-        counts.collect::<Vec<_>>().join(", ")
-    );
-    for row in &templates.rows {
-        let ranges: String = ranges(model, &row.row.loops).iter().map(|range| format!(", {range}")).collect();
-        page += &format!("- {} `{}`{ranges}", row.row.word.word, row.row.name);
-        let position = row.is_position();
-        let values = if position { &row.constraints.position } else { &row.constraints.velocity };
-        for &value in values {
-            let Printed { text, .. } = print(&templates.algebra, &templates.symbols, value);
-            page += &format!("\n  - `{text} = 0`");
-        }
-        page.push('\n');
-    }
-    page
 }

@@ -4,7 +4,8 @@ use super::mathml::inline;
 use crate::emit::abbreviations::Abbreviations;
 use crate::emit::info::Emitted;
 use crate::mechanics::Equations;
-use crate::model::{Model, Parameter};
+use crate::mechanics::symbols::Symbols;
+use crate::model::{InputId, Model, Parameter, ParameterId};
 use crate::symbolic::print::{Names, Printed};
 
 /// A table with a head, nothing when it has no rows; line breaks and bars within cells are kept harmless.
@@ -20,18 +21,14 @@ pub fn markdown(heads: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> 
 }
 
 /// Symbol, name, default with unit, effect, meaning.
-pub fn parameters(model: &Model, equations: &Equations) -> Vec<String> {
-    let rows = equations
-        .parameters
-        .iter()
-        .map(|id| declared(model, &model.parameters[id.0], &equations.symbols.parameter(id.0)));
+pub fn parameters(model: &Model, parameters: &[ParameterId], symbols: &Symbols) -> Vec<String> {
+    let rows = parameters.iter().map(|id| declared(model, &model.parameters[id.0], &symbols.parameter(id.0)));
     markdown(&["", "parameter", "default", "effect", "what it is"], rows)
 }
 
 /// The same of what is set while the scene runs.
-pub fn inputs(model: &Model, equations: &Equations) -> Vec<String> {
-    let symbols = &equations.symbols;
-    let rows = equations.inputs.iter().filter_map(|&id| {
+pub fn inputs(model: &Model, inputs: &[InputId], symbols: &Symbols) -> Vec<String> {
+    let rows = inputs.iter().filter_map(|&id| {
         let symbol = symbols.symbol(symbols.input(id)?);
         Some(declared(model, &model.inputs[id.0], &symbol))
     });
@@ -57,8 +54,15 @@ pub fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) 
     markdown(&["output", "", "unit", "what it is"], rows)
 }
 
+/// What the counts of a model are.
+pub fn counts(model: &Model) -> Vec<String> {
+    let rows = model.counts.iter();
+    let rows = rows.map(|c| vec![format!("`{}`", c.name), c.default.to_string(), c.documentation.clone()]);
+    markdown(&["count", "default", "what it is"], rows)
+}
+
 /// A unit as it is printed: `kg*m^2` as kg·m².
-fn unit(written: &str) -> String {
+pub fn unit(written: &str) -> String {
     let powers = [("^-1", "⁻¹"), ("^-2", "⁻²"), ("^2", "²"), ("^3", "³"), ("^4", "⁴"), ("*", "·")];
     powers.iter().fold(written.to_owned(), |text, (sign, printed)| text.replace(sign, printed))
 }

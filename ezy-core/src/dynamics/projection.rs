@@ -1,5 +1,6 @@
 //! Back onto the constraints: positions first, then velocities at the projected positions.
 
+use super::system::Buffers;
 use super::{MotionError, System, max_abs};
 use crate::linalg::{DenseKkt, KktFactorization, LARGEST_DENSE};
 use crate::model::{Scene, SceneInfo};
@@ -46,7 +47,7 @@ pub enum Metric {
 const POSITION_TOLERANCE: f64 = 1e-12;
 
 /// Rounding of C in units of ε times the largest coordinate: a row sums a handful of terms of that size. Matters
-/// from 500 m on, where [`POSITION_TOLERANCE`] is out of reach.
+/// from 500 m or rad on, where [`POSITION_TOLERANCE`] can be out of reach.
 pub(super) const ROUNDING_OF_ROWS: f64 = 8.0 * f64::EPSILON;
 
 /// However large the coordinates, a residual above this is not rounding: the motion has run away.
@@ -55,12 +56,57 @@ const LARGEST_TOLERANCE: f64 = 1e-6;
 /// Gauss–Newton passes; from the drift of one step two are plenty.
 const MAX_PASSES: usize = 10;
 
+/// The first one converges quadratically, the second one removes its rounding.
+const PASSES_NEAR_RANK_LOSS: usize = 2;
+
 /// |C| that counts as zero at `q`.
 pub(super) fn position_tolerance(q: &[f64]) -> f64 {
     POSITION_TOLERANCE.max((ROUNDING_OF_ROWS * max_abs(q)).min(LARGEST_TOLERANCE))
 }
 
+/// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each
+/// other; levers of a centimetre make it a hundred times as large.
+const NEAR_RANK_LOSS: f64 = 1e3;
+
+/// Velocity corrections below this fraction of the velocities are rounding, or harmless.
+const NOTICEABLE: f64 = 1e-10;
+
 impl<S: Scene + ?Sized> System<'_, S> {
+    /// Brings `q` and `v` back onto the rows: positions, then velocities at the projected positions.
+    ///
+    /// Near rank loss, at the distance σ, what a position row leaves is a displacement 1/σ times as large along a motion
+    /// that the rows hardly hold, and the velocities follow with 1/σ². There the positions are corrected to their last
+    /// digits, beyond the tolerance, and the velocities again.
+    ///
+    /// # Errors
+    /// As [`System::project_positions`].
+    pub fn project(
+        &mut self,
+        t: f64,
+        q: &mut [f64],
+        v: &mut [f64],
+        projection: Projection,
+        metric: Metric,
+    ) -> Result<(), MotionError> {
+        if projection.positions() {
+            self.project_positions(t, q, metric)?;
+        }
+        if projection.velocities() {
+            self.project_velocities(t, q, v, metric)?;
+            let (removed, correction) = (max_abs(&self.buffers.residual), max_abs(&self.buffers.delta));
+            let near_rank_loss = correction > NEAR_RANK_LOSS * removed && correction > NOTICEABLE * max_abs(v);
+            if near_rank_loss && projection.positions() {
+                v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v -= delta);
+                for _ in 0..PASSES_NEAR_RANK_LOSS {
+                    self.position_residual(t, q);
+                    self.correct_positions(t, q, metric)?;
+                }
+                self.project_velocities(t, q, v, metric)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Largest |C(q, t)| over the position rows; zero without any.
     pub fn position_residual(&mut self, t: f64, q: &[f64]) -> f64 {
         let residual = &mut self.buffers.residual[..self.info.n_position_rows];
@@ -86,7 +132,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let mut passes = 0;
         loop {
             let norm = self.position_residual(t, q);
-            if norm <= tolerance {
+            if norm <= POSITION_TOLERANCE || norm <= tolerance && (passes == MAX_PASSES || norm <= self.rounding(t, q))
+            {
                 return Ok(passes);
             }
             if !norm.is_finite() {
@@ -102,11 +149,29 @@ impl<S: Scene + ?Sized> System<'_, S> {
                     tolerance,
                 });
             }
-            self.buffers.residual[n_h..].fill(0.0);
-            self.correct(t, q, metric, Level::Position)?;
-            q.iter_mut().zip(&self.buffers.delta).for_each(|(q, delta)| *q += delta);
+            self.correct_positions(t, q, metric)?;
             passes += 1;
         }
+    }
+
+    /// Rounding that coordinates leave in the position rows: of each one, by its slope. A rate of 1e4 rad/s makes large
+    /// angles, but on short levers.
+    fn rounding(&mut self, t: f64, q: &[f64]) -> f64 {
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        let Buffers { jacobian, right_side: rows, .. } = &mut self.buffers;
+        rows.fill(0.0);
+        for (k, row, column) in self.info.jacobian.entries() {
+            rows[row] += (jacobian[k] * q[column]).abs();
+        }
+        2.0 * f64::EPSILON * max_abs(&rows[..self.info.n_position_rows])
+    }
+
+    /// One pass, for the residual of the position rows in the buffer.
+    fn correct_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<(), MotionError> {
+        self.buffers.residual[self.info.n_position_rows..].fill(0.0);
+        self.correct(t, q, metric, Level::Position)?;
+        q.iter_mut().zip(&self.buffers.delta).for_each(|(q, delta)| *q += delta);
+        Ok(())
     }
 
     /// Moves `v` onto all rows at velocity level, at the positions `q`, by one linear solve.

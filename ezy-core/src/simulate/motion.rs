@@ -41,13 +41,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.method.step(system, self.now.knot(), h, t_next, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         let State { q, v, .. } = &mut next.state;
-        if self.projection.positions() {
-            system.project_positions(t_next, q, self.metric)?;
-        }
-        if self.projection.velocities() {
-            system.project_velocities(t_next, q, v, self.metric)?;
-        }
-        Ok(())
+        system.project(t_next, q, v, self.projection, self.metric)
     }
 
     pub fn evaluate_now(&mut self) -> Result<(), MotionError> {

@@ -46,13 +46,15 @@ model! {
 
         /// The rider turns the handle to and fro.
         effect rowing {
-            /// largest torque on the handle
+            /// amplitude of the torque on the handle
             param m0: N*m = 0.3;
+            /// its mean
+            param mean: N*m = 0.0;
             /// angular frequency
             param omega: rad/s = 4.0;
             /// phase at t = 0
             param phase: rad = 0.0;
-            torque handle ~ seat: m0 * sin(omega*t + phase);
+            torque handle ~ seat: mean + m0 * sin(omega*t + phase);
         }
 
         /// A spring with a damper at the hinge.

@@ -70,13 +70,15 @@ model! {
 
         /// The rider twists by a torque.
         effect stroke {
-            /// largest torque on the rider
+            /// amplitude of the torque on the rider
             param m0: N*m = 0.08;
+            /// its mean
+            param mean: N*m = 0.0;
             /// angular frequency
             param omega: rad/s = 2.0;
             /// phase at t = 0
             param phase: rad = 0.5;
-            torque rotor ~ board: m0 * sin(omega*t + phase);
+            torque rotor ~ board: mean + m0 * sin(omega*t + phase);
         }
 
         /// Springs with dampers hold the trucks along the board.

@@ -84,8 +84,10 @@ model! {
 
         /// The driver's torque on the steered axle, against a spring with a damper.
         effect slalom {
-            /// largest torque
+            /// amplitude of the torque
             param m0: N*m = 0.8;
+            /// its mean
+            param mean: N*m = 0.0;
             /// angular frequency
             param omega: rad/s = 1.5;
             /// phase at t = 0
@@ -94,7 +96,7 @@ model! {
             param k: N*m = 1.5;
             /// damping
             param c: N*m*s = 0.2;
-            torque steer ~ tractor: m0 * sin(omega*t + phase);
+            torque steer ~ tractor: mean + m0 * sin(omega*t + phase);
             torsion tractor ~ steer: stiffness k, damping c;
         }
 
@@ -131,6 +133,8 @@ model! {
 
         /// Coasts with locked steering.
         scene locked { start circling; until 30 s; with steering; }
+        /// Round a circle with locked steering, under thrust and drag.
+        scene towed { start circling; until 30 s; with steering, thrust, resistance; }
         /// Winds under a swinging torque on the steering.
         scene winding { start rolling; until 12 s; with slalom, thrust, resistance; }
     }

@@ -11,6 +11,6 @@ pub use mechanisms::{
 };
 pub use vehicles::{
     chaplygin_sleigh::chaplygin_sleigh, differential_robot::differential_robot, ezy_roller::ezy_roller,
-    knife_edge::knife_edge, roller_racer::roller_racer, single_track_car::single_track_car, skateboard::skateboard,
-    snakeboard::snakeboard, tractor_trailers::tractor_trailers, wheeled_snake::wheeled_snake,
+    knife_edge::knife_edge, road_train::road_train, roller_racer::roller_racer, single_track_car::single_track_car,
+    skateboard::skateboard, snakeboard::snakeboard, tractor_trailers::tractor_trailers, wheeled_snake::wheeled_snake,
 };

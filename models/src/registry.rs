@@ -12,6 +12,7 @@ pub static MODELS: &[&ModelInfo] = &[
     &crate::chaplygin_sleigh::MODEL,
     &crate::knife_edge::MODEL,
     &crate::tractor_trailers::MODEL,
+    &crate::road_train::MODEL,
     &crate::differential_robot::MODEL,
     &crate::single_track_car::MODEL,
     &crate::wheeled_snake::MODEL,

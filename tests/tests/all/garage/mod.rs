@@ -10,6 +10,7 @@ mod hanging_net;
 mod knife_edge;
 mod n_four_bar;
 mod pendulum;
+mod road_train;
 mod roller_racer;
 mod single_track_car;
 mod skateboard;

@@ -139,6 +139,10 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
 /// nine digits. Below it the pivoted solver is chosen, which keeps all of them.
 const LIGHTEST: f64 = 1e-7;
 
+/// Number of equations of a scene with counts up to which light bodies are worth the dense solver. Beyond it the sparse
+/// one is taken, which divides by masses like the generated elimination.
+const LARGEST_FOR_LIGHT: usize = 100;
+
 fn solver(info: &'static SceneInfo, mass: &[f64], backend: Backend) -> Result<Solver, SystemError> {
     let massless = mass.iter().position(|m| *m == 0.0);
     let needs_mass = |backend| match massless {
@@ -150,9 +154,13 @@ fn solver(info: &'static SceneInfo, mass: &[f64], backend: Backend) -> Result<So
     };
     let heaviest = mass.iter().copied().fold(0.0, f64::max);
     let light = massless.is_some() || mass.iter().any(|m| *m < LIGHTEST * heaviest);
-    let small = info.n_unknowns() <= LARGEST_DENSE;
+    // in scenes with counts the dense solver costs n³ where the sparse one costs n
+    let largest = match (info.has_elimination(), massless) {
+        (true, _) | (_, Some(_)) => LARGEST_DENSE,
+        (false, None) => LARGEST_FOR_LIGHT,
+    };
     match backend {
-        Backend::Auto if light && small => dense(info),
+        Backend::Auto if light && info.n_unknowns() <= largest => dense(info),
         Backend::Auto if !info.has_elimination() => match massless.map(|i| body_of(info, i)) {
             None => sparse(info),
             Some((body, quantity)) => {

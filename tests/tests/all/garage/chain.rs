@@ -1,5 +1,6 @@
 //! Chains of any length: references, the double pendulum written out, cost by length.
 
+use ezy_core::dynamics::SystemError;
 use ezy_core::linalg::SparseKkt;
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
@@ -69,6 +70,12 @@ fn invariant_factors_of_the_chain_grow_with_its_length() {
     };
     let per_rod = [10, 100, 1_000, 10_000].map(|n| entries(n) as f64 / n as f64);
     assert!(per_rod.iter().all(|entries| *entries <= 18.0), "{per_rod:?}");
+}
+
+#[test]
+fn invariant_massless_rods_are_refused_where_only_the_sparse_backend_fits() {
+    let refused = System::new(&chain::Swing { n: 1_000, m: 0.0, ..Default::default() }, Backend::Auto).err();
+    assert!(matches!(refused, Some(SystemError::MasslessInLargeScene { body: "link[0]", .. })), "{refused:?}");
 }
 
 #[test]

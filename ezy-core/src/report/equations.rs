@@ -36,6 +36,8 @@ const S_V: Formula = Formula {
 };
 const S_TERM: Formula = Formula { text: "s", latex: "s", mathml: "<mi>s</mi>" };
 const M: Formula = Formula { text: "M", latex: "M", mathml: "<mi>M</mi>" };
+pub(super) const DIAGONAL: Formula =
+    Formula { text: "diag M", latex: "\\mathrm{diag}\\,M", mathml: "<mtext>diag </mtext><mi>M</mi>" };
 const F: Formula = Formula { text: "F", latex: "F", mathml: "<mi>F</mi>" };
 const A: Formula = Formula { text: "a", latex: "a", mathml: "<mi>a</mi>" };
 const Q: Formula = Formula { text: "q", latex: "q", mathml: "<mi>q</mi>" };
@@ -169,8 +171,8 @@ fn mass_matrix(info: &SceneInfo) -> Equation {
     let entries = info.mass_entries;
     let n = entries.len();
     if n > WIDEST_MATRIX {
-        let rows = info.coordinates.iter().zip(entries).map(|(c, &mass)| (c.name, vec![(c.symbol, mass)]));
-        return equation("mass matrix", &[&M, &Listing(rows.collect())], Names(Vec::new()));
+        let names = Names(info.coordinates.iter().map(|c| c.name).collect());
+        return equation("mass matrix", &[&DIAGONAL, &column(entries.iter().copied())], names);
     }
     let row = |i: usize| (0..n).map(|j| if i == j { entries[i] } else { ZERO }).collect();
     equation("mass matrix", &[&M, &Matrix::new((0..n).map(row))], Names(Vec::new()))

@@ -1,6 +1,6 @@
 //! The equations of a scene with counts: those that all members of one item share.
 
-use super::equations::{Equation, column, equation};
+use super::equations::{DIAGONAL, Equation, column, equation};
 use super::matrix::{Matrix, Names};
 use crate::model::{Formula, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 
@@ -23,7 +23,6 @@ const ZERO: Formula = Formula { text: "0", latex: "0", mathml: "<mrow><mn>0</mn>
 const H: Formula = Formula { text: "h", latex: "h", mathml: "<mi>h</mi>" };
 const S: Formula = Formula { text: "s", latex: "s", mathml: "<mi>s</mi>" };
 const G_T: Formula = Formula { text: "G^T", latex: "G^T", mathml: "<msup><mi>G</mi><mi>T</mi></msup>" };
-const M: Formula = Formula { text: "diag M", latex: "\\mathrm{diag}\\,M", mathml: "<mtext>diag </mtext><mi>M</mi>" };
 const F: Formula = Formula { text: "F", latex: "F", mathml: "<mi>F</mi>" };
 
 /// The equations of every item that has some, in declared order.
@@ -53,7 +52,7 @@ fn of_template(template: &TemplateInfo) -> TemplateEquations {
         let h = column(rows.iter().map(|row| row.row.convective_term));
         equations.push(equation(names[2], &[&convective, &h], of_rows()));
     }
-    for (entries, symbol, name) in [(template.masses, M, "mass matrix"), (template.forces, F, "applied force")] {
+    for (entries, symbol, name) in [(template.masses, DIAGONAL, "mass matrix"), (template.forces, F, "applied force")] {
         if !entries.is_empty() {
             let names = Names(entries.iter().map(|(place, _)| place.symbol.text).collect());
             equations.push(equation(name, &[&symbol, &column(entries.iter().map(|(_, entry)| *entry))], names));

@@ -77,7 +77,7 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
 }
 
 fn indent(text: &str) -> String {
-    text.lines().map(|line| format!("  {line}\n")).collect()
+    text.lines().map(|line| format!("  {line}").trim_end().to_owned() + "\n").collect()
 }
 
 fn sparsity(info: &SceneInfo) -> String {

@@ -2,7 +2,7 @@
 
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
-use ezy_models::ezy_roller;
+use ezy_models::{chain, ezy_roller};
 use ezy_tests::hand_roller::HandRoller;
 use ezy_tests::piloted::piloted;
 
@@ -31,6 +31,15 @@ fn invariant_steps_do_not_allocate() {
             }
         }
     }
+}
+
+#[test]
+fn invariant_steps_of_a_scene_with_counts_do_not_allocate() {
+    let scene = chain::Swing { n: 5, ..Default::default() };
+    // the description of a chain of five is made once
+    assert_eq!(scene.info().bodies.len(), 5);
+    let [few, many] = [100, 1000].map(|n| allocations(&scene, Backend::Auto, Metric::Mass, n));
+    assert_eq!(few, many);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //!
 //! Expressions are scalar here; vectors of the model file have been split into components.
 
+mod array;
 pub mod case;
 mod constant;
 mod context;
@@ -13,6 +14,7 @@ mod mechanism;
 mod member;
 mod names;
 mod output;
+mod point_array;
 mod repeat;
 mod resolve;
 mod scene;

@@ -72,6 +72,32 @@ model! {
     }
 }
 
+model! {
+    /// Rows that refer to one member by two indices in their first pass.
+    model Twice {
+        count n = 4;
+        param k = 1.0;
+        body bead[n] { mass: 1, inertia: 0.1 }
+        for i in 1..n {
+            constraint level[i]: bead[i].y = 0.5 * (bead[i-1].y + k * bead[0].y^2);
+            spring bead[i](0, 0.1) ~ bead[0](0.2, 0): stiffness 3, length 0.1;
+            torque bead[i] ~ bead[i-1]: -k * bead[0].omega;
+        }
+        for i in 0..n { drag at bead[i](0, 0): linear 0.1; force at bead[0](0, i): (1, k * bead[i].vx); }
+        start s { for i in 1..n { bead[i] at (i, _); } bead[0] velocity (0.1, 0.2); }
+        scene run { start s; until 0.5 s; }
+    }
+}
+
+#[test]
+fn fd_members_met_twice_in_a_row_count_twice() {
+    for n in [2, 4] {
+        if let Err(error) = check_scene(&twice::Run { n, ..Default::default() }) {
+            panic!("n = {n}: {error}");
+        }
+    }
+}
+
 #[test]
 fn fd_every_construct_passes_the_checks_at_several_counts() {
     for (n, m) in [(1, 1), (3, 2)] {

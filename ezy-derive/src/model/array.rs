@@ -1,0 +1,129 @@
+//! Arrays of bodies: names with indices become the bodies that they stand for.
+//!
+//! Every distinct reference to a member of an array, `link[i-1]`, is a body of its own for all later stages: a *slot*,
+//! of which a pass of the `for` says which member it is. So equations are derived once for all members.
+
+use super::context::Context;
+use super::names::Symbol;
+use super::whole::{Values, Whole, WholeNames};
+use super::{Array, BodyId, Expr, Loop, Slot};
+use crate::diag::{Extent, names, repeats};
+use crate::parse::ast;
+
+impl Context<'_> {
+    /// A declared array of bodies; a single body has no lengths.
+    pub fn declare_bodies(&mut self, body: &ast::Body) -> Symbol {
+        let id = self.arrays.len();
+        let (mass, inertia) = (Expr::Number(0.0), Expr::Number(0.0));
+        self.arrays.push(Array { name: body.name.word.clone(), lengths: Vec::new(), mass, inertia });
+        if !body.name.indices.is_empty() {
+            return Symbol::Bodies(id);
+        }
+        self.slots.push(Slot { array: id, index: Vec::new() });
+        Symbol::Body(BodyId(self.slots.len() - 1))
+    }
+
+    /// The lengths of a declared array, once all counts are known.
+    pub fn resolve_lengths(&mut self, id: usize, name: &ast::Name) {
+        let lengths = name.indices.iter().map(|length| self.whole(length).unwrap_or(Whole::Number(1)));
+        self.arrays[id].lengths = lengths.collect();
+    }
+
+    /// Whether the sizes of the model are numbers of a run.
+    pub fn is_repeated(&self) -> bool {
+        !self.counts.is_empty() || !self.indices.is_empty() || self.arrays.iter().any(|a| !a.lengths.is_empty())
+    }
+
+    /// The slot of a member of an array of bodies.
+    pub fn body_member(&mut self, array: usize, name: &ast::Name) -> Option<BodyId> {
+        if name.indices.is_empty() {
+            self.diag.error(repeats::without_index(name, "an array of bodies"));
+            return None;
+        }
+        let lengths = self.arrays[array].lengths.clone();
+        let index = self.indices_of(name, lengths.len())?;
+        let counts: Vec<i64> = self.counts.iter().map(|(_, value)| *value).collect();
+        for ((index, length), at) in index.iter().zip(&lengths).zip(&name.indices) {
+            let known = matches!(length, Whole::Number(_));
+            let length = length.evaluate(&Values { counts: &counts, indices: &[] })?;
+            if let Some(wrong) = self.extremes(index).into_iter().find(|value| !(0..length).contains(value)) {
+                let counts = self.counts.iter().map(|(name, value)| format!("{name} = {value}"));
+                let counts = if known { String::new() } else { counts.collect::<Vec<_>>().join(", ") };
+                self.diag.error(repeats::out_of_range(at.extent(), name, wrong, length, &counts));
+                return None;
+            }
+        }
+        Some(self.slot(array, index))
+    }
+
+    pub fn slot(&mut self, array: usize, index: Vec<Whole>) -> BodyId {
+        let slot = Slot { array, index };
+        let known = self.slots.iter().position(|other| *other == slot);
+        BodyId(known.unwrap_or_else(|| {
+            self.slots.push(slot);
+            self.slots.len() - 1
+        }))
+    }
+
+    /// The indices behind a name, as many as there should be.
+    pub fn indices_of(&mut self, name: &ast::Name, wanted: usize) -> Option<Vec<Whole>> {
+        let indices: Vec<Option<Whole>> = name.indices.iter().map(|index| self.whole(index)).collect();
+        let indices: Option<Vec<Whole>> = indices.into_iter().collect();
+        if name.indices.len() != wanted {
+            self.diag.error(repeats::number_of_indices(name.into(), name, wanted, name.indices.len()));
+            return None;
+        }
+        indices
+    }
+
+    /// One gravity for each array of bodies, in a `for` of its own, and for each single body.
+    pub fn all_bodies(&mut self) -> Vec<(BodyId, Vec<Loop>)> {
+        let around = (self.loops.clone(), self.bound.clone());
+        let free = |name: &&&str| self.bound.iter().all(|(bound, _)| bound != *name);
+        let free: Vec<&str> = ["i", "j", "k", "l", "i1", "j1", "k1", "l1"].iter().filter(free).copied().collect();
+        let mut all = Vec::new();
+        for array in 0..self.arrays.len() {
+            let lengths = self.arrays[array].lengths.clone();
+            let names = free.iter().cycle();
+            let index = lengths.into_iter().zip(names).map(|(length, name)| self.bind(name, Whole::Number(0), length));
+            let index = index.collect();
+            let body = self.slot(array, index);
+            all.push((body, self.loops.clone()));
+            (self.loops, self.bound) = around.clone();
+        }
+        all
+    }
+
+    /// `link[i-1]`, for equations.
+    pub fn slot_text(&self, slot: &Slot) -> String {
+        let counts: Vec<String> = self.counts.iter().map(|(name, _)| name.clone()).collect();
+        let names = WholeNames { counts: &counts, indices: &self.indices };
+        let name = self.arrays[slot.array].name.to_string();
+        if slot.index.is_empty() {
+            return name;
+        }
+        format!("{name}[{}]", slot.index.iter().map(|index| index.text(&names)).collect::<Vec<_>>().join(","))
+    }
+
+    /// Reports indices behind a name that is no array.
+    pub fn refuse_index(&mut self, name: &ast::Name, what: &str) -> Option<()> {
+        if name.indices.is_empty() {
+            return Some(());
+        }
+        self.diag.error(repeats::index_on_single(Extent::from(name), name, what));
+        None
+    }
+
+    /// Reports a member that is used as a value.
+    pub fn indexed_value(&mut self, name: &ast::Name) {
+        let error = match self.names.lookup(None, name) {
+            Some(Symbol::Broken) => return,
+            Some(symbol @ (Symbol::Bodies(_) | Symbol::Points(_) | Symbol::Hinges(..))) => {
+                repeats::no_value(name.into(), name, Self::members(symbol))
+            }
+            Some(symbol) => repeats::index_on_single(name.into(), name, symbol.what()),
+            None => names::unknown_owner(name, &self.names.owners()),
+        };
+        self.diag.error(error);
+    }
+}

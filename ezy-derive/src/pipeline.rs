@@ -149,6 +149,15 @@ mod tests {
     }
 
     #[test]
+    fn analytic_row_that_repeats_others_once_assembled_is_a_warning() {
+        let found = messages("hinge P: one(0, 0) ~ two(0, 0); hinge Q: one(a, 0) ~ two(a, 0);");
+        assert!(found.contains("with the declared parameters row `Q.y` repeats what"));
+        assert!(!found.contains("compile_error"));
+        let found = messages("rod P: one(0, 0) ~ two(0, 0) length b; rod Q: one(a, 0) ~ two(a, 0) length b;");
+        assert!(!found.contains("repeats what"));
+    }
+
+    #[test]
     fn analytic_more_rows_than_coordinates_are_counted() {
         let rows = "hinge P: ground(0, 0) ~ one(a, 0); hinge Q: ground(b, 0) ~ one(0, a); hinge R: one(0, 0) ~ two(a, 0); \
                     hinge S: two(b, 0) ~ ground(0, 1);";

@@ -69,6 +69,8 @@ pub struct Setting {
     pub word: &'static str,
     pub unit: &'static str,
     pub otherwise: Otherwise,
+    /// Whether zero and negative numbers make no sense.
+    pub positive: bool,
 }
 
 /// What holds when a value is not given.
@@ -90,7 +92,12 @@ use Part::{
 };
 
 const fn setting(word: &'static str, unit: &'static str, otherwise: Otherwise) -> Setting {
-    Setting { word, unit, otherwise }
+    Setting { word, unit, otherwise, positive: false }
+}
+
+/// A setting that must be given and positive.
+const fn positive(word: &'static str, unit: &'static str) -> Setting {
+    Setting { word, unit, otherwise: Required, positive: true }
 }
 
 const FORCE: Asked = Asked { what: "a force", unit: "N" };
@@ -117,7 +124,7 @@ pub static WORDS: &[Word] = &[
     Word {
         word: "rod",
         class: PositionRow,
-        form: &[Pair, Settings(&[setting("length", "m", Required)])],
+        form: &[Pair, Settings(&[positive("length", "m")])],
         example: "rod link: ground(0, 0) ~ bob(0, 0) length l;",
     },
     Word {

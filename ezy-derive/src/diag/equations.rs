@@ -24,6 +24,18 @@ pub fn dependent(at: &Ident, row: &str, others: &[&str]) -> syn::Error {
     )
 }
 
+pub fn dependent_as_declared(at: &Ident, row: &str, others: &[&str]) -> Warning {
+    let s = if others.len() == 1 { "s" } else { "" };
+    Warning {
+        span: at.span(),
+        name: "row_that_repeats_others",
+        text: format!(
+            "with the declared parameters row `{row}` repeats what {} already demand{s}; runs end there unless it is removed",
+            quoted(others)
+        ),
+    }
+}
+
 pub fn not_linear(at: &Ident, kind: &str, row: &str) -> syn::Error {
     fault_with_help(
         at,

@@ -11,6 +11,10 @@ pub fn negative_mass(at: Extent, what: &str, value: f64, unit: &str) -> syn::Err
     )
 }
 
+pub fn not_positive(at: Extent, what: &str, value: f64, unit: &str) -> syn::Error {
+    fault_with_help(at, format_args!("{what} is {value:?} {unit}"), "write a positive value")
+}
+
 pub fn massless_and_free(at: Extent, body: &Ident, word: &str) -> syn::Error {
     fault_with_help(
         at,

@@ -80,6 +80,14 @@ pub fn releases_no_row(name: &Ident, what: Option<&str>, rows: &[&str]) -> syn::
     fault_with_help(name, text, suggestion(&name.to_string(), rows, "declared rows"))
 }
 
+pub fn releases_own_row(name: &Ident, effect: &Ident) -> syn::Error {
+    fault_with_help(
+        name,
+        format_args!("effect `{effect}` releases `{name}`, which it declares itself"),
+        "remove both, or name a row of the model",
+    )
+}
+
 pub fn release_outside_effect(row: &Ident) -> syn::Error {
     fault_with_help(
         row,

@@ -109,6 +109,10 @@ pub fn field_missing(body: &Ident, field: &str) -> syn::Error {
     )
 }
 
+pub fn no_setting(at: Span, place: &str, settings: &[&str]) -> syn::Error {
+    fault(at, format_args!("{place} needs one of {}", super::nearest::quoted(settings)))
+}
+
 pub fn setting_missing(at: Span, setting: &str, place: &str) -> syn::Error {
     fault(at, format_args!("{place} needs its `{setting}`"))
 }

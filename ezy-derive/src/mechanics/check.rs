@@ -10,6 +10,7 @@ use crate::model::{Model, RowId};
 use crate::symbolic::evaluate::Point;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
+mod assembled;
 mod integrable;
 mod overfixed;
 
@@ -76,7 +77,9 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
         return;
     }
     let constraints = &equations.constraints;
-    let found: Vec<Vec<(usize, Vec<usize>)>> = (0..SAMPLES).map(|seed| dependent_rows(equations, seed)).collect();
+    let found: Vec<Vec<(usize, Vec<usize>)>> = (0..SAMPLES)
+        .map(|seed| dependent_rows(equations, &RandomState { symbols: &equations.symbols, seed }))
+        .collect();
     for (i, others) in &found[0] {
         let family = constraints.rows[*i].family;
         let always = found.iter().all(|sample| sample.iter().any(|(row, _)| row == i));
@@ -86,6 +89,9 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
             reported.push(family);
         }
     }
+    if diag.n_errors() == n_errors && model.counts.is_empty() {
+        assembled::rows(model, equations, reported, diag);
+    }
 }
 
 fn moves_with_velocity(algebra: &mut Algebra, symbols: &Symbols, entry: SumId) -> bool {
@@ -93,14 +99,13 @@ fn moves_with_velocity(algebra: &mut Algebra, symbols: &Symbols, entry: SumId) -
 }
 
 /// Rows that are combinations of earlier ones, with the rows they combine.
-fn dependent_rows(equations: &Equations, seed: u64) -> Vec<(usize, Vec<usize>)> {
-    let state = RandomState { symbols: &equations.symbols, seed };
+fn dependent_rows(equations: &Equations, state: &impl Point) -> Vec<(usize, Vec<usize>)> {
     let constraints = &equations.constraints;
     let n_q = equations.mass.len();
     let mut rows = vec![vec![0.0; n_q]; constraints.rows.len()];
     for (row, entries) in rows.iter_mut().zip(&constraints.jacobian) {
         for &(column, entry) in entries {
-            row[column] = equations.algebra.evaluate(entry, &state);
+            row[column] = equations.algebra.evaluate(entry, state);
         }
     }
     scale_columns(&mut rows);

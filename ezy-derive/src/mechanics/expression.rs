@@ -1,6 +1,7 @@
 //! Expressions of the model file as sums.
 
 use super::symbols::Symbols;
+use crate::function::Function;
 use crate::model::{self, Arguments, BodyId, Component, Expr, Model};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
@@ -89,6 +90,12 @@ impl Writer<'_> {
     /// Whether a value depends on parameters alone.
     pub fn is_steady(&self, value: SumId) -> bool {
         self.algebra.as_coefficient(value).is_some()
+    }
+
+    /// A divisor that is not negative, kept from zero: 0/0 becomes 0.
+    pub fn at_least_something(&mut self, divisor: SumId) -> SumId {
+        let least = self.algebra.number(f64::MIN_POSITIVE);
+        self.algebra.call(Function::Max, vec![divisor, least])
     }
 
     /// φ of a body; the ground does not turn.

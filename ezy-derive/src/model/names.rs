@@ -116,6 +116,11 @@ impl Names {
         }
     }
 
+    /// Whether an effect itself declares `name`.
+    pub fn is_of_effect(&self, effect: EffectId, name: &Ident) -> bool {
+        self.effects[effect.0].iter().any(|declared| name == &declared.name)
+    }
+
     pub fn lookup(&self, scope: Scope, name: &Ident) -> Option<Symbol> {
         self.find(scope, &name.to_string()).map(|declared| declared.symbol)
     }

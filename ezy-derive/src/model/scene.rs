@@ -35,6 +35,9 @@ impl Context<'_> {
             let ast::ItemKind::Release(name) = &item.kind else { continue };
             let symbol = self.names.lookup(Some(id), name);
             match symbol {
+                Some(_) if self.names.is_of_effect(id, name) => {
+                    self.diag.error(scenes::releases_own_row(name, &effect.name));
+                }
                 Some(Symbol::Hinge(row, _) | Symbol::Hinges(row, _) | Symbol::Row(row, _)) => {
                     match released.iter().find(|(other, _)| *other == row) {
                         Some((_, first)) => self.diag.error(scenes::released_twice(name, first)),

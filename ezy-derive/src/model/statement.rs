@@ -1,5 +1,6 @@
 //! Rows and forces: what is written for each part of their form.
 
+use super::constant::at_defaults;
 use super::context::{Context, Motion, Purpose};
 use super::dimension::Dimension;
 use super::names::{Scope, Symbol};
@@ -165,7 +166,14 @@ impl Context<'_> {
                 for (setting, value) in known.iter().zip(given) {
                     let what = format!("`{}` of {subject}", setting.word);
                     arguments.settings.push(match (value, setting.otherwise) {
-                        (Some(value), _) => self.scalar(value, purpose, &what, Some(dimension(setting.unit))),
+                        (Some(value), _) => {
+                            let resolved = self.scalar(value, purpose, &what, Some(dimension(setting.unit)));
+                            let number = resolved.as_ref().and_then(|value| at_defaults(value, &[]));
+                            if let Some(number) = number.filter(|number| setting.positive && *number <= 0.0) {
+                                self.diag.error(rules::not_positive(value.extent(), &what, number, setting.unit));
+                            }
+                            resolved
+                        }
                         (None, Otherwise::Number(number)) => Some(Expr::Number(number)),
                         (None, _) => None,
                     });

@@ -174,6 +174,9 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
             break;
         }
     }
+    if given.iter().all(Option::is_none) && known.iter().all(|setting| setting.otherwise == Otherwise::Absent) {
+        return Err(syntax::no_setting(input.span(), &place(), &names));
+    }
     match known.iter().zip(&given).find(|(setting, value)| setting.otherwise == Otherwise::Required && value.is_none())
     {
         Some((missing, _)) => Err(syntax::setting_missing(input.span(), missing.word, &place())),

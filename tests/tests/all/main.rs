@@ -5,6 +5,7 @@ mod scenes;
 mod architecture;
 mod backends;
 mod control;
+mod degenerate_forces;
 mod drives;
 mod exact_start;
 mod garage;

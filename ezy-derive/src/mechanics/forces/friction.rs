@@ -36,6 +36,7 @@ pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
 fn factor(writer: &mut Writer<'_>, square: SumId, largest: SumId, knee: SumId) -> SumId {
     let knee_square = writer.algebra.mul(knee, knee);
     let sum = writer.algebra.add(square, knee_square);
+    let sum = writer.at_least_something(sum);
     let half = writer.algebra.number(0.5);
     let root = writer.algebra.pow(sum, half);
     let ratio = writer.algebra.div(largest, root);

@@ -1,4 +1,5 @@
-//! `spring a ~ b: stiffness k, length l, damping c`: along the line between two places.
+//! `spring a ~ b: stiffness k, length l, damping c`: along the line between two places; without a length, the vector law
+//! −k d − c ḋ, which has no line where the places coincide.
 
 use super::{Load, damper};
 use crate::mechanics::expression::Writer;
@@ -12,16 +13,16 @@ pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
     let square = writer.dot(gap, gap);
     let half = writer.algebra.number(0.5);
     if writer.is_steady(stiffness) && writer.is_steady(length) {
-        // multiplied out, so that a spring without length needs no root
-        let mut bracket = writer.algebra.mul(half, square);
-        if !length.is_zero() {
+        // a spring without length needs no root; of one with a length the square of the stretch is kept whole, since
+        // multiplied out it would cancel
+        let square = if length.is_zero() {
+            square
+        } else {
             let distance = writer.algebra.pow(square, half);
-            let product = writer.algebra.mul(length, distance);
-            let length_square = writer.algebra.mul(length, length);
-            let constant = writer.algebra.mul(half, length_square);
-            bracket = writer.algebra.sub(bracket, product);
-            bracket = writer.algebra.add(bracket, constant);
-        }
+            let stretch = writer.algebra.sub(distance, length);
+            writer.algebra.mul(stretch, stretch)
+        };
+        let bracket = writer.algebra.mul(half, square);
         let potential = writer.algebra.mul(stiffness, bracket);
         load.potential(writer, potential);
     } else {
@@ -34,6 +35,10 @@ pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
     }
     if of.settings[2].is_some() {
         let damping = writer.setting(of, 2);
-        damper::along_line(writer, gap, damping, load);
+        if length.is_zero() {
+            damper::along_motion(writer, gap, damping, load);
+        } else {
+            damper::along_line(writer, gap, damping, load);
+        }
     }
 }

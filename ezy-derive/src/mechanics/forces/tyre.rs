@@ -23,7 +23,8 @@ pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
     let mut value = writer.algebra.mul(stiffness, slip);
     if of.settings[1].is_some() {
         let limit = writer.setting(of, 1);
-        let ratio = writer.algebra.div(value, limit);
+        let divisor = writer.at_least_something(limit);
+        let ratio = writer.algebra.div(value, divisor);
         let bounded = writer.algebra.call(Function::Tanh, vec![ratio]);
         value = writer.algebra.mul(limit, bounded);
     }

@@ -11,6 +11,7 @@ mod model;
 mod parse;
 mod pipeline;
 mod symbolic;
+mod units;
 mod words;
 
 /// Turns a model file into equations of motion.

@@ -33,16 +33,22 @@ pub fn unknown_effect(name: &Ident, effects: &[&str]) -> syn::Error {
     unknown(name, "effect", effects, "declared effects")
 }
 
-pub fn unknown_unit(name: &Ident, spelled_out: Option<&str>, units: &[&str]) -> syn::Error {
-    let help = match spelled_out {
-        Some(unit) => format!("write `{unit}`"),
+/// `instead`: the unit that is meant, and how many of these the other one is, unless one.
+pub fn unknown_unit(name: &Ident, instead: Option<(String, Option<&str>)>, units: &[&str]) -> syn::Error {
+    let help = match instead {
+        Some((unit, None)) => format!("write `{unit}`"),
+        Some((unit, Some(is))) => format!("write the value in `{unit}`: 1 {name} is {is} {unit}"),
         None => suggestion(&name.to_string(), units, "units"),
     };
     fault_with_help(name, format_args!("`{name}` is no known unit"), help)
 }
 
-pub fn unknown_function(name: &Ident, functions: &[&str]) -> syn::Error {
-    let help = suggestion(&name.to_string(), functions, "functions");
+/// `instead`: the same in functions of the language.
+pub fn unknown_function(name: &Ident, instead: Option<&str>, functions: &[&str]) -> syn::Error {
+    let help = match instead {
+        Some(expression) => format!("write `{expression}`"),
+        None => suggestion(&name.to_string(), functions, "functions"),
+    };
     fault_with_help(name, format_args!("`{name}` is no known function"), help)
 }
 

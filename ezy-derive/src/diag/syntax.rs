@@ -36,6 +36,11 @@ pub fn unknown_word(word: &Ident, place: &str, words: &[&str]) -> syn::Error {
     )
 }
 
+/// A word that the language has another one for.
+pub fn other_word(word: &Ident, place: &str, instead: &str) -> syn::Error {
+    fault_with_help(word, format_args!("`{word}` is no word of {place}"), format_args!("did you mean `{instead}`?"))
+}
+
 pub fn foreign_attribute(at: Span) -> syn::Error {
     fault_with_help(at, "a model takes no attribute but documentation", "write `/// …`, or remove the attribute")
 }
@@ -67,6 +72,31 @@ pub fn number_with_suffix(at: Span, digits: &str, suffix: &str) -> syn::Error {
         format_args!("the number `{digits}{suffix}` has a suffix"),
         format_args!("write `{digits}`; units stand in `param name: unit = value;`"),
     )
+}
+
+/// The time after `until` is the one number with a unit.
+pub fn number_joined_with_unit(at: Span, digits: &str, suffix: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("the number `{digits}{suffix}` has a suffix"),
+        format_args!("write `{digits} {suffix}`, with a blank before the unit"),
+    )
+}
+
+/// A unit behind the value of a declaration.
+pub fn value_with_unit(at: Span, keyword: &str, name: &Ident, written: &str, unit: &str, value: &str) -> syn::Error {
+    let help = format!("write `{keyword} {name}: {unit} = {value};`");
+    fault_with_help(at, format_args!("numbers carry no unit, but `{written}` stands behind one"), help)
+}
+
+/// A unit behind a number in an expression.
+pub fn number_with_unit(at: Span, written: &str, unit: &str, value: &str) -> syn::Error {
+    let help = if unit == "deg" {
+        format!("write `{value}*pi/180`, or declare `param angle: deg = {value};` and write `angle`")
+    } else {
+        format!("declare `param a: {unit} = {value};` and write `a`, or `{value}*{written}` for a product")
+    };
+    fault_with_help(at, format_args!("numbers carry no unit, but `{written}` stands behind one"), help)
 }
 
 pub fn number_too_large(at: Span, text: &str) -> syn::Error {

@@ -33,6 +33,36 @@ const VECTOR: [(&str, usize); 3] = [("dot", 2), ("cross", 2), ("norm", 1)];
 /// Functions that are written out: `slip_angle(point, body)`, `smooth_step(x, from, to)`.
 const WRITTEN_OUT: [(&str, usize); 2] = [("slip_angle", 2), ("smooth_step", 3)];
 
+/// Functions of other languages, and what to write.
+const ELSEWHERE: [(&str, &str); 26] = [
+    ("atan", "atan2(y, x)"),
+    ("arctan", "atan2(y, x)"),
+    ("arctan2", "atan2(y, x)"),
+    ("arcsin", "asin(x)"),
+    ("arccos", "acos(x)"),
+    ("cot", "1/tan(x)"),
+    ("sinh", "(exp(x) - exp(-x))/2"),
+    ("cosh", "(exp(x) + exp(-x))/2"),
+    ("asinh", "ln(x + sqrt(x^2 + 1))"),
+    ("acosh", "ln(x + sqrt(x^2 - 1))"),
+    ("atanh", "ln((1 + x)/(1 - x))/2"),
+    ("log", "ln(x)"),
+    ("log2", "ln(x)/ln(2)"),
+    ("log10", "ln(x)/ln(10)"),
+    ("pow", "x^y"),
+    ("sqr", "x^2"),
+    ("square", "x^2"),
+    ("cbrt", "x^(1/3)"),
+    ("hypot", "norm((x, y))"),
+    ("fabs", "abs(x)"),
+    ("sgn", "sign(x)"),
+    ("signum", "sign(x)"),
+    ("step", "smooth_step(x, from, to)"),
+    ("heaviside", "smooth_step(x, from, to)"),
+    ("radians", "x*pi/180"),
+    ("degrees", "x*180/pi"),
+];
+
 /// What a function asks of dimensions, and what it gives.
 #[derive(Debug, Clone, Copy)]
 enum Rule {
@@ -85,7 +115,10 @@ impl Context<'_> {
             Some(symbol @ (Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Let(_))) => {
                 values::called_value(function, symbol.what())
             }
-            _ => names::unknown_function(function, &functions),
+            _ => {
+                let instead = ELSEWHERE.iter().find(|(other, _)| function == other).map(|(_, instead)| *instead);
+                names::unknown_function(function, instead, &functions)
+            }
         }
     }
 

@@ -4,6 +4,7 @@ use super::Expr;
 use super::dimension::Dimension;
 use crate::diag::{Diagnostics, names};
 use crate::parse::ast;
+use crate::units::{NAMES, spelling};
 use std::f64::consts::PI;
 
 /// A unit is `times / over * pi^pi` SI units; whole numbers, so that 200 mm is the f64 nearest to 0.2 m.
@@ -15,6 +16,7 @@ pub struct Unit {
     pub dimension: Dimension,
 }
 
+#[derive(Clone, Copy)]
 struct Known {
     name: &'static str,
     times: f64,
@@ -61,23 +63,6 @@ static KNOWN: [Known; 28] = [
     known("MW", 1e6, 1.0, POWER),
 ];
 
-/// How units are written in full or by other people, plurals included, and what they are here.
-const SPELLED_OUT: [(&str, &str); 13] = [
-    ("kilog", "kg"),
-    ("gram", "g"),
-    ("meter", "m"),
-    ("metre", "m"),
-    ("millim", "mm"),
-    ("centim", "cm"),
-    ("sec", "s"),
-    ("hour", "h"),
-    ("radian", "rad"),
-    ("degree", "deg"),
-    ("newton", "N"),
-    ("joule", "J"),
-    ("watt", "W"),
-];
-
 impl Unit {
     const ONE: Self = Self { times: 1.0, over: 1.0, pi: 0, dimension: Dimension::NONE };
 
@@ -95,9 +80,9 @@ impl Unit {
 
     fn factor(factor: &ast::UnitFactor, diag: &mut Diagnostics) -> Option<Self> {
         let Some(known) = KNOWN.iter().find(|known| factor.name == known.name) else {
-            let names: Vec<&str> = KNOWN.iter().map(|known| known.name).collect();
-            let spelled = SPELLED_OUT.iter().find(|(name, _)| factor.name.to_string().to_lowercase().starts_with(name));
-            diag.error(names::unknown_unit(&factor.name, spelled.map(|(_, sign)| *sign), &names));
+            let instead = spelling(&factor.name.to_string());
+            let instead = instead.map(|instead| (instead.factor(factor.exponent), instead.is));
+            diag.error(names::unknown_unit(&factor.name, instead, &NAMES));
             return None;
         };
         let one = Self { times: known.times, over: known.over, pi: known.pi, dimension: known.dimension };
@@ -146,5 +131,15 @@ impl Unit {
             value = Expr::Div(Box::new(value), number(self.over));
         }
         value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_known_units_are_those_of_the_parser() {
+        assert_eq!(KNOWN.map(|known| known.name), NAMES);
     }
 }

@@ -1,7 +1,8 @@
 //! Expressions, by recursive descent: `+ -` bind weakest, then `* /`, then the sign, then `^` (to the right).
 
 use super::ast::{Expr, Name, Operator};
-use super::token::{Bracketed, end, expected, name, parenthesised, peek_number};
+use super::token::{Bracketed, end, expected, name, parenthesised, peek_number, peek_word};
+use super::unit::{self, Misplaced};
 use crate::diag::syntax;
 use proc_macro2::Span;
 use syn::parse::ParseStream;
@@ -14,18 +15,26 @@ const MAX_BRACKETS: usize = 50;
 
 /// A scalar or a vector.
 pub fn expression(input: ParseStream) -> Result<Expr> {
-    Parser { parts: 0, brackets: 0 }.sum(input)
+    Parser::default().sum(input)
+}
+
+/// A scalar with a unit behind it.
+pub fn expression_before_unit(input: ParseStream) -> Result<Expr> {
+    Parser { before_unit: true, ..Parser::default() }.sum(input)
 }
 
 /// A name, with or without indices.
 pub fn indexed(input: ParseStream, what: &str) -> Result<Name> {
-    Parser { parts: 0, brackets: 0 }.indexed(input, what)
+    Parser::default().indexed(input, what)
 }
 
+#[derive(Default)]
 struct Parser {
     parts: usize,
     /// How many brackets are open.
     brackets: usize,
+    /// Whether a unit may stand behind a number.
+    before_unit: bool,
 }
 
 impl Parser {
@@ -84,7 +93,7 @@ impl Parser {
     fn primary(&mut self, input: ParseStream) -> Result<Expr> {
         self.count(input.span())?;
         if peek_number(input) {
-            return number(input);
+            return self.number(input);
         }
         if input.peek(syn::token::Paren) {
             return self.in_brackets(input, Self::group);
@@ -169,25 +178,36 @@ impl Parser {
         }
         Ok(arguments)
     }
+
+    fn number(&self, input: ParseStream) -> Result<Expr> {
+        let literal: Lit = input.parse()?;
+        let (digits, suffix) = match &literal {
+            Lit::Int(literal) => (literal.base10_digits(), literal.suffix()),
+            Lit::Float(literal) => (literal.base10_digits(), literal.suffix()),
+            _ => return Err(syntax::expected(literal.span(), "a number", "another literal")),
+        };
+        let span = literal.span();
+        if !suffix.is_empty() {
+            return Err(match self.before_unit {
+                true => syntax::number_joined_with_unit(span, digits, suffix),
+                false => syntax::number_with_suffix(span, digits, suffix),
+            });
+        }
+        // `t` is the time in expressions, and no tonne
+        if !self.before_unit
+            && !peek_word(input, "t")
+            && let Some(Misplaced { at, written, unit, value }) = unit::behind(digits, input)
+        {
+            return Err(syntax::number_with_unit(at, &written, &unit, &value));
+        }
+        // the decimal digits as written: the nearest f64
+        match digits.parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(Expr::Number { value, span }),
+            _ => Err(syntax::number_too_large(span, digits)),
+        }
+    }
 }
 
 fn binary(operator: Operator, span: Span, left: Expr, right: Expr) -> Expr {
     Expr::Binary { operator, span, left: Box::new(left), right: Box::new(right) }
-}
-
-fn number(input: ParseStream) -> Result<Expr> {
-    let literal: Lit = input.parse()?;
-    let (digits, suffix) = match &literal {
-        Lit::Int(literal) => (literal.base10_digits(), literal.suffix()),
-        Lit::Float(literal) => (literal.base10_digits(), literal.suffix()),
-        _ => return Err(syntax::expected(literal.span(), "a number", "another literal")),
-    };
-    if !suffix.is_empty() {
-        return Err(syntax::number_with_suffix(literal.span(), digits, suffix));
-    }
-    // the decimal digits as written: the nearest f64
-    match digits.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(Expr::Number { value, span: literal.span() }),
-        _ => Err(syntax::number_too_large(literal.span(), digits)),
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::Log;
 use super::ast::{Duration, ItemKind, Scene};
-use super::expression::expression;
+use super::expression::expression_before_unit;
 use super::token::{braced, expected, name, sign, skip};
 use crate::diag::syntax;
 use proc_macro2::Ident;
@@ -54,7 +54,7 @@ fn statement(input: ParseStream, scene: &mut Scene, said: &mut Vec<Ident>) -> Re
 }
 
 fn duration(input: ParseStream) -> Result<Duration> {
-    let value = expression(input)?;
+    let value = expression_before_unit(input)?;
     if input.peek(Token![;]) {
         return Err(syntax::until_without_unit(value.extent()));
     }

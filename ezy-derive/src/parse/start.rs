@@ -24,6 +24,17 @@ const QUANTITIES: [(&str, Quantity); 8] = [
     ("vy", Quantity::VelocityY),
 ];
 
+/// How the same is called elsewhere, and in expressions.
+const ELSEWHERE: [(&str, &str); 7] = [
+    ("phi", "angle"),
+    ("theta", "angle"),
+    ("omega", "rate"),
+    ("r", "at"),
+    ("position", "at"),
+    ("v", "velocity"),
+    ("speed", "velocity"),
+];
+
 pub fn start(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
     let name = name(input, "the name of the start")?;
     let inside = braced(input)?.inside;
@@ -78,12 +89,15 @@ fn statement(input: ParseStream, start: &mut Start, loops: &[Loop]) -> Result<()
 }
 
 fn is_at_rest(fork: ParseStream) -> bool {
-    fork.call(Ident::parse_any).is_ok() && peek_word(fork, "rest") && fork.peek2(Token![;])
+    fork.call(Ident::parse_any).is_ok() && peek_word(fork, "rest")
 }
 
 fn given(input: ParseStream, body: &Name, loops: &[Loop], first: bool) -> Result<Given> {
     let Some((word, _)) = input.cursor().ident() else { return Err(expected(input, "a quantity or `;`")) };
     let Some((_, quantity)) = QUANTITIES.iter().find(|(known, _)| word == known) else {
+        if let Some((_, instead)) = ELSEWHERE.iter().find(|(other, _)| word == other) {
+            return Err(syntax::other_word(&word, "a start", instead));
+        }
         let words: Vec<&str> = QUANTITIES.iter().map(|(known, _)| *known).collect();
         if !first && nearest(&word.to_string(), &words).is_none() {
             return Err(expected(input, "a quantity or `;`"));

@@ -2,8 +2,10 @@
 
 use super::ast::{Unit, UnitFactor};
 use super::token::{end, expected, name, parenthesised};
+use crate::units::{self, Spelling};
+use proc_macro2::Span;
 use syn::parse::ParseStream;
-use syn::{LitInt, Result, Token};
+use syn::{Lit, LitInt, Result, Token};
 
 /// Beyond it no unit is meant, and products of exponents stay far from overflow.
 const MAX_EXPONENT: i32 = 12;
@@ -88,4 +90,45 @@ fn whole_number(input: ParseStream, unit: &mut Unit) -> Result<i32> {
         }
         None => Err(expected(&at, "a whole exponent")),
     }
+}
+
+/// A unit behind a number, where none can stand.
+pub struct Misplaced {
+    pub at: Span,
+    /// As written.
+    pub written: String,
+    /// In units of the language.
+    pub unit: String,
+    /// The number in these units.
+    pub value: String,
+}
+
+/// The unit behind a value that is one number with or without a sign.
+pub fn behind_value(input: ParseStream) -> Option<Misplaced> {
+    let value = input.fork();
+    let sign = value.parse::<Option<Token![-]>>().ok()?.map_or("", |_| "-");
+    let digits = match value.parse().ok()? {
+        Lit::Int(number) => number.base10_digits().to_owned(),
+        Lit::Float(number) => number.base10_digits().to_owned(),
+        _ => return None,
+    };
+    behind(&format!("{sign}{digits}"), &value)
+}
+
+/// The unit that follows a number, if one does.
+pub fn behind(number: &str, input: ParseStream) -> Option<Misplaced> {
+    let (first, _) = input.cursor().ident()?;
+    let name = first.to_string();
+    let instead = units::spelling(&name);
+    if !units::is_known(&name) && instead.is_none() {
+        return None;
+    }
+    let whole = unit(&input.fork()).ok();
+    let whole = whole.filter(|unit| unit.factors.iter().all(|factor| units::is_known(&factor.name.to_string())));
+    let written = whole.map_or(name, |unit| unit.text);
+    let (unit, value) = match instead {
+        Some(Spelling { unit, is }) => (unit, is.map_or(number.to_owned(), |is| format!("{number}*{is}"))),
+        None => (written.clone(), number.to_owned()),
+    };
+    Some(Misplaced { at: first.span(), written, unit, value })
 }

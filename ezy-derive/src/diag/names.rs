@@ -9,6 +9,14 @@ fn unknown(name: &Ident, what: &str, known: &[&str], list: &str) -> syn::Error {
     fault_with_help(name, format_args!("{what} `{name}` is not declared"), help)
 }
 
+pub fn of_another_effect(name: &Ident, what: &str, effect: &str) -> syn::Error {
+    fault_with_help(
+        name,
+        format_args!("`{name}` is {what} of effect `{effect}`, and known only there"),
+        format_args!("move this into effect `{effect}`, or the declaration of `{name}` out of it"),
+    )
+}
+
 pub fn unknown_body(name: &Ident, bodies: &[&str]) -> syn::Error {
     unknown(name, "body", bodies, "declared bodies")
 }

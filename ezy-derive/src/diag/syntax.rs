@@ -107,6 +107,14 @@ pub fn number_too_large(at: Span, text: &str) -> syn::Error {
     )
 }
 
+pub fn no_conditions(at: Span, word: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("expressions know no {word}"),
+        "write `smooth_step(x, from, to)`, `min`, `max` or `sign`; scenes choose between laws by their effects",
+    )
+}
+
 pub fn expression_too_large(at: Span, limit: usize) -> syn::Error {
     fault_with_help(
         at,

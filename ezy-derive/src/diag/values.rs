@@ -3,7 +3,9 @@
 use super::{Extent, fault_at_two_places, fault_with_help};
 use crate::parse::ast::Operator;
 use proc_macro2::{Ident, Span};
-use std::fmt::Display;
+
+/// What messages say in place of the unit `1`.
+pub const PLAIN_NUMBER: &str = "a plain number";
 
 pub fn operands(at: Span, operator: Operator, left: &str, right: &str) -> syn::Error {
     let sign = operator.sign();
@@ -16,16 +18,23 @@ pub fn operands(at: Span, operator: Operator, left: &str, right: &str) -> syn::E
     fault_with_help(at, format_args!("`{sign}` stands between {left} and {right}"), help)
 }
 
-pub fn unlike_sum(at: Span, operator: Operator, left: &dyn Display, right: &dyn Display) -> syn::Error {
+/// `left`, `right`: units, or "a plain number".
+pub fn unlike_sum(at: Span, operator: Operator, left: &str, right: &str) -> syn::Error {
     let text = format_args!("`{}` stands between {left} and {right}", operator.sign()).to_string();
     fault_with_help(at, text, "both sides of a sum need the same unit")
 }
 
-pub fn wrong_dimension(at: Extent, what: &str, found: &dyn Display, wanted: &dyn Display) -> syn::Error {
+/// `found`, `wanted`: units, or "a plain number".
+pub fn wrong_dimension(at: Extent, what: &str, found: &str, wanted: &str) -> syn::Error {
+    let is = |unit: &str| if unit == PLAIN_NUMBER { format!("is {unit}") } else { format!("is in {unit}") };
+    let wanted_expression = match wanted {
+        PLAIN_NUMBER => "a number without unit".to_owned(),
+        unit => format!("an expression in {unit}"),
+    };
     fault_with_help(
         at,
-        format_args!("{what} is in {wanted}, but this is in {found}"),
-        format_args!("write an expression in {wanted}, or correct the unit of a parameter in it"),
+        format_args!("{what} {}, but this {}", is(wanted), is(found)),
+        format_args!("write {wanted_expression}, or correct the unit of a parameter in it"),
     )
 }
 
@@ -71,12 +80,12 @@ pub fn called_value(name: &Ident, what: &str) -> syn::Error {
     )
 }
 
-/// `some`: whether it may move at all.
 pub fn must_not_move(at: impl Into<Extent>, what: &str, on: &str, help: &str) -> syn::Error {
     fault_with_help(at, format_args!("{what} cannot depend on {on}"), help)
 }
 
-pub fn unlike_equation(at: Span, left: &dyn Display, right: &dyn Display) -> syn::Error {
+/// `left`, `right`: units, or "a plain number".
+pub fn unlike_equation(at: Span, left: &str, right: &str) -> syn::Error {
     fault_with_help(at, format_args!("`=` stands between {left} and {right}"), "both sides need the same unit")
 }
 

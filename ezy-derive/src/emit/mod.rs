@@ -62,7 +62,7 @@ fn module(
     quote! {
         #[doc = #documentation]
         #page
-        #[allow(unused_variables, clippy::all, clippy::pedantic)]
+        #[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
         #visibility mod #module {
             /// The model and its scenes.
             pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {

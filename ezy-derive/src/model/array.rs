@@ -4,7 +4,7 @@
 //! of which a pass of the `for` says which member it is. So equations are derived once for all members.
 
 use super::context::Context;
-use super::names::Symbol;
+use super::names::{Scope, Symbol};
 use super::whole::{Values, Whole, WholeNames};
 use super::{Array, BodyId, Expr, Loop, Slot};
 use crate::diag::{Extent, names, repeats};
@@ -115,14 +115,14 @@ impl Context<'_> {
     }
 
     /// Reports a member that is used as a value.
-    pub fn indexed_value(&mut self, name: &ast::Name) {
-        let error = match self.names.lookup(None, name) {
+    pub fn indexed_value(&mut self, name: &ast::Name, scope: Scope) {
+        let error = match self.names.lookup(scope, name) {
             Some(Symbol::Broken) => return,
             Some(symbol @ (Symbol::Bodies(_) | Symbol::Points(_) | Symbol::Hinges(..))) => {
                 repeats::no_value(name.into(), name, Self::members(symbol))
             }
             Some(symbol) => repeats::index_on_single(name.into(), name, symbol.what()),
-            None => names::unknown_owner(name, &self.names.owners()),
+            None => self.names.unknown(name, |known| names::unknown_owner(name, &known.owners())),
         };
         self.diag.error(error);
     }

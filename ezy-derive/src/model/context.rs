@@ -49,8 +49,8 @@ pub struct ArraySource<'a> {
 #[derive(Clone, Copy)]
 pub enum PointSource<'a> {
     Point(&'a ast::Point),
-    /// A hinge by its name and its places.
-    Hinge(&'a Ident, &'a ast::Place, &'a ast::Place),
+    /// A hinge by its name and its places, which may use names of its effect.
+    Hinge(&'a Ident, &'a ast::Place, &'a ast::Place, Scope),
 }
 
 impl PointSource<'_> {

@@ -1,5 +1,6 @@
 //! Dimensions, to find sums of unlike quantities. Angles count as plain numbers.
 
+use crate::diag::values::PLAIN_NUMBER;
 use std::fmt;
 
 /// What is known about the dimension of an expression.
@@ -62,18 +63,28 @@ impl From<Dimension> for Measure {
 }
 
 /// A power of metre, kilogram and second, each in sixths, so that square and cube roots stay whole.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Dimension {
     metre: i32,
     kilogram: i32,
     second: i32,
+    /// Whether angles take part, so that messages say `rad`.
+    angular: bool,
 }
+
+/// Angles count as plain numbers.
+impl PartialEq for Dimension {
+    fn eq(&self, other: &Self) -> bool {
+        (self.metre, self.kilogram, self.second) == (other.metre, other.kilogram, other.second)
+    }
+}
+
+impl Eq for Dimension {}
 
 const ONE: i32 = 6;
 
 /// What messages call a dimension, where the base units would not be recognised.
-const NAMED: [(Dimension, &str); 8] = [
-    (Dimension::NONE, "rad"),
+const NAMED: [(Dimension, &str); 7] = [
     (Dimension::ANGULAR_VELOCITY, "rad/s"),
     (Dimension::FORCE, "N"),
     (Dimension::TORQUE, "N*m"),
@@ -88,7 +99,8 @@ impl Dimension {
     pub const LENGTH: Self = Self::base(1, 0, 0);
     pub const TIME: Self = Self::base(0, 0, 1);
     pub const VELOCITY: Self = Self::base(1, 0, -1);
-    pub const ANGULAR_VELOCITY: Self = Self::base(0, 0, -1);
+    pub const ANGLE: Self = Self { angular: true, ..Self::NONE };
+    pub const ANGULAR_VELOCITY: Self = Self { angular: true, ..Self::base(0, 0, -1) };
     pub const MASS: Self = Self::base(0, 1, 0);
     pub const INERTIA: Self = Self::base(2, 1, 0);
     pub const FORCE: Self = Self::base(1, 1, -2);
@@ -96,15 +108,15 @@ impl Dimension {
 
     /// m^metre kg^kilogram s^second
     pub const fn base(metre: i32, kilogram: i32, second: i32) -> Self {
-        Self { metre: ONE * metre, kilogram: ONE * kilogram, second: ONE * second }
+        Self { metre: ONE * metre, kilogram: ONE * kilogram, second: ONE * second, angular: false }
     }
 
     pub fn times(self, other: Self) -> Self {
-        self.combine(other, |a, b| a + b)
+        Self { angular: self.angular || other.angular, ..self.combine(other, |a, b| a + b) }
     }
 
     pub fn over(self, other: Self) -> Self {
-        self.combine(other, |a, b| a - b)
+        Self { angular: self.angular != other.angular, ..self.combine(other, |a, b| a - b) }
     }
 
     /// `None` when the power is not a whole number of sixths.
@@ -113,7 +125,13 @@ impl Dimension {
             let power = f64::from(power) * exponent;
             (power.fract() == 0.0 && power.abs() < 1e6).then_some(power as i32)
         };
-        Some(Self { metre: scale(self.metre)?, kilogram: scale(self.kilogram)?, second: scale(self.second)? })
+        let (metre, kilogram, second) = (scale(self.metre)?, scale(self.kilogram)?, scale(self.second)?);
+        Some(Self { metre, kilogram, second, angular: self.angular })
+    }
+
+    /// In a sentence: "`+` stands between m and …".
+    pub fn in_words(self) -> String {
+        if self == Self::NONE && !self.angular { PLAIN_NUMBER.to_owned() } else { self.to_string() }
     }
 
     fn combine(self, other: Self, f: impl Fn(i32, i32) -> i32) -> Self {
@@ -121,12 +139,16 @@ impl Dimension {
             metre: f(self.metre, other.metre),
             kilogram: f(self.kilogram, other.kilogram),
             second: f(self.second, other.second),
+            angular: false,
         }
     }
 }
 
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if *self == Self::NONE {
+            return f.write_str(if self.angular { "rad" } else { "1" });
+        }
         if let Some((_, name)) = NAMED.iter().find(|(named, _)| named == self) {
             return f.write_str(name);
         }

@@ -33,7 +33,7 @@ impl Context<'_> {
             ast::Expr::Number { value, .. } => Some(Value::scalar(Expr::Number(*value), Measure::Unknown)),
             ast::Expr::Name(name) => self.name(name, purpose),
             ast::Expr::Indexed(name) => {
-                self.indexed_value(name);
+                self.indexed_value(name, purpose.scope);
                 None
             }
             ast::Expr::Member { owner, member } => self.member(owner, member, purpose),
@@ -110,7 +110,7 @@ impl Context<'_> {
     ) -> Option<()> {
         match found.known().zip(wanted) {
             Some((found, wanted)) if found != wanted => {
-                self.diag.error(values::wrong_dimension(expr.extent(), what, &found, &wanted));
+                self.diag.error(values::wrong_dimension(expr.extent(), what, &found.in_words(), &wanted.in_words()));
                 None
             }
             _ => Some(()),
@@ -168,7 +168,7 @@ impl Context<'_> {
                 None
             }
             None => {
-                let error = names::unknown_value(name, &self.names.values(purpose.scope));
+                let error = self.names.unknown(name, |known| names::unknown_value(name, &known.values(purpose.scope)));
                 self.diag.error(error);
                 None
             }

@@ -86,6 +86,9 @@ impl Context<'_> {
         let scalar = SCALAR.iter().find(|(known, ..)| *known == name);
         let vector = VECTOR.iter().find(|(known, _)| *known == name);
         let written_out = WRITTEN_OUT.iter().find(|(known, _)| *known == name);
+        if self.names.lookup(purpose.scope, function) == Some(Symbol::Broken) {
+            return None;
+        }
         let Some(arity) = scalar.map(|row| row.2).or(vector.or(written_out).map(|row| row.1)) else {
             let error = self.not_a_function(function, Extent { first: function.span(), last: end }, purpose);
             self.diag.error(error);
@@ -138,6 +141,9 @@ impl Context<'_> {
             let wanted = match rule {
                 // `sin(t)` is understood: 1 rad/s
                 Rule::Plain if found == Measure::Known(Dimension::TIME) => None,
+                Rule::Plain if matches!(function, Function::Sin | Function::Cos | Function::Tan) => {
+                    Some(Dimension::ANGLE)
+                }
                 Rule::Plain | Rule::Arc => Some(Dimension::NONE),
                 _ => measure.known(),
             };
@@ -148,7 +154,7 @@ impl Context<'_> {
         }
         let measure = match rule {
             Rule::Plain | Rule::Sign => Measure::Plain,
-            Rule::Arc | Rule::ArcOfRatio => Dimension::NONE.into(),
+            Rule::Arc | Rule::ArcOfRatio => Dimension::ANGLE.into(),
             Rule::Same => measure,
             Rule::Root => measure.power(Some(0.5)),
         };
@@ -194,7 +200,7 @@ impl Context<'_> {
         let forward = Value::dot(ex.clone(), ey.clone(), vx.clone(), vy.clone());
         let sideward = Value::cross(ex, ey, vx, vy);
         let forward = Expr::Call(Function::Abs, vec![forward]);
-        Some(Value::scalar(Expr::Call(Function::Atan2, vec![sideward, forward]), Dimension::NONE))
+        Some(Value::scalar(Expr::Call(Function::Atan2, vec![sideward, forward]), Dimension::ANGLE))
     }
 
     /// `smooth_step(x, from, to)`: 0 before, 1 behind, s³ (10 − 15 s + 6 s²) between, with two continuous derivatives.

@@ -73,7 +73,7 @@ impl Context<'_> {
                     None
                 }
                 None => {
-                    let error = names::unknown_place(name, &self.names.places());
+                    let error = self.names.unknown(name, |known| names::unknown_place(name, &known.places()));
                     self.diag.error(error);
                     None
                 }
@@ -102,7 +102,7 @@ impl Context<'_> {
     pub fn source_place(&mut self, source: PointSource<'_>) -> Option<Place> {
         match source {
             PointSource::Point(point) => self.on_body(&point.place, None),
-            PointSource::Hinge(_, place, _) => self.place(place, None),
+            PointSource::Hinge(_, place, _, scope) => self.place(place, scope),
         }
     }
 

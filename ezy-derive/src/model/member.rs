@@ -29,7 +29,7 @@ impl Context<'_> {
             let error = if ["ground", "t", "pi"].iter().any(|word| owner.word == word) {
                 names::no_members(member, owner, "a name of the language")
             } else {
-                names::unknown_owner(owner, &self.names.owners())
+                self.names.unknown(owner, |known| names::unknown_owner(owner, &known.owners()))
             };
             self.diag.error(error);
             return None;
@@ -45,13 +45,13 @@ impl Context<'_> {
             Symbol::Hinge(row, point) => {
                 self.refuse_index(owner, symbol.what())?;
                 match name.as_str() {
-                    "angle" => Some(Value::scalar(Expr::HingeAngle(row), Dimension::NONE)),
+                    "angle" => Some(Value::scalar(Expr::HingeAngle(row), Dimension::ANGLE)),
                     "rate" => Some(Value::scalar(Expr::HingeRate(row), Dimension::ANGULAR_VELOCITY)),
                     _ => point_member(&Carrier::Point(point), &name),
                 }
             }
             Symbol::Hinges(_, id) if name == "angle" => {
-                Some(Value::scalar(self.hinge_member(id, owner, false)?, Dimension::NONE))
+                Some(Value::scalar(self.hinge_member(id, owner, false)?, Dimension::ANGLE))
             }
             Symbol::Hinges(_, id) if name == "rate" => {
                 Some(Value::scalar(self.hinge_member(id, owner, true)?, Dimension::ANGULAR_VELOCITY))
@@ -87,7 +87,7 @@ fn body_member(id: BodyId, member: &str) -> Option<Value> {
     Some(match member {
         "x" => Value::scalar(coordinate(Component::X), Dimension::LENGTH),
         "y" => Value::scalar(coordinate(Component::Y), Dimension::LENGTH),
-        "phi" => Value::scalar(coordinate(Component::Phi), Dimension::NONE),
+        "phi" => Value::scalar(coordinate(Component::Phi), Dimension::ANGLE),
         "vx" => Value::scalar(velocity(Component::X), Dimension::VELOCITY),
         "vy" => Value::scalar(velocity(Component::Y), Dimension::VELOCITY),
         "omega" => Value::scalar(velocity(Component::Phi), Dimension::ANGULAR_VELOCITY),

@@ -73,6 +73,8 @@ struct Declared {
     name: String,
     span: Span,
     symbol: Symbol,
+    /// Nobody knows which declaration a use means, so that uses are no faults.
+    twice: bool,
 }
 
 /// `None` is the model, otherwise an effect.
@@ -82,11 +84,13 @@ pub type Scope = Option<EffectId>;
 pub struct Names {
     model: Vec<Declared>,
     effects: Vec<Vec<Declared>>,
+    effect_names: Vec<String>,
 }
 
 impl Names {
     /// Makes room for the names of one more effect.
-    pub fn open_effect(&mut self) {
+    pub fn open_effect(&mut self, name: &Ident) {
+        self.effect_names.push(name.to_string());
         self.effects.push(Vec::new());
     }
 
@@ -97,11 +101,12 @@ impl Names {
             diag.error(message::reserved(name, meaning));
             return;
         }
-        if let Some(first) = self.find(scope, &text) {
+        if let Some(first) = self.find_mut(scope, &text) {
+            first.twice = true;
             diag.error(message::declared_twice(name, first.symbol.what(), first.span));
             return;
         }
-        let declared = Declared { name: text, span: name.span(), symbol };
+        let declared = Declared { name: text, span: name.span(), symbol, twice: false };
         match scope {
             None => self.model.push(declared),
             Some(effect) => self.effects[effect.0].push(declared),
@@ -112,7 +117,7 @@ impl Names {
     pub fn declare_broken(&mut self, name: &Ident) {
         let text = name.to_string();
         if self.find(None, &text).is_none() {
-            self.model.push(Declared { name: text, span: name.span(), symbol: Symbol::Broken });
+            self.model.push(Declared { name: text, span: name.span(), symbol: Symbol::Broken, twice: false });
         }
     }
 
@@ -122,7 +127,17 @@ impl Names {
     }
 
     pub fn lookup(&self, scope: Scope, name: &Ident) -> Option<Symbol> {
-        self.find(scope, &name.to_string()).map(|declared| declared.symbol)
+        let declared = self.find(scope, &name.to_string())?;
+        Some(if declared.twice { Symbol::Broken } else { declared.symbol })
+    }
+
+    /// The message for a name that is not found: it may be known in an effect alone.
+    pub fn unknown(&self, name: &Ident, otherwise: impl FnOnce(&Self) -> syn::Error) -> syn::Error {
+        let found = self.effects.iter().zip(&self.effect_names).find_map(|(declared, effect)| {
+            let declared = declared.iter().find(|declared| name == &declared.name)?;
+            Some(message::of_another_effect(name, declared.symbol.what(), effect))
+        });
+        found.unwrap_or_else(|| otherwise(self))
     }
 
     pub fn bodies(&self) -> Vec<&str> {
@@ -157,6 +172,11 @@ impl Names {
 
     fn find(&self, scope: Scope, name: &str) -> Option<&Declared> {
         self.visible(scope).find(|declared| declared.name == name)
+    }
+
+    fn find_mut(&mut self, scope: Scope, name: &str) -> Option<&mut Declared> {
+        let own = scope.and_then(|effect| self.effects.get_mut(effect.0));
+        own.into_iter().flatten().chain(&mut self.model).find(|declared| declared.name == name)
     }
 
     fn visible(&self, scope: Scope) -> impl Iterator<Item = &Declared> {

@@ -79,8 +79,8 @@ impl<'a> Context<'a> {
     /// φ_b − φ_a of a member of an array of hinges, or its rate.
     pub fn hinge_member(&mut self, id: usize, name: &ast::Name, rate: bool) -> Option<Expr> {
         let [a, b] = self.with_member(id, name, |context, source| {
-            let PointSource::Hinge(_, a, b) = source else { return None };
-            let (a, b) = (context.place(a, None), context.place(b, None));
+            let PointSource::Hinge(_, a, b, scope) = source else { return None };
+            let (a, b) = (context.place(a, scope), context.place(b, scope));
             Some([a?.body, b?.body])
         })?;
         let angle = |body: Option<BodyId>| match body {

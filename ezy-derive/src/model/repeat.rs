@@ -25,7 +25,7 @@ impl Context<'_> {
     pub fn check_index_names(&mut self, loops: &[(ast::Loop, Vec<ast::Loop>)]) {
         for (range, outer) in loops {
             let name = &range.variable;
-            if let Some(symbol) = self.names.lookup(None, name) {
+            if let Some(symbol) = self.names.lookup(None, name).filter(|symbol| *symbol != Symbol::Broken) {
                 self.diag.error(repeats::index_shadows(name, symbol.what()));
             } else if outer.iter().any(|other| other.variable == *name) {
                 self.diag.error(repeats::index_shadows(name, "the index of a `for` around"));

@@ -68,7 +68,7 @@ impl<'a> Resolver<'a> {
             if let ItemKind::Effect(effect) = &item.kind {
                 let id = EffectId(self.effects.len());
                 self.effects.push(effect);
-                self.context.names.open_effect();
+                self.context.names.open_effect(&effect.name);
                 for item in &effect.items {
                     self.declare(item, Some(id));
                 }
@@ -134,7 +134,7 @@ impl<'a> Resolver<'a> {
                 let symbol = match first {
                     Some(Phrase::Pair(pair)) if row.word.is_hinge() => {
                         let [a, b] = &**pair;
-                        let source = PointSource::Hinge(&name.word, a, b);
+                        let source = PointSource::Hinge(&name.word, a, b, scope);
                         if item.loops.is_empty() {
                             context.points.push(Lazy::waiting(source));
                             Symbol::Hinge(id, PointId(context.points.len() - 1))

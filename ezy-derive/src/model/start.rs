@@ -66,7 +66,7 @@ impl Context<'_> {
 
 const fn dimension(component: Component, rate: bool) -> Dimension {
     match (component, rate) {
-        (Component::Phi, false) => Dimension::NONE,
+        (Component::Phi, false) => Dimension::ANGLE,
         (Component::Phi, true) => Dimension::ANGULAR_VELOCITY,
         (_, false) => Dimension::LENGTH,
         (_, true) => Dimension::VELOCITY,

@@ -66,7 +66,7 @@ impl Value {
         let (a, b) = (self.measure, other.measure);
         Ok(match operator {
             Operator::Add | Operator::Subtract => match a.known().zip(b.known()) {
-                Some((a, b)) if a != b => return Err(values::unlike_sum(at, operator, &a, &b)),
+                Some((a, b)) if a != b => return Err(values::unlike_sum(at, operator, &a.in_words(), &b.in_words())),
                 _ => a.or(b),
             },
             Operator::Multiply => a.times(b),

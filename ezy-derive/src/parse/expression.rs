@@ -1,7 +1,7 @@
 //! Expressions, by recursive descent: `+ -` bind weakest, then `* /`, then the sign, then `^` (to the right).
 
 use super::ast::{Expr, Name, Operator};
-use super::token::{Bracketed, end, expected, name, parenthesised, peek_number, peek_word};
+use super::token::{Bracketed, end, expected, found, name, parenthesised, peek_number, peek_word};
 use super::unit::{self, Misplaced};
 use crate::diag::syntax;
 use proc_macro2::Span;
@@ -97,6 +97,9 @@ impl Parser {
         }
         if input.peek(syn::token::Paren) {
             return self.in_brackets(input, Self::group);
+        }
+        if input.peek(Token![if]) || input.peek(Token![match]) {
+            return Err(syntax::no_conditions(input.span(), &found(input)));
         }
         let owner = self.indexed(input, "a value")?;
         if input.peek(syn::token::Paren) && owner.indices.is_empty() {

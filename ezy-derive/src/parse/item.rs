@@ -118,15 +118,19 @@ fn item(input: ParseStream, level: Level, loops: &[Loop], log: &mut Log) -> Resu
     Ok(Item { documentation, loops: loops.to_vec(), kind })
 }
 
-/// Whether the next tokens are this word, or these words.
+/// Whether the next tokens are this word, or these words with or without hyphens.
 fn is_next(input: ParseStream, words: &str) -> bool {
     let mut cursor = input.cursor();
-    words.split(' ').all(|word| match cursor.ident() {
-        Some((found, rest)) if found == word => {
-            cursor = rest;
-            true
+    words.split(' ').enumerate().all(|(i, word)| {
+        let hyphen = cursor.punct().filter(|(sign, _)| i > 0 && sign.as_char() == '-');
+        let begin = hyphen.map_or(cursor, |(_, rest)| rest);
+        match begin.ident() {
+            Some((found, rest)) if found == word => {
+                cursor = rest;
+                true
+            }
+            _ => false,
         }
-        _ => false,
     })
 }
 
@@ -134,6 +138,7 @@ fn is_next(input: ParseStream, words: &str) -> bool {
 fn keyword(input: ParseStream, words: &str) -> Result<Ident> {
     let mut last = input.call(Ident::parse_any)?;
     for _ in words.split(' ').skip(1) {
+        input.parse::<Option<Token![-]>>()?;
         last = input.call(Ident::parse_any)?;
     }
     Ok(last)
@@ -161,7 +166,7 @@ fn item_name(begin: ParseStream) -> Option<Ident> {
     begin.call(Ident::parse_any).ok()
 }
 
-/// Skips to behind the `;` or `}` of a faulty item, or to the word of the next one.
+/// Skips to behind the `;` or `}` of a faulty item, or to the word of the next one; what stands behind `else` belongs to it.
 fn skip_to_next_item(input: ParseStream, begin: ParseStream, level: Level) {
     while !input.is_empty() {
         let at_begin = input.cursor() == begin.cursor();
@@ -169,7 +174,7 @@ fn skip_to_next_item(input: ParseStream, begin: ParseStream, level: Level) {
             return;
         }
         let last = input.peek(Token![;]) || input.peek(syn::token::Brace);
-        if !skip(input) || last {
+        if !skip(input) || last && !input.peek(Token![else]) {
             return;
         }
     }

@@ -1,5 +1,5 @@
 ///Rods in a row, hung from one end.
-#[allow(unused_variables, clippy::all, clippy::pedantic)]
+#[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
 pub mod chain {
     /// The model and its scenes.
     pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {

@@ -1,5 +1,5 @@
 ///A seat on a rear wheel, steered and driven by swinging a front bar on its own wheel.
-#[allow(unused_variables, clippy::all, clippy::pedantic)]
+#[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
 pub mod ezy_roller {
     /// The model and its scenes.
     pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {

@@ -25,7 +25,7 @@ pub fn start(model: &Model, scene: &Scene, equations: &Equations, diag: &mut Dia
     for (i, row) in constraints.rows.iter().enumerate() {
         let mut columns = constraints.jacobian[i].iter().map(|(column, _)| *column);
         let all_given = columns.clone().all(|column| state.q[column].is_some());
-        let (value, unit) = match constraints.position.get(i) {
+        let (value, level) = match constraints.position.get(i) {
             Some(&c) if all_given => (equations.algebra.evaluate(c, &state), "position"),
             None if all_given && columns.all(|column| state.v[column].is_some()) && state.knows(equations, i) => {
                 (equations.algebra.evaluate(constraints.velocity[i], &state), "velocity")
@@ -34,7 +34,7 @@ pub fn start(model: &Model, scene: &Scene, equations: &Equations, diag: &mut Dia
         };
         if value.abs() > HOLDS {
             let start = &model.starts[scene.start.0].name;
-            diag.error(message::start_breaks_row(start, &row.name, unit, value));
+            diag.error(message::start_breaks_row(start, &row.name, level, value));
             return;
         }
     }

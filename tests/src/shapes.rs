@@ -1,11 +1,11 @@
 //! Models whose equations have other shapes than the EzyRoller's: no rows, many hinges on one body, closed loops, chains
-//! of blocks, several skates on a body, forces with roots and arcs.
+//! of blocks, several skates on a body, forces with roots and arcs, rows that have no direction at one point.
 
 use ezy_core::model;
 use ezy_core::model::ModelInfo;
 
 /// Every model of this module.
-pub static MODELS: [&ModelInfo; 7] = [
+pub static MODELS: [&ModelInfo; 10] = [
     &free_body::MODEL,
     &double_pendulum::MODEL,
     &four_bar::MODEL,
@@ -13,6 +13,9 @@ pub static MODELS: [&ModelInfo; 7] = [
     &train::MODEL,
     &spring_and_drag::MODEL,
     &no_parameters::MODEL,
+    &tethered::MODEL,
+    &circling::MODEL,
+    &cornered::MODEL,
 ];
 
 model! {
@@ -139,5 +142,38 @@ model! {
         hinge pin: ground(1, 2) ~ rod(0.3, 0.4);
         start held { rod angle 1 rate 3; }
         scene turn { start held; until 1 s; }
+    }
+}
+
+model! {
+    /// On a rod: at its other end the row has no direction.
+    pub model Tethered {
+        param l: m = 1.0;
+        body bob { mass: 1.0, inertia: 0.1 }
+        rod R: ground(0, 0) ~ bob(0, 0) length l;
+        start aside { bob at (0.6, 0.8) velocity (0.8, -0.6); }
+        scene circle { start aside; until 1 s; }
+    }
+}
+
+model! {
+    /// At a distance that is driven: its derivatives grow beyond bounds where it is zero.
+    pub model Circling {
+        body bob { mass: 1.0, inertia: 0.1 }
+        drive D: norm(bob.r) = 1 + 0.1*sin(t);
+        start aside { bob at (1, 0); }
+        scene round { start aside; until 1 s; }
+    }
+}
+
+model! {
+    /// Rows with corners that are rounded by a millimetre.
+    pub model Cornered {
+        param radius: m = 1e-3;
+        body bob { mass: 1.0, inertia: 0.1 }
+        drive X: sqrt(bob.x^2 + radius^2) = 1 + 0.1*sin(t);
+        drive Y: sqrt(bob.y^2 + radius^2) = 1 + 0.1*cos(t);
+        start aside { bob angle 0; }
+        scene shake { start aside; until 1 s; }
     }
 }

@@ -14,8 +14,8 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
-    /// A mass or inertia is negative or not a number.
-    #[error("the {quantity} of body `{body}` is {value}; it must be zero or positive")]
+    /// A mass or inertia is negative, infinite or not a number.
+    #[error("the {quantity} of body `{body}` is {value}; it must be finite and not negative")]
     Mass {
         /// Name of the body.
         body: &'static str,
@@ -187,6 +187,15 @@ pub enum StartError {
         value: f64,
         /// Largest magnitude that is accepted.
         largest: f64,
+    },
+    /// A row has no value.
+    #[error(
+        "row `{row}` is not a number at the start: a length or a direction in it is zero; change the parameters or the \
+         start values"
+    )]
+    UndefinedRow {
+        /// Name of the row, the first of several.
+        row: &'static str,
     },
     /// The given values and the constraints contradict each other.
     #[error(

@@ -7,6 +7,7 @@
 mod acceleration;
 mod energy;
 mod error;
+mod free_correction;
 mod projection;
 mod start;
 mod system;

@@ -2,9 +2,7 @@
 
 use super::projection::{ROUNDING_OF_ROWS, position_tolerance};
 use super::{StartError, State, System, max_abs};
-use crate::linalg::{KktFactorization, SparseKkt};
 use crate::model::{Scene, Start};
-use nalgebra::{DMatrix, DVector};
 
 /// Gauss–Newton passes: far guesses need some tens, with a step that is halved when it overshoots.
 const MAX_PASSES: usize = 100;
@@ -12,19 +10,17 @@ const MAX_PASSES: usize = 100;
 /// Halvings of one step before the search counts as stuck.
 const MAX_HALVINGS: usize = 20;
 
-/// Directions whose singular value is below this fraction of the largest are left alone.
-const RANK_TOLERANCE: f64 = 1e-10;
+/// Tries from places nearby when the search is stuck; out of a symmetry the first one or two lead.
+const MAX_NUDGES: usize = 10;
+
+/// Farthest that such a place is off in an angle, rad: well out of symmetry, without turning a body over.
+const NUDGE: f64 = 0.5;
+
+/// Another place replaces the one found first when it leaves less than this share of its residual.
+const NOTICEABLY_LESS: f64 = 0.9;
 
 /// Beyond this a coordinate keeps less than a micrometre, and the geometry of a body drowns in its rounding.
 const LARGEST_VALUE: f64 = 1e9;
-
-/// Coordinates beyond which corrections come from a sparse factorisation instead of singular values.
-const LARGEST_DENSE_START: usize = 150;
-
-/// Share of the diagonal of G M⁻¹ Gᵀ that is added to it in sparse corrections, so that rows which repeat others, or
-/// that given values alone decide, leave it regular. Rounding is 1e-4 of it; directions with a singular value of
-/// 1e-4 of the largest still converge by four digits a pass.
-const DAMPING: f64 = 1e-12;
 
 /// Passes over the velocity rows, which are linear: one solve and one that removes its rounding; with damping, some
 /// more for directions of small singular values.
@@ -33,6 +29,16 @@ const DAMPED_VELOCITY_PASSES: usize = 10;
 
 /// Residual of the velocity rows that counts as zero at moderate speeds, m/s and rad/s.
 const VELOCITY_TOLERANCE: f64 = 1e-12;
+
+const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
+
+/// What a place leaves of the position rows.
+struct Residual {
+    /// The largest.
+    norm: f64,
+    /// All of them, as the length of a vector.
+    length: f64,
+}
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// The start values of the scene.
@@ -44,12 +50,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// A state that fulfils all rows: given values stay to the last bit, the others move as little as possible in
     /// the mass matrix, positions by Gauss–Newton to |C| ≤ 1e-12, then velocities by a linear solve. A start that
-    /// is consistent already is not touched.
+    /// is consistent already is not touched. From a guess whose symmetry hides where to go (all bars of a loop in one
+    /// line) the search goes on a little beside it, at places that are the same each time.
     ///
     /// Coordinates without mass count with the smallest positive mass or inertia.
     ///
     /// # Errors
-    /// [`StartError`] when a value is not finite, or when the rows cannot be met with the given values held.
+    /// [`StartError`] when a value or a row is not finite, or when the rows cannot be met with the given values held.
     /// # Cost
     /// A dense singular value decomposition a pass; beyond 150 coordinates a sparse factorisation.
     pub fn consistent_start(&mut self, start: &Start) -> Result<State, StartError> {
@@ -78,13 +85,38 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     fn assemble_positions(&mut self, start: &Start, q: &mut [f64]) -> Result<(), StartError> {
-        let (t, n_h, tolerance) = (start.t, self.info.n_position_rows, position_tolerance(q));
+        let mut left = self.approach(start, q);
         let mut trial = q.to_vec();
-        let mut norm = self.position_residual(t, q);
-        let mut length = self.residual_length(n_h);
+        for n in 0..MAX_NUDGES {
+            if left.norm <= position_tolerance(q) || start.q_given.iter().all(|given| *given) {
+                break;
+            }
+            trial.copy_from_slice(q);
+            self.nudge(&mut trial, &start.q_given, left.norm, n);
+            let other = self.approach(start, &mut trial);
+            let is_met = other.norm <= position_tolerance(&trial);
+            if is_met || left.length.is_nan() || other.length < NOTICEABLY_LESS * left.length {
+                q.copy_from_slice(&trial);
+                left = other;
+            }
+        }
+        let tolerance = position_tolerance(q);
+        if left.norm <= tolerance {
+            return Ok(());
+        }
+        self.position_residual(start.t, q);
+        let held = start.q_given.iter().zip(self.info.coordinates).filter(|(given, _)| **given).map(|(_, c)| c.name);
+        Err(self.contradiction("position", self.info.n_position_rows, tolerance, held.collect()))
+    }
+
+    /// Gauss–Newton from `q` as far as it goes, with steps halved until they shorten the residual.
+    fn approach(&mut self, start: &Start, q: &mut [f64]) -> Residual {
+        let (t, n_h) = (start.t, self.info.n_position_rows);
+        let mut trial = q.to_vec();
+        let mut left = self.position_residual_and_length(t, q);
         for _ in 0..MAX_PASSES {
-            if norm <= tolerance {
-                return Ok(());
+            if left.norm <= position_tolerance(q) {
+                break;
             }
             let Some(step) = self.free_correction(t, q, n_h, &start.q_given) else { break };
             // a least-squares step shortens the vector of residuals, not always the largest of them
@@ -92,11 +124,10 @@ impl<S: Scene + ?Sized> System<'_, S> {
             let mut improved = false;
             for _ in 0..MAX_HALVINGS {
                 trial.iter_mut().zip(q.iter()).zip(&step).for_each(|((x, q), s)| *x = q + fraction * s);
-                let trial_norm = self.position_residual(t, &trial);
-                let trial_length = self.residual_length(n_h);
-                if trial_length < length {
+                let there = self.position_residual_and_length(t, &trial);
+                if there.length < left.length {
                     q.copy_from_slice(&trial);
-                    (norm, length) = (trial_norm, trial_length);
+                    left = there;
                     improved = true;
                     break;
                 }
@@ -106,12 +137,23 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 break;
             }
         }
-        if norm <= tolerance {
-            return Ok(());
+        left
+    }
+
+    fn position_residual_and_length(&mut self, t: f64, q: &[f64]) -> Residual {
+        let norm = self.position_residual(t, q);
+        Residual { norm, length: self.residual_length(self.info.n_position_rows) }
+    }
+
+    /// Moves what is not given: angles by up to [`NUDGE`], lengths by up to `length`, the residual (1 m where that is
+    /// not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
+    fn nudge(&self, q: &mut [f64], given: &[bool], length: f64, n: usize) {
+        let length = if length.is_finite() { length } else { 1.0 };
+        let n_q = q.len();
+        for (i, x) in q.iter_mut().enumerate().filter(|(i, _)| !given[*i]) {
+            let share = 2.0 * ((n * n_q + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
+            *x += share * if self.info.coordinates[i].unit == "rad" { NUDGE } else { length };
         }
-        self.position_residual(t, q);
-        let held = start.q_given.iter().zip(self.info.coordinates).filter(|(given, _)| **given).map(|(_, c)| c.name);
-        Err(self.contradiction("position", n_h, tolerance, held.collect()))
     }
 
     fn assemble_velocities(&mut self, start: &Start, q: &[f64], v: &mut [f64]) -> Result<(), StartError> {
@@ -144,78 +186,18 @@ impl<S: Scene + ?Sized> System<'_, S> {
         Err(self.contradiction("velocity", n_c, tolerance, held.collect()))
     }
 
-    /// Change of the coordinates (or velocities) that are not given, smallest in the mass matrix, that removes the
-    /// residual of the first `n_rows` rows in the buffer to first order, in the least-squares sense.
-    fn free_correction(&mut self, t: f64, q: &[f64], n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let finite = self.buffers.residual[..n_rows].iter().chain(&self.buffers.jacobian).all(|x| x.is_finite());
-        if !finite || given.iter().all(|given| *given) {
-            return None;
-        }
-        if self.starts_sparse() { self.sparse_correction(n_rows, given) } else { self.dense_correction(n_rows, given) }
-    }
-
-    fn starts_sparse(&self) -> bool {
-        self.info.n_coordinates() > LARGEST_DENSE_START
-    }
-
-    /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]` over the free coordinates, with D a small share of `G W⁻¹ Gᵀ`.
-    fn sparse_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
-        let mut place = vec![None; given.len()];
-        free.iter().enumerate().for_each(|(i, &column)| place[column] = Some(i));
-        let root_weight = root_weights(&self.mass);
-        let weight: Vec<f64> = free.iter().map(|&i| root_weight[i] * root_weight[i]).collect();
-        let (mut entries, mut jacobian) = (Vec::new(), Vec::new());
-        for (k, row, column) in self.info.jacobian.entries().filter(|e| e.1 < n_rows) {
-            if let Some(i) = place[column] {
-                entries.push((row, i));
-                jacobian.push(self.buffers.jacobian[k]);
-            }
-        }
-        let mut kkt = SparseKkt::from_entries(free.len(), n_rows, entries).ok()?;
-        kkt.factor_damped(&weight, &jacobian, DAMPING).ok()?;
-        let mut solution = vec![0.0; free.len()];
-        solution.extend(self.buffers.residual[..n_rows].iter().map(|r| -r));
-        kkt.solve(&mut solution);
-        let mut step = vec![0.0; given.len()];
-        free.iter().zip(&solution).for_each(|(&column, x)| step[column] = *x);
-        Some(step)
-    }
-
-    /// By the singular values of `G W^(−1/2)` over the free coordinates.
-    fn dense_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        let info = self.info;
-        let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
-        let residual = DVector::from_column_slice(&self.buffers.residual[..n_rows]);
-        let jacobian = &self.buffers.jacobian;
-        let root_weight = root_weights(&self.mass);
-        let mut G = DMatrix::<f64>::zeros(n_rows, free.len());
-        for (k, row, column) in info.jacobian.entries().filter(|e| e.1 < n_rows) {
-            if let Ok(i) = free.binary_search(&column) {
-                G[(row, i)] += jacobian[k] / root_weight[column];
-            }
-        }
-        let svd = G.try_svd(true, true, f64::EPSILON, 0)?;
-        let cutoff = (RANK_TOLERANCE * svd.singular_values.max()).max(f64::MIN_POSITIVE);
-        let scaled = svd.solve(&residual, cutoff).ok()?;
-        let mut step = vec![0.0; given.len()];
-        for (&column, x) in free.iter().zip(scaled.iter()) {
-            step[column] = -x / root_weight[column];
-        }
-        Some(step)
-    }
-
     /// Euclidean length of the first residuals in the buffer.
     fn residual_length(&self, n_rows: usize) -> f64 {
         self.buffers.residual[..n_rows].iter().map(|r| r * r).sum::<f64>().sqrt()
     }
 
-    /// Names the rows whose residual in the buffer exceeds the tolerance.
+    /// Names the rows whose residual in the buffer exceeds the tolerance, or one that is no number.
     fn contradiction(&self, level: &'static str, n_rows: usize, tolerance: f64, held: Vec<&'static str>) -> StartError {
         let residual = &self.buffers.residual[..n_rows];
-        let mut rows: Vec<usize> =
-            (0..n_rows).filter(|&i| residual[i].is_nan() || residual[i].abs() > tolerance).collect();
+        if let Some(i) = residual.iter().position(|r| !r.is_finite()) {
+            return StartError::UndefinedRow { row: self.info.rows[i].name };
+        }
+        let mut rows: Vec<usize> = (0..n_rows).filter(|&i| residual[i].abs() > tolerance).collect();
         rows.sort_by(|&i, &j| residual[j].abs().total_cmp(&residual[i].abs()));
         let rows = rows.into_iter().map(|i| self.info.rows[i].name).collect();
         StartError::Contradiction { level, rows, residual: max_abs(residual), tolerance, held }
@@ -224,19 +206,4 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
 fn velocity_tolerance(v: &[f64]) -> f64 {
     VELOCITY_TOLERANCE.max(ROUNDING_OF_ROWS * max_abs(v))
-}
-
-/// Square roots of M; a coordinate without mass takes the smallest positive entry of its kind, or one.
-fn root_weights(mass: &[f64]) -> Vec<f64> {
-    let substitute = |angle: bool| {
-        let of_kind = mass.iter().enumerate().filter(|(i, m)| (i % 3 == 2) == angle && **m > 0.0).map(|(_, m)| *m);
-        of_kind.min_by(f64::total_cmp).unwrap_or(1.0)
-    };
-    let (length, angle) = (substitute(false), substitute(true));
-    let weight = |(i, m): (usize, &f64)| match (*m > 0.0, i % 3 == 2) {
-        (true, _) => *m,
-        (false, false) => length,
-        (false, true) => angle,
-    };
-    mass.iter().enumerate().map(weight).map(f64::sqrt).collect()
 }

@@ -69,6 +69,8 @@ fn check_finite<S: Scene + ?Sized>(system: &System<'_, S>, t: f64, state: &State
         (None, Some(i)) => coordinates[i].velocity_name,
         (None, None) => match first_not_finite(&state.work) {
             Some(i) => system.info().effects[i].name,
+            // squares overflow from 1e154 m/s on
+            None if !system.kinetic_energy(&state.v).is_finite() => "kinetic energy",
             None => return Ok(()),
         },
     };

@@ -43,8 +43,16 @@ fn invariant_bad_ends_and_intervals_are_refused() {
 fn invariant_bad_parameters_and_masses_are_named() {
     assert_eq!(message_with("b", f64::NAN), "parameter `b` is NaN; give it a finite value");
     assert_eq!(message_with("omega", f64::INFINITY), "parameter `omega` is inf; give it a finite value");
-    assert_eq!(message_with("m1", -1.0), "the mass of body `seat` is -1; it must be zero or positive");
-    assert_eq!(message_with("i2", -0.5), "the inertia of body `bar` is -0.5; it must be zero or positive");
+    assert_eq!(message_with("m1", -1.0), "the mass of body `seat` is -1; it must be finite and not negative");
+    assert_eq!(message_with("i2", -0.5), "the inertia of body `bar` is -0.5; it must be finite and not negative");
+}
+
+#[test]
+fn invariant_infinite_inertia_is_named() {
+    let mut scene = ezy_tests::shapes::double_pendulum::Swing::default();
+    set(&mut scene, &[("l", 1e200)]);
+    let error = Simulation::new(&scene).run().unwrap_err().to_string();
+    assert_eq!(error, "the inertia of body `upper` is inf; it must be finite and not negative");
 }
 
 #[test]
@@ -66,6 +74,15 @@ fn invariant_overflow_stops_with_the_last_good_state() {
         assert_eq!(run.last().t, *t, "{route}");
         assert!(run.last().numbers().take(13).all(f64::is_finite), "{route}");
     }
+}
+
+#[test]
+fn invariant_run_stops_before_its_kinetic_energy_overflows() {
+    let mut scene = ezy_models::vehicles::single_track_car::single_track_car::Limit::default();
+    set(&mut scene, &[("lr", 1.4e6)]);
+    let run = Simulation::new(&scene).until(1.0).run().unwrap();
+    assert!(run.outcome.to_string().contains("is not finite after"), "{}", run.outcome);
+    assert!(run.last().energy.kinetic.is_finite());
 }
 
 #[test]

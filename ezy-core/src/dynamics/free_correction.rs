@@ -1,0 +1,96 @@
+//! Corrections of a start: given values stay, the others take the residual away.
+
+use super::System;
+use crate::linalg::{KktFactorization, SparseKkt};
+use crate::model::Scene;
+use nalgebra::{DMatrix, DVector};
+
+/// Directions whose singular value is below this fraction of the largest are left alone.
+const RANK_TOLERANCE: f64 = 1e-10;
+
+/// Coordinates beyond which corrections come from a sparse factorisation instead of singular values.
+const LARGEST_DENSE_START: usize = 150;
+
+/// Share of the diagonal of G M⁻¹ Gᵀ that is added to it in sparse corrections, so that rows which repeat others, or
+/// that given values alone decide, leave it regular. Rounding is 1e-4 of it; directions with a singular value of
+/// 1e-4 of the largest still converge by four digits a pass.
+const DAMPING: f64 = 1e-12;
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// Change of the coordinates (or velocities) that are not given, smallest in the mass matrix, that removes the
+    /// residual of the first `n_rows` rows in the buffer to first order, in the least-squares sense.
+    pub(super) fn free_correction(&mut self, t: f64, q: &[f64], n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        let finite = self.buffers.residual[..n_rows].iter().chain(&self.buffers.jacobian).all(|x| x.is_finite());
+        if !finite || given.iter().all(|given| *given) {
+            return None;
+        }
+        if self.starts_sparse() { self.sparse_correction(n_rows, given) } else { self.dense_correction(n_rows, given) }
+    }
+
+    pub(super) fn starts_sparse(&self) -> bool {
+        self.info.n_coordinates() > LARGEST_DENSE_START
+    }
+
+    /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]` over the free coordinates, with D a small share of `G W⁻¹ Gᵀ`.
+    fn sparse_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
+        let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
+        let mut place = vec![None; given.len()];
+        free.iter().enumerate().for_each(|(i, &column)| place[column] = Some(i));
+        let root_weight = root_weights(&self.mass);
+        let weight: Vec<f64> = free.iter().map(|&i| root_weight[i] * root_weight[i]).collect();
+        let (mut entries, mut jacobian) = (Vec::new(), Vec::new());
+        for (k, row, column) in self.info.jacobian.entries().filter(|e| e.1 < n_rows) {
+            if let Some(i) = place[column] {
+                entries.push((row, i));
+                jacobian.push(self.buffers.jacobian[k]);
+            }
+        }
+        let mut kkt = SparseKkt::from_entries(free.len(), n_rows, entries).ok()?;
+        kkt.factor_damped(&weight, &jacobian, DAMPING).ok()?;
+        let mut solution = vec![0.0; free.len()];
+        solution.extend(self.buffers.residual[..n_rows].iter().map(|r| -r));
+        kkt.solve(&mut solution);
+        let mut step = vec![0.0; given.len()];
+        free.iter().zip(&solution).for_each(|(&column, x)| step[column] = *x);
+        Some(step)
+    }
+
+    /// By the singular values of `G W^(−1/2)` over the free coordinates.
+    fn dense_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
+        let info = self.info;
+        let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
+        let residual = DVector::from_column_slice(&self.buffers.residual[..n_rows]);
+        let jacobian = &self.buffers.jacobian;
+        let root_weight = root_weights(&self.mass);
+        let mut G = DMatrix::<f64>::zeros(n_rows, free.len());
+        for (k, row, column) in info.jacobian.entries().filter(|e| e.1 < n_rows) {
+            if let Ok(i) = free.binary_search(&column) {
+                G[(row, i)] += jacobian[k] / root_weight[column];
+            }
+        }
+        let svd = G.try_svd(true, true, f64::EPSILON, 0)?;
+        let cutoff = (RANK_TOLERANCE * svd.singular_values.max()).max(f64::MIN_POSITIVE);
+        let scaled = svd.solve(&residual, cutoff).ok()?;
+        let mut step = vec![0.0; given.len()];
+        for (&column, x) in free.iter().zip(scaled.iter()) {
+            step[column] = -x / root_weight[column];
+        }
+        Some(step)
+    }
+}
+
+/// Square roots of M; a coordinate without mass takes the smallest positive entry of its kind, or one.
+fn root_weights(mass: &[f64]) -> Vec<f64> {
+    let substitute = |angle: bool| {
+        let of_kind = mass.iter().enumerate().filter(|(i, m)| (i % 3 == 2) == angle && **m > 0.0).map(|(_, m)| *m);
+        of_kind.min_by(f64::total_cmp).unwrap_or(1.0)
+    };
+    let (length, angle) = (substitute(false), substitute(true));
+    let weight = |(i, m): (usize, &f64)| match (*m > 0.0, i % 3 == 2) {
+        (true, _) => *m,
+        (false, false) => length,
+        (false, true) => angle,
+    };
+    mass.iter().enumerate().map(weight).map(f64::sqrt).collect()
+}

@@ -37,6 +37,7 @@ pub fn balance<S: Scene + ?Sized>(scene: &S, start_s: f64) -> Result<Check, Chec
     Ok(Check {
         name: "energy balance of a short run",
         n_compared,
+        n_left_out: 0,
         largest_error,
         tolerance: TOLERANCE,
         reason: "RK4 at two steps, extrapolated to step zero",

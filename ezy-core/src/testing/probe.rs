@@ -101,6 +101,7 @@ impl SplitMix64 {
 pub struct Worst {
     pub error: f64,
     pub n_compared: usize,
+    pub n_left_out: usize,
 }
 
 impl Worst {

@@ -31,6 +31,7 @@ pub fn rank_at_start<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &Stat
     Check {
         name: "rank of the rows at the start",
         n_compared: 1,
+        n_left_out: 0,
         largest_error: f64::from(u8::from(singular)),
         tolerance: 0.0,
         reason: "zero when the rows are independent, one when not",
@@ -103,7 +104,8 @@ fn check<S: Scene + ?Sized>(
         // nothing was comparable: that is a failure, not a pass
         worst.error = f64::NAN;
     }
-    Check { name, n_compared: worst.n_compared, largest_error: worst.error, tolerance: TOLERANCE, reason: REASON }
+    let Worst { error, n_compared, n_left_out } = worst;
+    Check { name, n_compared, n_left_out, largest_error: error, tolerance: TOLERANCE, reason: REASON }
 }
 
 fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {

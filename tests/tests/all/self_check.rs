@@ -23,6 +23,15 @@ fn fd_models_of_other_shapes_pass_their_checks() {
     }
 }
 
+/// A right model with states at which differences are no oracle: it passes without them, and tells how many they are.
+#[test]
+fn fd_states_next_to_a_corner_are_left_out_and_counted() {
+    let report = check_scene(&shapes::cornered::Shake::default()).unwrap_or_else(|error| panic!("{error}"));
+    let n_left_out: usize = report.checks.iter().map(|check| check.n_left_out).sum();
+    assert!((1..100).contains(&n_left_out), "{report}");
+    assert!(report.to_string().contains("left out next to singular points"), "{report}");
+}
+
 #[test]
 fn fd_random_models_pass_their_checks() {
     for model in random_models::MODELS {

@@ -14,17 +14,28 @@ pub enum InputFileError {
     /// It does not say when.
     #[error("the file of inputs has no column `t`; its first row names the columns, such as `t [s],torque [N*m]`")]
     NoTime,
+    /// It does not set anything.
+    #[error(
+        "the file of inputs has no column of an input; its first row names the columns, such as `t [s],torque [N*m]`"
+    )]
+    NoInputs,
+    /// Two columns are for the same.
+    #[error("the file of inputs has two columns `{name}`; leave one of them")]
+    Twice {
+        /// Name of the input, or `t`.
+        name: String,
+    },
     /// A column is no input of the scene.
     #[error("the file of inputs: {0}")]
     UnknownName(#[from] UnknownName),
-    /// A column is in another unit than the input.
-    #[error("column `{name}` of the file of inputs is in {found}, but the input is in {unit}; convert the column")]
+    /// A column is in another unit than the input, or than the time.
+    #[error("column `{name}` of the file of inputs is in {found}, but must be in {unit}; convert the column")]
     Unit {
-        /// Name of the input.
+        /// Name of the input, or `t`.
         name: String,
         /// Unit in the file.
         found: String,
-        /// Unit of the input.
+        /// Unit of the input, or `s`.
         unit: &'static str,
     },
     /// A field is no number.
@@ -68,11 +79,16 @@ pub fn read_inputs(file: impl Read, info: &SceneInfo) -> Result<Vec<(String, Inp
             Heading { index, name: name.strip_prefix(PREFIX).unwrap_or(name), unit }
         })
         .collect();
-    for heading in &headings {
-        let unit = info.inputs[input_index(info, heading.name)?].unit;
-        if let Some(found) = heading.unit.filter(|found| *found != unit) {
-            return Err(InputFileError::Unit { name: heading.name.to_owned(), found: found.to_owned(), unit });
+    if headings.is_empty() {
+        return Err(InputFileError::NoInputs);
+    }
+    let of_time = Heading { index: time, name: "t", unit: parts(&names[time]).1 };
+    check_unit(&of_time, "s")?;
+    for (i, heading) in headings.iter().enumerate() {
+        if heading.name == "t" || headings[..i].iter().any(|other| other.name == heading.name) {
+            return Err(InputFileError::Twice { name: heading.name.to_owned() });
         }
+        check_unit(heading, info.inputs[input_index(info, heading.name)?].unit)?;
     }
     let (mut times, mut values) = (Vec::new(), vec![Vec::new(); headings.len()]);
     for (i, row) in rows.records().enumerate() {
@@ -90,6 +106,13 @@ pub fn read_inputs(file: impl Read, info: &SceneInfo) -> Result<Vec<(String, Inp
     let table = if of_a_run { InputTable::held } else { InputTable::new };
     let tables = headings.iter().zip(values);
     tables.map(|(heading, values)| Ok((heading.name.to_owned(), table(times.clone(), values)?))).collect()
+}
+
+fn check_unit(heading: &Heading<'_>, unit: &'static str) -> Result<(), InputFileError> {
+    match heading.unit.filter(|found| *found != unit) {
+        None => Ok(()),
+        Some(found) => Err(InputFileError::Unit { name: heading.name.to_owned(), found: found.to_owned(), unit }),
+    }
 }
 
 /// What the columns of inputs begin with in the file of a run.

@@ -199,7 +199,11 @@ fn invariant_bad_files_of_inputs_are_explained() {
     let message = |text: &str| tables(text).unwrap_err().to_string();
     assert!(message("time,torque\n0,1\n").contains("no column `t`"));
     assert!(message("t,torqe\n0,1\n").contains("did you mean `torque`?"));
-    assert!(message("t,torque [N*m]\n0,1\n").contains("is in N*m, but the input is in N*cm"));
+    assert!(message("t,torque [N*m]\n0,1\n").contains("is in N*m, but must be in N*cm"));
+    assert!(message("t [ms],torque\n0,1\n").contains("column `t` of the file of inputs is in ms, but must be in s"));
+    assert!(message("t,torque,torque [N*cm]\n0,1,2\n").contains("two columns `torque`"));
+    assert!(message("t,t,torque\n0,1,2\n").contains("two columns `t`"));
+    assert!(message("t [s]\n0\n1\n").contains("has no column of an input"));
     assert!(message("t,torque\n0,1\n1,x\n").contains("row 2 of the file of inputs has `x` for `torque`"));
     assert!(message("t,torque\n1,1\n0,1\n").contains("row 2 of the table is at 0 s"));
     assert!(message("t,torque\n").contains("0 times"));

@@ -251,6 +251,8 @@ fn invariant_run_replaces_a_longer_file() {
 fn invariant_run_with_too_large_a_step_says_so() {
     let coarse = output(&["run", "ezyroller/driven", "--step", "0.5"]);
     assert!(coarse.contains("step of 0.5 s is too large"), "{coarse}");
+    let as_json = ezy(&["run", "ezyroller/driven", "--step", "0.5", "--json"]);
+    assert!(text(&as_json.stderr).contains("step of 0.5 s is too large"), "{}", text(&as_json.stderr));
     let fine = output(&["run", "ezyroller/coast"]);
     assert!(!fine.contains("remark"), "{fine}");
 }

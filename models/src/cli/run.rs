@@ -13,7 +13,7 @@ use super::names::{check_input, parameter, path, refuse_twice};
 use super::out_file::OutFile;
 use super::output::print;
 use super::progress::Progress;
-use super::run_end::{run_json, run_text};
+use super::run_end::{remark, run_json, run_text};
 use super::value::Assignment;
 
 /// Rows of `--out` when `--every` is not given, besides the first.
@@ -44,6 +44,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         Ok(run) => {
             if arguments.json {
                 print(&format!("{}\n", run_json(scene.info(), method, Some(&run), &run.outcome.to_string())))?;
+                eprint!("{}", remark(&run.last().energy, method));
             } else {
                 print(&run_text(&run, method))?;
             }

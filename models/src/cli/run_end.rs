@@ -111,19 +111,21 @@ pub fn run_text(run: &Run, method: Method) -> String {
 const LARGEST_IMBALANCE: f64 = 1e-3;
 
 /// What there is to say about a run whose energy and work do not fit.
-fn remark(energy: &EnergyState, method: Method) -> String {
-    let share = energy.balance.abs() / (energy.kinetic + energy.work.abs());
-    if share > LARGEST_IMBALANCE {
-        let Method::Rk4 { step_s } = method;
-        format!(
-            "remark: energy and work differ by {:.1e} of the energy turned over: the step of {step_s} s is too large for \
-             this motion; try --step {:.0e}\n",
-            share,
-            step_s / 10.0
-        )
+pub fn remark(energy: &EnergyState, method: Method) -> String {
+    let turned_over = energy.kinetic + energy.work.abs();
+    let share = energy.balance.abs() / turned_over;
+    let difference = if !(energy.balance.is_finite() && turned_over.is_finite()) {
+        "are not finite".to_owned()
+    } else if share > LARGEST_IMBALANCE {
+        format!("differ by {share:.1e} of the energy turned over")
     } else {
-        String::new()
-    }
+        return String::new();
+    };
+    let Method::Rk4 { step_s } = method;
+    format!(
+        "remark: energy and work {difference}: the step of {step_s} s is too large for this motion; try --step {:.0e}\n",
+        step_s / 10.0
+    )
 }
 
 fn outcome_word(outcome: &Outcome) -> &'static str {
@@ -148,4 +150,20 @@ fn motion_table(last: &Sample<'_>) -> Table {
         table.push([coordinate.name, &q, &v, &a, coordinate.unit]);
     }
     table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn invariant_energy_that_is_not_finite_is_remarked_on() {
+        let method = Method::rk4(0.001);
+        for (kinetic, balance) in [(1.0, f64::NAN), (f64::INFINITY, f64::INFINITY), (f64::INFINITY, 1.0)] {
+            let energy = EnergyState { kinetic, potential: 0.0, work: 0.0, balance };
+            assert!(remark(&energy, method).contains("energy and work are not finite: the step of 0.001 s"));
+        }
+        let at_rest = EnergyState { kinetic: 0.0, potential: 0.0, work: 0.0, balance: 0.0 };
+        assert_eq!(remark(&at_rest, method), "");
+    }
 }

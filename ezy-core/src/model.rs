@@ -340,6 +340,10 @@ pub struct Start {
     pub v: Vec<f64>,
     /// Which velocities are given.
     pub v_given: Vec<bool>,
+    /// Which of the given coordinates give way where the rows cannot be met with them.
+    pub q_near: Vec<bool>,
+    /// Which of the given velocities give way.
+    pub v_near: Vec<bool>,
 }
 
 impl Start {
@@ -351,6 +355,8 @@ impl Start {
             q_given: vec![false; n_coordinates],
             v: vec![0.0; n_coordinates],
             v_given: vec![false; n_coordinates],
+            q_near: vec![false; n_coordinates],
+            v_near: vec![false; n_coordinates],
         }
     }
 
@@ -361,18 +367,45 @@ impl Start {
         self.v.copy_from_slice(&other.v);
         self.q_given.copy_from_slice(&other.q_given);
         self.v_given.copy_from_slice(&other.v_given);
+        self.q_near.copy_from_slice(&other.q_near);
+        self.v_near.copy_from_slice(&other.v_near);
+    }
+
+    /// The same with what is near left free; `None` when nothing is.
+    pub fn without_near(&self) -> Option<Self> {
+        if !self.q_near.iter().chain(&self.v_near).any(|near| *near) {
+            return None;
+        }
+        let mut free = self.clone();
+        free.q_given.iter_mut().zip(&self.q_near).for_each(|(given, near)| *given &= !near);
+        free.v_given.iter_mut().zip(&self.v_near).for_each(|(given, near)| *given &= !near);
+        Some(free)
     }
 
     /// Holds coordinate `i` at `value`.
     pub fn give_position(&mut self, i: usize, value: f64) {
         self.q[i] = value;
         self.q_given[i] = true;
+        self.q_near[i] = false;
     }
 
     /// Holds velocity `i` at `value`.
     pub fn give_velocity(&mut self, i: usize, value: f64) {
         self.v[i] = value;
         self.v_given[i] = true;
+        self.v_near[i] = false;
+    }
+
+    /// Holds coordinate `i` at `value` as long as the rows can be met with it.
+    pub fn near_position(&mut self, i: usize, value: f64) {
+        self.give_position(i, value);
+        self.q_near[i] = true;
+    }
+
+    /// Holds velocity `i` at `value` as long as the rows can be met with it.
+    pub fn near_velocity(&mut self, i: usize, value: f64) {
+        self.give_velocity(i, value);
+        self.v_near[i] = true;
     }
 }
 

@@ -48,7 +48,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
         start
     }
 
-    /// A state that fulfils all rows: given values stay to the last bit, the others move as little as possible in
+    /// A state that fulfils all rows: given values stay to the last bit, unless they are only near it and the rows cannot
+    /// be met with them, the others move as little as possible in
     /// the mass matrix, positions by Gauss–Newton to |C| ≤ 1e-12, then velocities by a linear solve. A start that
     /// is consistent already is not touched. From a guess whose symmetry hides where to go (all bars of a loop in one
     /// line) the search goes on a little beside it, at places that are the same each time.
@@ -65,8 +66,16 @@ impl<S: Scene + ?Sized> System<'_, S> {
         state.t = start.t;
         state.q.copy_from_slice(&start.q);
         state.v.copy_from_slice(&start.v);
-        self.assemble_positions(start, &mut state.q)?;
-        self.assemble_velocities(start, &state.q, &mut state.v)?;
+        let free = start.without_near();
+        self.assemble_positions(start, &mut state.q).or_else(|error| match &free {
+            // from the best that could be done while they were held
+            Some(free) => self.assemble_positions(free, &mut state.q),
+            None => Err(error),
+        })?;
+        self.assemble_velocities(start, &state.q, &mut state.v).or_else(|error| match &free {
+            Some(free) => self.assemble_velocities(free, &state.q, &mut state.v),
+            None => Err(error),
+        })?;
         Ok(state)
     }
 

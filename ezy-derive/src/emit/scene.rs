@@ -164,6 +164,16 @@ fn argument(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
+/// The method that takes a start value.
+pub fn give(rate: bool, near: bool) -> Ident {
+    argument(match (rate, near) {
+        (false, false) => "give_position",
+        (true, false) => "give_velocity",
+        (false, true) => "near_position",
+        (true, true) => "near_velocity",
+    })
+}
+
 /// A method that writes one vector; the number of constants is known only when all methods are lowered.
 struct Method {
     name: &'static str,
@@ -246,7 +256,8 @@ impl Emitter<'_> {
         let Body { statements, outputs } = self.lowered(&sums, &no_other);
         let gives = self.equations.start.iter().zip(outputs).map(|(given, value)| {
             let i = given.index;
-            if given.rate { quote!(start.give_velocity(#i, #value);) } else { quote!(start.give_position(#i, #value);) }
+            let give = give(given.rate, given.near);
+            quote!(start.#give(#i, #value);)
         });
         quote!(#statements #(#gives)*)
     }

@@ -61,6 +61,7 @@ pub struct PointPosition {
 pub struct GivenValue {
     pub index: usize,
     pub rate: bool,
+    pub near: bool,
     pub value: SumId,
 }
 
@@ -190,6 +191,7 @@ fn start(writer: &mut Writer<'_>, scene: &Scene) -> Vec<GivenValue> {
         .map(|given| GivenValue {
             index: index(given.body, given.component),
             rate: given.rate,
+            near: given.near,
             value: writer.write(&given.value),
         })
         .collect()

@@ -242,6 +242,8 @@ pub struct StartValue {
     pub component: Component,
     /// False: the coordinate; true: its velocity.
     pub rate: bool,
+    /// Whether it gives way where the rows cannot be met with it.
+    pub near: bool,
     /// Depends on parameters alone.
     pub value: Expr,
     /// The `for` around it, outermost first.

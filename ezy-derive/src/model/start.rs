@@ -53,6 +53,7 @@ impl Context<'_> {
                     body,
                     component: *component,
                     rate: *rate,
+                    near: given.near,
                     value: resolved,
                     loops: loops.clone(),
                 });

@@ -145,6 +145,8 @@ pub struct Given {
     /// The `for` around it, outermost first.
     pub loops: Vec<Loop>,
     pub body: Name,
+    /// Whether it gives way where the rows cannot be met with it.
+    pub near: bool,
     pub quantity: Quantity,
     /// The word that gives it.
     pub word: Ident,

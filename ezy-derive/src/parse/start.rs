@@ -1,4 +1,4 @@
-//! `start name { body at (x, y) angle e velocity (vx, vy) rate w; …; at rest; }`
+//! `start name { body at (x, y) angle e velocity (vx, vy) rate w; body near angle e; …; at rest; }`
 
 use super::ast::{Expr, Given, ItemKind, Loop, Name, Quantity, Start};
 use super::expression::{expression, indexed};
@@ -80,10 +80,14 @@ fn statement(input: ParseStream, start: &mut Start, loops: &[Loop]) -> Result<()
     if input.peek(Token![;]) {
         return Err(syntax::empty_start_statement(&body));
     }
+    let near = peek_word(input, "near");
+    if near {
+        word(input, "near")?;
+    }
     let first = start.given.len();
     while !input.peek(Token![;]) {
         let given = given(input, &body, loops, start.given.len() == first)?;
-        start.given.push(given);
+        start.given.push(Given { near, ..given });
     }
     sign::<Token![;]>(input).map(|_| ())
 }
@@ -115,7 +119,7 @@ fn given(input: ParseStream, body: &Name, loops: &[Loop], first: bool) -> Result
         }
         _ => vec![Some(expression(input)?)],
     };
-    Ok(Given { loops: loops.to_vec(), body: body.clone(), quantity: *quantity, word, values })
+    Ok(Given { loops: loops.to_vec(), body: body.clone(), near: false, quantity: *quantity, word, values })
 }
 
 /// `_` leaves a component free.

@@ -61,8 +61,8 @@ model! {
             drive motor: crank.phi = angle + omega*t + swing*sin(nu*t);
         }
 
-        start falling { crank angle pi/2 rate -1; coupler angle 0; rocker angle pi/2; }
-        start upright { coupler angle 0; rocker angle pi/2; }
+        start falling { crank angle pi/2 rate -1; coupler near angle 0; rocker near angle pi/2; }
+        start upright { coupler near angle 0; rocker near angle pi/2; }
 
         /// Falls from upright with 1 m/s and turns on.
         scene turning { start falling; until 20 s; }

@@ -30,8 +30,8 @@ model! {
         hinge pin: ground(0, 0) ~ bob(-l, 0);
         gravity (0, -g);
 
-        start right { bob angle 0; at rest; }
-        start left { bob angle pi; at rest; }
+        start right { bob near angle 0; at rest; }
+        start left { bob near angle pi; at rest; }
 
         /// Released level, on the right of the pin.
         scene swing { start right; until 10 s; }

@@ -72,7 +72,7 @@ model! {
             gravity (0, -g);
         }
 
-        start upright { crank angle pi/2; rod angle -pi/6; at rest; }
+        start upright { crank angle pi/2; rod near angle -pi/6; at rest; }
 
         /// From rest, with the crank upright.
         scene pushed { start upright; until 10 s; with strut, push; }

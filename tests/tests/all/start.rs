@@ -173,4 +173,29 @@ fn invariant_row_without_a_value_is_named() {
     );
     let error = Simulation::new(&scene).run().unwrap_err().to_string();
     assert!(error.starts_with("row `R` is not a number at the start"), "{error}");
+#[test]
+fn invariant_near_values_that_fit_are_kept_to_the_last_bit() {
+    let run = Simulation::new(&ezy_models::slider_crank::Pushed::default()).until(0.0).run().unwrap();
+    assert_eq!(run.last().get("rod.phi").unwrap(), -std::f64::consts::PI / 6.0);
+}
+
+#[test]
+fn analytic_near_values_choose_the_assembly_and_give_way() {
+    // a crank upright of 1 m, a coupler of 1 m to the right, and the base longer than it was
+    let mut scene = ezy_models::four_bar::Turning::default();
+    scene.base = 1.2;
+    let run = Simulation::new(&scene).until(0.0).run().unwrap();
+    let get = |name: &str| run.last().get(name).unwrap();
+    assert_eq!(get("crank.phi"), std::f64::consts::FRAC_PI_2);
+    // the open loop: coupler and rocker meet at the same height above the base, on the right of the crank
+    let (reach, height) = (2.0 * (get("coupler.x")), 2.0 * (get("coupler.y") - 1.0) + 1.0);
+    assert!((reach - 1.2).hypot(height) - 1.0 <= 1e-12 && height > 0.5 && reach > 0.9, "({reach}, {height})");
+}
+
+#[test]
+fn analytic_near_values_give_way_to_what_is_given() {
+    let scene = ezy_models::pendulum::Swing::default();
+    let run = Simulation::new(&scene).give("bob.x", 0.5).until(0.0).run().unwrap();
+    let angle = run.last().get("bob.phi").unwrap();
+    assert!((angle.cos() - 0.5).abs() <= 1e-12, "{angle} rad");
 }

@@ -7,6 +7,7 @@ use quote::quote;
 
 use super::loops::{about, looped, members, whole};
 use crate::emit::kernel::{self, Body};
+use crate::emit::scene::give;
 use crate::mechanics::{Group, RowTemplate, Templates};
 use crate::model::whole::Whole;
 use crate::model::{BodyId, Loop, Model, Slot};
@@ -194,11 +195,8 @@ impl Emitter<'_> {
                 let slots = [given.body];
                 let give = move |values: Vec<TokenStream>| {
                     let place = coordinate(&[given.body], 3 * given.body.0 + given.component as usize);
-                    if given.rate {
-                        quote!(#(start.give_velocity(#place, #values);)*)
-                    } else {
-                        quote!(#(start.give_position(#place, #values);)*)
-                    }
+                    let give = give(given.rate, given.near);
+                    quote!(#(start.#give(#place, #values);)*)
                 };
                 let loops = &given.loops[..];
                 self.written(&Written { loops, slots: &slots, sums: vec![*value], put: Box::new(give) }, &no_other)

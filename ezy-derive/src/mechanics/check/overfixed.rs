@@ -16,7 +16,7 @@ pub fn start(model: &Model, scene: &Scene, equations: &Equations, diag: &mut Dia
     let counts = model.counts.iter().map(|count| count.default as f64);
     let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).chain(counts).collect();
     let mut state = Given { symbols: &equations.symbols, defaults, q: vec![None; n_q], v: vec![None; n_q] };
-    for given in &equations.start {
+    for given in equations.start.iter().filter(|given| !given.near) {
         let value = equations.algebra.evaluate(given.value, &state);
         let target = if given.rate { &mut state.v } else { &mut state.q };
         target[given.index] = Some(value);

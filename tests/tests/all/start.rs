@@ -173,6 +173,8 @@ fn invariant_row_without_a_value_is_named() {
     );
     let error = Simulation::new(&scene).run().unwrap_err().to_string();
     assert!(error.starts_with("row `R` is not a number at the start"), "{error}");
+}
+
 #[test]
 fn invariant_near_values_that_fit_are_kept_to_the_last_bit() {
     let run = Simulation::new(&ezy_models::slider_crank::Pushed::default()).until(0.0).run().unwrap();

@@ -54,7 +54,7 @@ impl<'s> Keeper<'s> {
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
         let initial = *self.initial_energy.get_or_insert(kinetic + potential);
         let energy = if self.wanted.work {
-            let work = works.iter().sum();
+            let work = works.iter().fold(0.0, |sum, work| sum + work);
             EnergyState { kinetic, potential, work, balance: kinetic + potential - work - initial }
         } else {
             EnergyState::without_work(kinetic, potential)

@@ -223,7 +223,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
     pub fn energy(&self) -> EnergyState {
         let (kinetic, potential) = self.mechanical_energy();
         if self.motion.work {
-            let work = self.motion.now.state.work.iter().sum();
+            let work = self.motion.now.state.work.iter().fold(0.0, |sum, work| sum + work);
             EnergyState { kinetic, potential, work, balance: kinetic + potential - work - self.initial_energy }
         } else {
             EnergyState::without_work(kinetic, potential)

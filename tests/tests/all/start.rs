@@ -184,8 +184,7 @@ fn invariant_near_values_that_fit_are_kept_to_the_last_bit() {
 #[test]
 fn analytic_near_values_choose_the_assembly_and_give_way() {
     // a crank upright of 1 m, a coupler of 1 m to the right, and the base longer than it was
-    let mut scene = ezy_models::four_bar::Turning::default();
-    scene.base = 1.2;
+    let scene = ezy_models::four_bar::Turning { base: 1.2, ..Default::default() };
     let run = Simulation::new(&scene).until(0.0).run().unwrap();
     let get = |name: &str| run.last().get(name).unwrap();
     assert_eq!(get("crank.phi"), std::f64::consts::FRAC_PI_2);

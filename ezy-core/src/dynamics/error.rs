@@ -127,6 +127,17 @@ pub enum MotionError {
         /// Largest number that is accepted.
         limit: usize,
     },
+    /// Steps that keep to the tolerance have become too short to move anything.
+    #[error(
+        "the step has shrunk to {step_s:.1e} s at t = {t} s: the motion is too fast or not smooth there, or the \
+         tolerance is below rounding; allow larger errors, or look at the forces at that time"
+    )]
+    StepCollapsed {
+        /// Time of the last good state, s.
+        t: f64,
+        /// The step, s.
+        step_s: f64,
+    },
     /// A number overflowed or is undefined.
     #[error(
         "{quantity} is not finite after t = {t} s: the motion has become too fast for the step, or a law is \

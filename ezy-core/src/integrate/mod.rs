@@ -2,12 +2,16 @@
 //! [`System`](crate::dynamics::System).
 
 mod clock;
+mod dop853;
 mod hermite;
 mod rk4;
+mod step_control;
 
 pub use clock::Clock;
+pub use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER};
 pub use hermite::{Knot, interpolate};
 pub use rk4::Rk4;
+pub use step_control::{StepControl, Tolerance};
 
 /// How a run is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +21,8 @@ pub enum Method {
         /// Step, s; the last one is shortened to land on the end.
         step_s: f64,
     },
+    /// The method of Dormand and Prince of order 8 with steps that keep to a tolerance.
+    Dop853(Tolerance),
 }
 
 impl Method {
@@ -25,10 +31,17 @@ impl Method {
         Self::Rk4 { step_s }
     }
 
+    /// The method of Dormand and Prince of order 8, with one number for the relative and the absolute tolerance (m, rad,
+    /// m/s, rad/s).
+    pub const fn dop853(tolerance: f64) -> Self {
+        Self::Dop853(Tolerance { relative: tolerance, absolute: tolerance })
+    }
+
     /// Name on the command line and in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rk4 { .. } => "rk4",
+            Self::Dop853(_) => "dop853",
         }
     }
 }

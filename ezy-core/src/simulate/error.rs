@@ -18,6 +18,29 @@ pub enum SetupError {
         /// The step, s.
         step_s: f64,
     },
+    /// The tolerances are out of range.
+    #[error(
+        "the tolerances are {relative:e} relative and {absolute:e} absolute; give a relative one between {smallest:e} and \
+         {largest}, and a positive absolute one up to {largest}"
+    )]
+    Tolerance {
+        /// Relative tolerance.
+        relative: f64,
+        /// Absolute tolerance.
+        absolute: f64,
+        /// Smallest relative tolerance that is accepted.
+        smallest: f64,
+        /// Largest tolerance that is accepted.
+        largest: f64,
+    },
+    /// Inputs that change and steppers need steps of a known length.
+    #[error(
+        "inputs are set from step to step, but {method} chooses the length of its steps; use a method with a fixed step, such as rk4"
+    )]
+    NeedsFixedStep {
+        /// Name of the method.
+        method: &'static str,
+    },
     /// More steps than anyone waits for.
     #[error(
         "{steps:.1e} steps of {step_s} s lie between the start and the end; at most {limit:.0e} are taken: give a larger step or an earlier end"

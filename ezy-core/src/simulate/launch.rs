@@ -2,15 +2,22 @@
 
 use super::control::Control;
 use super::motion::Motion;
+use super::pace::Pace;
 use super::run_loop::{Plan, RunLoop};
 use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, System};
-use crate::integrate::{Clock, Method};
+use crate::integrate::{Clock, Method, Tolerance};
 use crate::model::{Scene, SceneInfo, Start};
 use crate::record::{UnknownName, find_name, input_index};
 
 /// At 100 ns a step half an hour; more is a slip of the pen.
 const MAX_STEPS: f64 = 1e10;
+
+/// Below it an error estimate is rounding.
+const SMALLEST_RELATIVE_TOLERANCE: f64 = 1e-15;
+
+/// Above it there is no motion left to speak of.
+const LARGEST_TOLERANCE: f64 = 1.0;
 
 /// A few hundred bytes each: some gigabytes.
 const MAX_SAMPLES: f64 = 1e7;
@@ -27,10 +34,11 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     pub fn run(mut self) -> Result<Run, SetupError> {
         let mut system = System::new(self.scene, self.backend)?;
         let start = self.start(&system)?;
-        let plan = Plan { clock: self.clock(start.t)?, every_s: self.every_s, wanted: self.wanted };
-        let state = system.consistent_start(&start)?;
         let control = self.take_control(&mut system)?;
-        let mut motion = Motion::new(system, self.projection, self.metric, self.wanted.work);
+        let pace = self.pace(start.t, control.is_idle())?;
+        let plan = Plan { pace, every_s: self.every_s, wanted: self.wanted };
+        let state = system.consistent_start(&start)?;
+        let mut motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work);
         motion.place(&state);
         RunLoop::new(motion, control, plan, self.recorder, self.on_progress)?.run()
     }
@@ -42,10 +50,10 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     pub fn stepper(mut self) -> Result<Stepper<'s, S>, SetupError> {
         let mut system = System::new(self.scene, self.backend)?;
         let start = self.start(&system)?;
-        let step_s = self.check_step()?;
+        let step_s = self.fixed_step()?;
         let state = system.consistent_start(&start)?;
         let control = self.take_control(&mut system)?;
-        let motion = Motion::new(system, self.projection, self.metric, self.wanted.work);
+        let motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work);
         Ok(Stepper::new(motion, control, step_s, start, state))
     }
 
@@ -72,23 +80,23 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         Ok(control)
     }
 
-    fn check_step(&self) -> Result<f64, SetupError> {
-        let Method::Rk4 { step_s } = self.method;
-        if step_s.is_finite() && step_s > 0.0 { Ok(step_s) } else { Err(SetupError::Step { step_s }) }
+    /// The fixed step of a method that has one.
+    fn fixed_step(&self) -> Result<f64, SetupError> {
+        match self.method {
+            Method::Rk4 { step_s } if step_s.is_finite() && step_s > 0.0 => Ok(step_s),
+            Method::Rk4 { step_s } => Err(SetupError::Step { step_s }),
+            Method::Dop853(_) => Err(SetupError::NeedsFixedStep { method: self.method.name() }),
+        }
     }
 
-    fn clock(&self, start_s: f64) -> Result<Clock, SetupError> {
+    /// `idle`: whether inputs stay as they are; those that change are held over steps of known length.
+    fn pace(&self, start_s: f64, idle: bool) -> Result<Pace, SetupError> {
         let until_s = self.until_s;
         if !start_s.is_finite() {
             return Err(StartError::NotFinite { name: "t", value: start_s }.into());
         }
         if !(until_s.is_finite() && until_s >= start_s) {
             return Err(SetupError::Until { until_s, start_s });
-        }
-        let step_s = self.check_step()?;
-        let steps = (until_s - start_s) / step_s;
-        if steps > MAX_STEPS {
-            return Err(SetupError::TooManySteps { steps, step_s, limit: MAX_STEPS });
         }
         if let Some(every_s) = self.every_s {
             if every_s.is_nan() || every_s <= 0.0 {
@@ -102,8 +110,30 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
                 return Err(SetupError::TooManySamples { samples, every_s, limit });
             }
         }
-        Ok(Clock::new(start_s, until_s, step_s))
+        match self.method {
+            Method::Dop853(tolerance) if idle => {
+                check_tolerance(tolerance)?;
+                Ok(Pace::Free { start: start_s, end: until_s })
+            }
+            _ => {
+                let step_s = self.fixed_step()?;
+                let steps = (until_s - start_s) / step_s;
+                if steps > MAX_STEPS {
+                    return Err(SetupError::TooManySteps { steps, step_s, limit: MAX_STEPS });
+                }
+                Ok(Pace::Clock(Clock::new(start_s, until_s, step_s)))
+            }
+        }
     }
+}
+
+fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {
+    let Tolerance { relative, absolute } = tolerance;
+    let usable = |x: f64, least: f64| (least..=LARGEST_TOLERANCE).contains(&x);
+    if usable(relative, SMALLEST_RELATIVE_TOLERANCE) && usable(absolute, f64::MIN_POSITIVE) {
+        return Ok(());
+    }
+    Err(SetupError::Tolerance { relative, absolute, smallest: SMALLEST_RELATIVE_TOLERANCE, largest: LARGEST_TOLERANCE })
 }
 
 /// Holds a start value by its name.

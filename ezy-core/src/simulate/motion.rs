@@ -1,14 +1,15 @@
 //! A scene in motion: where it is, and how it gets one step further. What runs and steppers share.
 
 use super::instantaneous::Instantaneous;
+use super::integrator::Integrator;
 use crate::dynamics::{Metric, MotionError, Projection, State, System};
-use crate::integrate::Rk4;
+use crate::integrate::Method;
 use crate::model::Scene;
 
 /// The state `now`, and `next` where the step under way ends.
 pub(super) struct Motion<'s, S: Scene + ?Sized> {
     pub system: System<'s, S>,
-    method: Rk4,
+    integrator: Integrator,
     projection: Projection,
     metric: Metric,
     /// Whether works are integrated.
@@ -18,11 +19,11 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
 }
 
 impl<'s, S: Scene + ?Sized> Motion<'s, S> {
-    pub fn new(system: System<'s, S>, projection: Projection, metric: Metric, work: bool) -> Self {
+    pub fn new(system: System<'s, S>, method: Method, projection: Projection, metric: Metric, work: bool) -> Self {
         let info = system.info();
         let [now, next] = std::array::from_fn(|_| Instantaneous::zero(info, work));
-        let method = Rk4::new(info.n_coordinates(), info.n_rows(), now.power.len());
-        Self { system, method, projection, metric, work, now, next }
+        let integrator = Integrator::new(method, info, now.power.len());
+        Self { system, integrator, projection, metric, work, now, next }
     }
 
     /// Goes to a state without history; what belongs to it is not evaluated.
@@ -32,16 +33,32 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         now.q.copy_from_slice(&state.q);
         now.v.copy_from_slice(&state.v);
         now.work.fill(0.0);
-        self.method.restart();
+        self.integrator.restart();
     }
 
-    /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated.
+    /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
+    /// that chooses its steps may stop before `t_next`.
     pub fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let (system, next) = (&mut self.system, &mut self.next);
-        self.method.step(system, self.now.knot(), h, t_next, &mut next.state)?;
+        self.integrator.step(system, self.now.knot(), h, t_next, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
-        let State { q, v, .. } = &mut next.state;
-        system.project(t_next, q, v, self.projection, self.metric)
+        let State { t, q, v, .. } = &mut next.state;
+        system.project(*t, q, v, self.projection, self.metric)
+    }
+
+    /// A state between `now` and `next`, both evaluated; projected and evaluated like them.
+    pub fn between(&mut self, t: f64, out: &mut Instantaneous) -> Result<(), MotionError> {
+        let system = &mut self.system;
+        self.integrator.between(system, self.now.knot(), self.next.knot(), t, &mut out.state)?;
+        if self.integrator.chooses_steps() {
+            let State { q, v, .. } = &mut out.state;
+            system.project(t, q, v, self.projection, self.metric)?;
+        }
+        out.evaluate(system)
+    }
+
+    pub fn n_rejected(&self) -> u64 {
+        self.integrator.n_rejected()
     }
 
     pub fn evaluate_now(&mut self) -> Result<(), MotionError> {

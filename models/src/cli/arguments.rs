@@ -102,9 +102,15 @@ pub struct RunArguments {
     /// Integration method
     #[arg(long, value_enum, default_value_t)]
     pub method: MethodName,
-    /// Step in seconds
-    #[arg(long, value_name = "H", value_parser = parse_number, allow_negative_numbers = true, default_value = "1e-3")]
-    pub step: f64,
+    /// Step in seconds, of a method with a fixed step [default: 1e-3]
+    #[arg(long, value_name = "H", value_parser = parse_number, allow_negative_numbers = true)]
+    pub step: Option<f64>,
+    /// Relative tolerance, of a method that chooses its steps [default: 1e-9]
+    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
+    pub rtol: Option<f64>,
+    /// Absolute tolerance in m, rad, m/s, rad/s [default: that of --rtol]
+    #[arg(long, value_name = "A", value_parser = parse_number, allow_negative_numbers = true)]
+    pub atol: Option<f64>,
     /// What is put back onto the constraints after each step
     #[arg(long, value_enum, default_value_t)]
     pub project: ProjectName,
@@ -145,6 +151,8 @@ pub enum MethodName {
     /// Classical Runge-Kutta method of order 4 with a fixed step
     #[default]
     Rk4,
+    /// Method of Dormand and Prince of order 8 with steps that keep to a tolerance
+    Dop853,
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]

@@ -2,7 +2,7 @@
 
 use std::fs::File;
 
-use ezy_core::integrate::Method;
+use ezy_core::integrate::{Method, Tolerance};
 use ezy_core::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
 use ezy_core::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
 use ezy_models::registry::find;
@@ -37,9 +37,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
             None => scene.set_parameter(parameter(model, entry, &assignment.name)?, assignment.value),
         }
     }
-    let method = match arguments.method {
-        MethodName::Rk4 => Method::rk4(arguments.step),
-    };
+    let method = method(arguments)?;
     match simulate(arguments, scene.as_ref(), method) {
         Ok(run) => {
             if arguments.json {
@@ -59,6 +57,32 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
             }
             Err(failure)
         }
+    }
+}
+
+/// Step of a method with a fixed step, s, when none is given.
+const STEP_S: f64 = 1e-3;
+/// Relative tolerance of a method that chooses its steps, when none is given.
+const RELATIVE_TOLERANCE: f64 = 1e-9;
+
+fn method(arguments: &RunArguments) -> Result<Method, Failure> {
+    let RunArguments { method, step, rtol, atol, .. } = arguments;
+    match method {
+        MethodName::Rk4 => match rtol.or(*atol) {
+            Some(_) => Err(Failure::wrong_use(
+                "rk4 has a fixed step: give `--step`, or a method with a tolerance, such as `--method dop853`",
+            )),
+            None => Ok(Method::rk4(step.unwrap_or(STEP_S))),
+        },
+        MethodName::Dop853 => match step {
+            Some(_) => {
+                Err(Failure::wrong_use("dop853 chooses the length of its steps: give `--rtol` in place of `--step`"))
+            }
+            None => {
+                let relative = rtol.unwrap_or(RELATIVE_TOLERANCE);
+                Ok(Method::Dop853(Tolerance { relative, absolute: atol.unwrap_or(relative) }))
+            }
+        },
     }
 }
 

@@ -121,11 +121,11 @@ pub fn remark(energy: &EnergyState, method: Method) -> String {
     } else {
         return String::new();
     };
-    let Method::Rk4 { step_s } = method;
-    format!(
-        "remark: energy and work {difference}: the step of {step_s} s is too large for this motion; try --step {:.0e}\n",
-        step_s / 10.0
-    )
+    let (what, better) = match method {
+        Method::Rk4 { step_s } => (format!("the step of {step_s} s"), format!("--step {:.0e}", step_s / 10.0)),
+        Method::Dop853(tolerance) => ("the tolerance".to_owned(), format!("--rtol {:.0e}", tolerance.relative / 10.0)),
+    };
+    format!("remark: energy and work {difference}: {what} is too large for this motion; try {better}\n")
 }
 
 fn outcome_word(outcome: &Outcome) -> &'static str {

@@ -6,6 +6,7 @@ mod architecture;
 mod backends;
 mod control;
 mod degenerate_forces;
+mod dop853;
 mod drives;
 mod exact_start;
 mod garage;

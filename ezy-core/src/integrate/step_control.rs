@@ -1,0 +1,54 @@
+//! The length of the next step from the error of the last one.
+
+/// Steps are aimed at this part of the largest allowed error, so that few are rejected.
+const SAFETY: f64 = 0.9;
+/// A step changes at most by these factors.
+const SHRINK: f64 = 1.0 / 3.0;
+const GROW: f64 = 6.0;
+/// Part of the controller that answers to the error before the last: damps the length's own oscillation.
+const BETA: f64 = 0.04;
+/// An error this small says nothing about the next one.
+const LEAST_ERROR: f64 = 1e-4;
+
+/// Tolerated errors of a step: `absolute + relative · |y|` for each number of the state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance {
+    /// Relative tolerance.
+    pub relative: f64,
+    /// Absolute tolerance, in m, rad, m/s, rad/s alike.
+    pub absolute: f64,
+}
+
+/// A proportional-integral controller for a method whose error goes with the power `order` of the step.
+///
+/// # Source
+/// Gustafsson, ACM Trans. Math. Software 17 (1991); Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2.
+#[derive(Debug, Clone)]
+pub struct StepControl {
+    order: f64,
+    last_error: f64,
+    just_rejected: bool,
+}
+
+impl StepControl {
+    /// For a method of which an error estimate goes with `h^order`.
+    pub fn new(order: i32) -> Self {
+        Self { order: f64::from(order), last_error: LEAST_ERROR, just_rejected: false }
+    }
+
+    /// Factor for the step after one with this error, at most 1.
+    pub fn accept(&mut self, error: f64) -> f64 {
+        let proportional = error.powf(1.0 / self.order - 0.2 * BETA);
+        let factor = (SAFETY * self.last_error.powf(BETA) / proportional).clamp(SHRINK, GROW);
+        self.last_error = error.max(LEAST_ERROR);
+        let factor = if self.just_rejected { factor.min(1.0) } else { factor };
+        self.just_rejected = false;
+        factor
+    }
+
+    /// Factor for the next try after a step with this error, above 1 or not a number.
+    pub fn reject(&mut self, error: f64) -> f64 {
+        self.just_rejected = true;
+        if error.is_finite() { (SAFETY / error.powf(1.0 / self.order)).max(SHRINK) } else { SHRINK }
+    }
+}

@@ -1,0 +1,36 @@
+//! Where the steps of a run may end.
+
+use crate::integrate::Clock;
+
+/// The steps of a clock, or the end alone when the method chooses its steps.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Pace {
+    Clock(Clock),
+    Free { start: f64, end: f64 },
+}
+
+impl Pace {
+    /// Length and end of step `n`, which starts at `t`, s; a method that chooses its steps may stop before.
+    pub fn step(&self, n: u64, t: f64) -> (f64, f64) {
+        match self {
+            Self::Clock(clock) => (clock.step(n), clock.time(n + 1)),
+            Self::Free { end, .. } => (end - t, *end),
+        }
+    }
+
+    /// s
+    pub fn start(&self) -> f64 {
+        match self {
+            Self::Clock(clock) => clock.time(0),
+            Self::Free { start, .. } => *start,
+        }
+    }
+
+    /// s
+    pub fn end(&self) -> f64 {
+        match self {
+            Self::Clock(clock) => clock.time(clock.n_steps()),
+            Self::Free { end, .. } => *end,
+        }
+    }
+}

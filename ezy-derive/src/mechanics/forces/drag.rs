@@ -3,15 +3,11 @@
 use super::Load;
 use crate::mechanics::expression::Writer;
 use crate::model::Arguments;
-use crate::symbolic::SumId;
 
 /// The force −(k1 + k2 |v|) v on P and the torque −k3 φ̇ on its body.
 pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
     let velocity = writer.velocity(&of.places[0]);
-    let mut factor = SumId::ZERO;
-    if of.settings[0].is_some() {
-        factor = writer.setting(of, 0);
-    }
+    let mut factor = writer.setting(of, 0);
     if of.settings[1].is_some() {
         let speed = writer.length(velocity);
         let quadratic = writer.setting(of, 1);

@@ -9,7 +9,7 @@ use crate::model::{Arguments, BodyId, Component};
 pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
     let Some((x, y)) = &of.vector else { return };
     let g = [writer.write(x), writer.write(y)];
-    let steady = g.iter().all(|&g| writer.algebra.as_coefficient(g).is_some());
+    let steady = g.iter().all(|&g| writer.is_steady(g));
     let all = (0..writer.model.bodies.len()).map(BodyId);
     let named: Vec<BodyId> = of.bodies.iter().copied().flatten().collect();
     for body in if named.is_empty() { all.collect() } else { named } {

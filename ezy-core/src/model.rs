@@ -10,8 +10,10 @@
 //! pass the right ones.
 
 mod repeats;
+mod series;
 
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
+pub use series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -494,6 +496,11 @@ pub trait Scene: Send + Sync {
     fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
         let _ = (c, t, q, residual, delta);
         DeficientRows::ALL
+    }
+
+    /// The recurrences of its Taylor series; none where a law of the scene is not analytic.
+    fn series(&self) -> Option<&dyn Series<f64>> {
+        None
     }
 }
 

@@ -14,14 +14,15 @@ const DERIVE: &[(&str, &[&str])] = &[
 ];
 
 const CORE: &[(&str, &[&str])] = &[
-    ("model", &["model"]),
+    ("scalar", &["scalar"]),
+    ("model", &["model", "scalar"]),
     ("kernel", &["kernel"]),
     ("layout", &["layout", "model"]),
     ("linalg", &["linalg", "model"]),
-    ("dynamics", &["dynamics", "linalg", "model"]),
-    ("integrate", &["integrate", "dynamics", "linalg", "model"]),
+    ("dynamics", &["dynamics", "linalg", "model", "scalar"]),
+    ("integrate", &["integrate", "dynamics", "linalg", "model", "scalar"]),
     ("record", &["record", "model"]),
-    ("simulate", &["simulate", "integrate", "dynamics", "linalg", "record", "model"]),
+    ("simulate", &["simulate", "integrate", "dynamics", "linalg", "record", "model", "scalar"]),
     ("report", &["report", "record", "model"]),
 ];
 

@@ -1,0 +1,112 @@
+//! The numbers that kernels run on.
+
+mod plain;
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number that a kernel can compute with: `f64`, or several `f64` that travel together.
+///
+/// Functions mean what those of `f64` mean, in the precision of the number.
+pub trait Scalar:
+    Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// π, to the precision of the number.
+    const PI: Self;
+
+    /// A number that does not vary.
+    fn from_f64(x: f64) -> Self;
+
+    /// `self · factor + summand`, with one rounding where the target has an instruction for it.
+    #[must_use]
+    fn fused(self, factor: Self, summand: Self) -> Self;
+
+    /// Sine and cosine.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Sine.
+    #[must_use]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// Cosine.
+    #[must_use]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// Tangent.
+    #[must_use]
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin / cos
+    }
+
+    /// Inverse sine.
+    #[must_use]
+    fn asin(self) -> Self;
+
+    /// Inverse cosine.
+    #[must_use]
+    fn acos(self) -> Self;
+
+    /// The angle of the vector (`x`, `self`).
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+
+    /// Square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Exponential function.
+    #[must_use]
+    fn exp(self) -> Self;
+
+    /// Natural logarithm.
+    #[must_use]
+    fn ln(self) -> Self;
+
+    /// Hyperbolic tangent.
+    #[must_use]
+    fn tanh(self) -> Self;
+
+    /// Absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// The smaller one.
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+
+    /// The larger one.
+    #[must_use]
+    fn max(self, other: Self) -> Self;
+
+    /// −1, 0 or 1; not a number stays so.
+    #[must_use]
+    fn sign(self) -> Self;
+
+    /// A power.
+    #[must_use]
+    fn powf(self, exponent: Self) -> Self;
+
+    /// Whether it is above `threshold`, all of it; false where it is not a number.
+    fn is_above(self, threshold: Self) -> bool;
+
+    /// Its size as one `f64`: the largest where several numbers travel together, without derivatives.
+    fn magnitude(self) -> f64;
+
+    /// Whether it is a number, all of it.
+    fn is_finite(self) -> bool;
+}

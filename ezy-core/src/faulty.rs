@@ -24,6 +24,16 @@ macro_rules! faulty_model {
                     pub const INFO: $crate::model::SceneInfo = ::core::panic!("this model has faults");
                 }
 
+                impl<T: $crate::scalar::Scalar> $crate::model::Equations<T> for $scene {
+                    fn constants(&self, parameters: &[T], c: &mut [T]) {}
+                    fn mass_matrix(&self, c: &[T], m: &mut [T]) {}
+                    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {}
+                    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {}
+                    fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {}
+                    fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {}
+                    fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {}
+                }
+
                 impl $crate::model::Scene for $scene {
                     fn info(&self) -> &'static $crate::model::SceneInfo {
                         ::core::unreachable!()
@@ -32,41 +42,13 @@ macro_rules! faulty_model {
                         f64::NAN
                     }
                     fn set_parameter(&mut self, index: usize, value: f64) {}
-                    fn constants(&self, c: &mut [f64]) {}
                     fn start(&self, c: &[f64], start: &mut $crate::model::Start) {}
-                    fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {}
-                    fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {}
-                    fn velocity_constraint(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
-                    fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {}
-                    fn convective_term(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
-                    fn applied_force(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
                     fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {}
                     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
                         f64::NAN
                     }
                     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {}
                     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
-                    fn accelerations(
-                        &self,
-                        c: &[f64],
-                        t: f64,
-                        q: &[f64],
-                        v: &[f64],
-                        a: &mut [f64],
-                        lambda: &mut [f64],
-                    ) -> $crate::model::DeficientRows {
-                        $crate::model::DeficientRows(u64::MAX)
-                    }
-                    fn correction(
-                        &self,
-                        c: &[f64],
-                        t: f64,
-                        q: &[f64],
-                        residual: &[f64],
-                        delta: &mut [f64],
-                    ) -> $crate::model::DeficientRows {
-                        $crate::model::DeficientRows(u64::MAX)
-                    }
                 }
             )*
         }

@@ -5,7 +5,7 @@
 /// # Panics
 /// When the slice has another length.
 #[inline(always)]
-pub fn array<const N: usize>(x: &[f64]) -> &[f64; N] {
+pub fn array<const N: usize, T>(x: &[T]) -> &[T; N] {
     match x.try_into() {
         Ok(array) => array,
         Err(_) => wrong_length(N, x.len()),
@@ -17,7 +17,7 @@ pub fn array<const N: usize>(x: &[f64]) -> &[f64; N] {
 /// # Panics
 /// When the slice has another length.
 #[inline(always)]
-pub fn array_mut<const N: usize>(x: &mut [f64]) -> &mut [f64; N] {
+pub fn array_mut<const N: usize, T>(x: &mut [T]) -> &mut [T; N] {
     let length = x.len();
     match x.try_into() {
         Ok(array) => array,

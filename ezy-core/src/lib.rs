@@ -26,7 +26,7 @@ pub mod prelude {
     pub use crate::dynamics::{Metric, Projection, State, System};
     pub use crate::integrate::Method;
     pub use crate::linalg::Backend;
-    pub use crate::model::Scene;
+    pub use crate::model::{Equations, Scene};
     pub use crate::record::{CsvWriter, Sample};
     pub use crate::simulate::{InputTable, Outcome, Run, Simulation, Stepper};
     pub use ezy_derive::model;

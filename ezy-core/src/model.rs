@@ -1,7 +1,7 @@
 //! What a generated scene implements. No solver type appears here.
 //!
 //! Signs, symbols and units: `docs/notation.md`. A scene is immutable while it runs: its parameters are
-//! fields, everything that depends on parameters alone is computed once ([`Scene::constants`]), and kernels read a
+//! fields, everything that depends on parameters alone is computed once ([`Equations::constants`]), and kernels read a
 //! vector `c` of numbers that do not change within a step: the `n_i` *inputs*, which whoever runs the scene sets, then
 //! the *constants*.
 //!
@@ -9,9 +9,11 @@
 //! `n_p` points, `n_i` inputs, `n_o` outputs. Kernels panic when a slice has another length; the layers above always
 //! pass the right ones.
 
+mod equations;
 mod repeats;
 mod series;
 
+pub use equations::Equations;
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
 
@@ -413,9 +415,8 @@ impl Start {
 
 /// A scene: one selection of rows and effects of a model, with its own equations.
 ///
-/// Implemented by the types that `model!` generates. `c` holds the present inputs, then what [`Scene::constants`] wrote
-/// for the present parameters; `t` is the time in s, `q` and `v` are the `n_q` coordinates and velocities.
-pub trait Scene: Send + Sync {
+/// Implemented by the types that `model!` generates: what a run in `f64` needs besides the equations.
+pub trait Scene: Equations<f64> {
     /// Names, sizes and equations; for a scene with counts, those of the present counts.
     fn info(&self) -> &'static SceneInfo;
 
@@ -436,30 +437,13 @@ pub trait Scene: Send + Sync {
     /// Changes parameter `index`; constants computed before are then out of date.
     fn set_parameter(&mut self, index: usize, value: f64);
 
-    /// Everything that depends on parameters alone. Writes `n_constants` numbers behind the inputs in `c`, which it
-    /// neither reads nor changes.
-    fn constants(&self, c: &mut [f64]);
+    /// Present values of [`SceneInfo::parameters`], for [`Equations::constants`].
+    fn parameters(&self) -> Vec<f64> {
+        (0..self.info().parameters.len()).map(|i| self.parameter(i)).collect()
+    }
 
     /// Start values of the scene.
     fn start(&self, c: &[f64], start: &mut Start);
-
-    /// Diagonal of M (kg, kg·m²). Writes `n_q`.
-    fn mass_matrix(&self, c: &[f64], m: &mut [f64]);
-
-    /// C(q, t). Writes `n_h`.
-    fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]);
-
-    /// All rows at velocity level: C_q v + C_t, then S v + s_t. Writes `n_c`.
-    fn velocity_constraint(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
-
-    /// Entries of G = [C_q; S] in the order of [`SceneInfo::jacobian`].
-    fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]);
-
-    /// [h; s], so that G a = −[h; s]. Writes `n_c`.
-    fn convective_term(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
-
-    /// F. Writes `n_q`.
-    fn applied_force(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
 
     /// Power of each effect, W, without forces that [`Scene::potential_energy`] counts. The power of rows that move
     /// with time is λ · g_t with the multipliers `lambda` (`n_c`) and G v + g_t = 0. Writes `n_e`.
@@ -473,30 +457,6 @@ pub trait Scene: Send + Sync {
 
     /// Outputs, each in its unit. Writes `n_o`.
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
-
-    /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
-    /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished. A scene without
-    /// elimination ([`SceneInfo::has_elimination`]) writes nothing and marks every row.
-    fn accelerations(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> DeficientRows {
-        let _ = (c, t, q, v, a, lambda);
-        DeficientRows::ALL
-    }
-
-    /// Generated mass-weighted correction: the `delta` of smallest `deltaᵀ M delta` with `G(q, t) delta = −residual`.
-    /// Reads `n_c` residuals, writes `n_q`; needs M > 0, meaningless when a pivot vanished. A scene without
-    /// elimination writes nothing and marks every row.
-    fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
-        let _ = (c, t, q, residual, delta);
-        DeficientRows::ALL
-    }
 
     /// The recurrences of its Taylor series; none where a law of the scene is not analytic.
     fn series(&self) -> Option<&dyn Series<f64>> {

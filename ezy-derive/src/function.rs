@@ -24,9 +24,9 @@ pub enum Function {
 /// Where emitted code finds a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Path {
-    /// A method of `f64`.
-    Of64(&'static str),
-    /// In `ezy_core::kernel`.
+    /// A method of the number.
+    OfNumber(&'static str),
+    /// In `ezy_core::kernel` for `f64`, else a method of the number.
     OfKernel(&'static str),
 }
 
@@ -56,8 +56,8 @@ impl Function {
     pub fn path(self) -> Path {
         match self {
             Self::Sign => Path::OfKernel("sign"),
-            Self::Pow => Path::Of64("powf"),
-            _ => Path::Of64(self.name()),
+            Self::Pow => Path::OfNumber("powf"),
+            _ => Path::OfNumber(self.name()),
         }
     }
 

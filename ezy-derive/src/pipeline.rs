@@ -207,7 +207,7 @@ mod tests {
         assert_eq!(expanded("vehicles/ezy_roller.rs"), expanded("vehicles/ezy_roller.rs"));
     }
 
-    /// The equations of the scene `coast` of a roller with more items: `impl Scene for Coast`, as emitted.
+    /// The equations of the scene `coast` of a roller with more items: `impl Equations` and `impl Scene`, as emitted.
     fn equations_of_coast(more: &str) -> String {
         let text = format!(
             "model Roller {{ param a: m = 0.2; param b: m = 0.6; param m: kg = 46; param i: kg*m^2 = 10; \
@@ -221,11 +221,14 @@ mod tests {
             syn::Item::Mod(module) => module.content,
             _ => None,
         });
-        let mut blocks = items.flat_map(|(_, items)| items).filter_map(|item| match item {
+        let blocks = items.flat_map(|(_, items)| items).filter_map(|item| match item {
             syn::Item::Impl(block) if block.trait_.is_some() => Some(quote::quote!(#block).to_string()),
             _ => None,
         });
-        blocks.find(|block| block.contains("model :: Scene for Coast")).expect("the scene is emitted")
+        let ends = ["model :: Equations < T > for self :: Coast {", "model :: Scene for Coast {"];
+        let blocks: Vec<String> = blocks.filter(|block| ends.iter().any(|end| block.contains(end))).collect();
+        assert_eq!(blocks.len(), ends.len(), "the scene is emitted");
+        blocks.concat()
     }
 
     #[test]
@@ -242,7 +245,7 @@ mod tests {
     #[test]
     fn invariant_scene_without_an_effect_has_no_cosine_of_time() {
         let (code, _) = expanded("vehicles/ezy_roller.rs");
-        let coast = code.split("for Coast {").nth(2).and_then(|rest| rest.split("pub struct").next());
+        let coast = code.split("for self::Coast {").nth(1).and_then(|rest| rest.split("pub struct").next());
         let coast = coast.expect("the scene `coast` is emitted");
         assert!(coast.contains("fn accelerations") && !coast.contains("cos(product"), "{coast}");
     }

@@ -5,8 +5,8 @@
 
 use ezy_core::layout::{Known, Layout};
 use ezy_core::model::{
-    CountInfo, EffectInfo, Formula, Operations, Repeats, RowInfo, RowTemplate, Scene, SceneInfo, SlotCoordinate,
-    SparsityPattern, Start, TemplateInfo,
+    CountInfo, EffectInfo, Equations, Formula, Operations, Repeats, RowInfo, RowTemplate, Scene, SceneInfo,
+    SlotCoordinate, SparsityPattern, Start, TemplateInfo,
 };
 
 const LENGTH: f64 = 1.0;
@@ -144,33 +144,8 @@ fn half(phi: f64) -> [f64; 2] {
     [0.5 * LENGTH * phi.cos(), 0.5 * LENGTH * phi.sin()]
 }
 
-impl Scene for Chain {
-    fn info(&self) -> &'static SceneInfo {
-        static KNOWN: Known = Known::new();
-        KNOWN.info(&FIXED, &[self.n], |layout| self.describe(layout))
-    }
-
-    fn count(&self, index: usize) -> usize {
-        if index == 0 { self.n } else { 0 }
-    }
-
-    fn set_count(&mut self, index: usize, value: usize) {
-        if index == 0 {
-            self.n = value;
-        }
-    }
-
-    fn parameter(&self, _index: usize) -> f64 {
-        f64::NAN
-    }
-
-    fn set_parameter(&mut self, _index: usize, _value: f64) {}
-
-    fn constants(&self, _c: &mut [f64]) {}
-
-    fn start(&self, _c: &[f64], start: &mut Start) {
-        (0..self.n).for_each(|i| start.give_position(3 * i + 2, 0.1 * i as f64));
-    }
+impl Equations<f64> for Chain {
+    fn constants(&self, _parameters: &[f64], _c: &mut [f64]) {}
 
     fn mass_matrix(&self, _c: &[f64], m: &mut [f64]) {
         m.chunks_exact_mut(3).for_each(|m| m.copy_from_slice(&[MASS, MASS, INERTIA]));
@@ -213,6 +188,33 @@ impl Scene for Chain {
 
     fn applied_force(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], out: &mut [f64]) {
         out.chunks_exact_mut(3).for_each(|f| f.copy_from_slice(&[0.0, -MASS * GRAVITY, 0.0]));
+    }
+}
+
+impl Scene for Chain {
+    fn info(&self) -> &'static SceneInfo {
+        static KNOWN: Known = Known::new();
+        KNOWN.info(&FIXED, &[self.n], |layout| self.describe(layout))
+    }
+
+    fn count(&self, index: usize) -> usize {
+        if index == 0 { self.n } else { 0 }
+    }
+
+    fn set_count(&mut self, index: usize, value: usize) {
+        if index == 0 {
+            self.n = value;
+        }
+    }
+
+    fn parameter(&self, _index: usize) -> f64 {
+        f64::NAN
+    }
+
+    fn set_parameter(&mut self, _index: usize, _value: f64) {}
+
+    fn start(&self, _c: &[f64], start: &mut Start) {
+        (0..self.n).for_each(|i| start.give_position(3 * i + 2, 0.1 * i as f64));
     }
 
     fn power(&self, _c: &[f64], _t: f64, _q: &[f64], v: &[f64], _lambda: &[f64], out: &mut [f64]) {

@@ -1,6 +1,6 @@
 //! A scene that counts what is asked of it.
 
-use ezy_core::model::{DeficientRows, Scene, SceneInfo, Start};
+use ezy_core::model::{DeficientRows, Equations, Scene, SceneInfo, Start};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Another scene, with counters.
@@ -13,25 +13,9 @@ pub struct Counted<S> {
     pub outputs: AtomicU64,
 }
 
-impl<S: Scene> Scene for Counted<S> {
-    fn info(&self) -> &'static SceneInfo {
-        self.scene.info()
-    }
-
-    fn parameter(&self, index: usize) -> f64 {
-        self.scene.parameter(index)
-    }
-
-    fn set_parameter(&mut self, index: usize, value: f64) {
-        self.scene.set_parameter(index, value);
-    }
-
-    fn constants(&self, c: &mut [f64]) {
-        self.scene.constants(c);
-    }
-
-    fn start(&self, c: &[f64], start: &mut Start) {
-        self.scene.start(c, start);
+impl<S: Scene> Equations<f64> for Counted<S> {
+    fn constants(&self, parameters: &[f64], c: &mut [f64]) {
+        self.scene.constants(parameters, c);
     }
 
     fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
@@ -58,6 +42,40 @@ impl<S: Scene> Scene for Counted<S> {
         self.scene.applied_force(c, t, q, v, out);
     }
 
+    fn accelerations(
+        &self,
+        c: &[f64],
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> DeficientRows {
+        self.scene.accelerations(c, t, q, v, a, lambda)
+    }
+
+    fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
+        self.scene.correction(c, t, q, residual, delta)
+    }
+}
+
+impl<S: Scene> Scene for Counted<S> {
+    fn info(&self) -> &'static SceneInfo {
+        self.scene.info()
+    }
+
+    fn parameter(&self, index: usize) -> f64 {
+        self.scene.parameter(index)
+    }
+
+    fn set_parameter(&mut self, index: usize, value: f64) {
+        self.scene.set_parameter(index, value);
+    }
+
+    fn start(&self, c: &[f64], start: &mut Start) {
+        self.scene.start(c, start);
+    }
+
     fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {
         self.powers.fetch_add(1, Relaxed);
         self.scene.power(c, t, q, v, lambda, out);
@@ -74,21 +92,5 @@ impl<S: Scene> Scene for Counted<S> {
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         self.outputs.fetch_add(1, Relaxed);
         self.scene.outputs(c, t, q, v, out);
-    }
-
-    fn accelerations(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> DeficientRows {
-        self.scene.accelerations(c, t, q, v, a, lambda)
-    }
-
-    fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
-        self.scene.correction(c, t, q, residual, delta)
     }
 }

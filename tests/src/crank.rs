@@ -1,7 +1,7 @@
 //! A crank on the ground whose angle is prescribed in time: rows with C_t and C_tt, and no freedom left.
 
 use crate::leaked::{Description, info};
-use ezy_core::model::{DeficientRows, EffectInfo, Scene, SceneInfo, Start};
+use ezy_core::model::{DeficientRows, EffectInfo, Equations, Scene, SceneInfo, Start};
 
 const RADIUS: f64 = 0.3;
 const MASS: f64 = 2.0;
@@ -47,20 +47,8 @@ impl Crank {
     }
 }
 
-impl Scene for Crank {
-    fn info(&self) -> &'static SceneInfo {
-        self.info
-    }
-
-    fn parameter(&self, _index: usize) -> f64 {
-        f64::NAN
-    }
-
-    fn set_parameter(&mut self, _index: usize, _value: f64) {}
-
-    fn constants(&self, _c: &mut [f64]) {}
-
-    fn start(&self, _c: &[f64], _start: &mut Start) {}
+impl Equations<f64> for Crank {
+    fn constants(&self, _parameters: &[f64], _c: &mut [f64]) {}
 
     fn mass_matrix(&self, _c: &[f64], m: &mut [f64]) {
         m.copy_from_slice(&[MASS, MASS, INERTIA]);
@@ -89,19 +77,6 @@ impl Scene for Crank {
         out.fill(0.0);
     }
 
-    /// The third row moves with −φ'(t).
-    fn power(&self, _c: &[f64], t: f64, _q: &[f64], _v: &[f64], lambda: &[f64], out: &mut [f64]) {
-        out[0] = -lambda[2] * rate(t);
-    }
-
-    fn potential_energy(&self, _c: &[f64], _t: f64, _q: &[f64]) -> f64 {
-        0.0
-    }
-
-    fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
-
-    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
-
     /// Kinematics alone: a from the rows, then λ from M a + Gᵀ λ = 0.
     fn accelerations(
         &self,
@@ -128,6 +103,33 @@ impl Scene for Crank {
         delta[1] = -residual[1] + RADIUS * c * delta[2];
         DeficientRows::default()
     }
+}
+
+impl Scene for Crank {
+    fn info(&self) -> &'static SceneInfo {
+        self.info
+    }
+
+    fn parameter(&self, _index: usize) -> f64 {
+        f64::NAN
+    }
+
+    fn set_parameter(&mut self, _index: usize, _value: f64) {}
+
+    fn start(&self, _c: &[f64], _start: &mut Start) {}
+
+    /// The third row moves with −φ'(t).
+    fn power(&self, _c: &[f64], t: f64, _q: &[f64], _v: &[f64], lambda: &[f64], out: &mut [f64]) {
+        out[0] = -lambda[2] * rate(t);
+    }
+
+    fn potential_energy(&self, _c: &[f64], _t: f64, _q: &[f64]) -> f64 {
+        0.0
+    }
+
+    fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
+
+    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
 }
 
 /// Torque that the drive needs: the crank's inertia about the pin times the prescribed acceleration.

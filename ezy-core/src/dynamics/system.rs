@@ -64,15 +64,15 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         if let Some(fault) = info.repeats.and_then(|repeats| repeats.fault) {
             return Err(fault.into());
         }
-        for (i, parameter) in info.parameters.iter().enumerate() {
-            let value = scene.parameter(i);
+        let parameters = scene.parameters();
+        for (parameter, &value) in info.parameters.iter().zip(&parameters) {
             if !value.is_finite() {
                 return Err(SystemError::ParameterNotFinite { name: parameter.name, value });
             }
         }
         let mut fixed = vec![0.0; info.n_fixed()];
         fixed.iter_mut().zip(info.inputs).for_each(|(value, input)| *value = input.default);
-        scene.constants(&mut fixed);
+        scene.constants(&parameters, &mut fixed);
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let mut mass = vec![0.0; n_q];
         scene.mass_matrix(&fixed, &mut mass);

@@ -10,6 +10,60 @@ use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::symbolic::program::{Node, NodeId, Program};
 use crate::symbolic::{Function, Symbol};
 
+/// The numbers that a kernel computes with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Numbers {
+    F64,
+    /// Any `T` that is a `Scalar`.
+    Any,
+}
+
+impl Numbers {
+    /// Their type.
+    pub fn name(self) -> TokenStream {
+        match self {
+            Self::F64 => quote!(f64),
+            Self::Any => quote!(T),
+        }
+    }
+
+    /// A number; what overflowed while numbers were folded has no literal.
+    pub fn literal(self, x: f64) -> TokenStream {
+        let number = if x.is_nan() {
+            quote!(f64::NAN)
+        } else if x.is_infinite() {
+            quote!(f64::INFINITY)
+        } else {
+            quote!(#x)
+        };
+        self.convert(number)
+    }
+
+    /// From an expression that is an `f64`.
+    pub fn convert(self, x: TokenStream) -> TokenStream {
+        match self {
+            Self::F64 => x,
+            Self::Any => quote!(T::from_f64(#x)),
+        }
+    }
+
+    /// A call of a function of the model language.
+    pub fn call(self, function: Function, arguments: &[TokenStream]) -> TokenStream {
+        let ident = |segment: &str| Ident::new(segment, Span::call_site());
+        let path = match (self, function.path()) {
+            (Self::F64, Path::OfKernel(name)) => {
+                let name = ident(name);
+                quote!(::ezy_core::kernel::#name)
+            }
+            (_, Path::OfNumber(name) | Path::OfKernel(name)) => {
+                let (number, name) = (self.name(), ident(name));
+                quote!(#number::#name)
+            }
+        };
+        quote!(#path(#(#arguments),*))
+    }
+}
+
 /// Statements of a kernel and the expression of each output.
 pub struct Body {
     pub statements: TokenStream,
@@ -17,18 +71,25 @@ pub struct Body {
 }
 
 /// Writes a program; `other` says where inputs besides time, coordinates and velocities are found.
-pub fn body(program: &Program, symbols: &Symbols, other: &dyn Fn(Symbol) -> TokenStream) -> Body {
-    body_at(program, symbols, &|i| quote!(#i), other)
+pub fn body(numbers: Numbers, program: &Program, symbols: &Symbols, other: &dyn Fn(Symbol) -> TokenStream) -> Body {
+    body_at(numbers, program, symbols, &|i| quote!(#i), other)
 }
 
 /// As [`body`], with coordinates and velocities at the indices that `place` says.
 pub fn body_at(
+    numbers: Numbers,
     program: &Program,
     symbols: &Symbols,
     place: &dyn Fn(usize) -> TokenStream,
     other: &dyn Fn(Symbol) -> TokenStream,
 ) -> Body {
-    let mut writer = Writer { program, symbols, live: program.live(), names: BTreeMap::new(), taken: BTreeSet::new() };
+    let fused = match numbers {
+        Numbers::F64 => BTreeMap::new(),
+        Numbers::Any => fused(program),
+    };
+    let taken_in = fused.values().copied().collect();
+    let (live, names, taken) = (program.live(), BTreeMap::new(), BTreeSet::new());
+    let mut writer = Writer { numbers, program, symbols, live, fused, taken_in, names, taken };
     let mut statements = TokenStream::new();
     for id in writer.live.clone() {
         statements.extend(writer.statement(id, place, other));
@@ -37,10 +98,28 @@ pub fn body_at(
     Body { statements, outputs }
 }
 
+/// Sums and differences that take in the product among their operands, each with that product: one which nothing else
+/// reads and which has no name.
+fn fused(program: &Program) -> BTreeMap<NodeId, NodeId> {
+    let uses = program.uses();
+    let free =
+        |id: &NodeId| matches!(program.node(*id), Node::Mul(..)) && uses[id.0] == 1 && program.name(*id).is_none();
+    let products = program.live().into_iter().filter_map(|id| match program.node(id) {
+        Node::Add(a, b) | Node::Sub(a, b) => [*b, *a].into_iter().find(free).map(|product| (id, product)),
+        _ => None,
+    });
+    products.collect()
+}
+
 struct Writer<'a> {
+    numbers: Numbers,
     program: &'a Program,
     symbols: &'a Symbols,
     live: Vec<NodeId>,
+    /// What [`fused`] found.
+    fused: BTreeMap<NodeId, NodeId>,
+    /// The products in it.
+    taken_in: BTreeSet<NodeId>,
     names: BTreeMap<NodeId, Ident>,
     taken: BTreeSet<String>,
 }
@@ -71,6 +150,8 @@ impl Writer<'_> {
                 Meaning::Index(_) | Meaning::Named(_) => other(*symbol),
             },
             Node::Sin(angle) | Node::Cos(angle) => return self.trigonometry(id, *angle),
+            Node::Mul(..) if self.taken_in.contains(&id) => return TokenStream::new(),
+            Node::Add(a, b) | Node::Sub(a, b) if self.fused.contains_key(&id) => self.fuse(id, *a, *b),
             Node::Add(a, b) => self.infix(*a, &quote!(+), *b),
             Node::Sub(a, b) => self.infix(*a, &quote!(-), *b),
             Node::Mul(a, b) => self.infix(*a, &quote!(*), *b),
@@ -81,7 +162,7 @@ impl Writer<'_> {
             }
             Node::Call(function, arguments) => {
                 let arguments: Vec<TokenStream> = arguments.iter().map(|&a| self.operand(a)).collect();
-                call(*function, &arguments)
+                self.numbers.call(*function, &arguments)
             }
         };
         let name = self.declare(id, self.suggestion(id));
@@ -95,7 +176,7 @@ impl Writer<'_> {
         }
         let find = |wanted: &Node| self.live.iter().copied().find(|&other| self.program.node(other) == wanted);
         let (sin, cos) = (find(&Node::Sin(angle)), find(&Node::Cos(angle)));
-        let argument = self.operand(angle);
+        let (number, argument) = (self.numbers.name(), self.operand(angle));
         let label = match self.program.node(angle) {
             Node::Input(symbol) => self.symbols.code_name(*symbol),
             _ => angle.0.to_string(),
@@ -104,15 +185,15 @@ impl Writer<'_> {
             (Some(sin), Some(cos)) => {
                 let sin = self.declare(sin, format!("sin_{label}"));
                 let cos = self.declare(cos, format!("cos_{label}"));
-                quote!(let (#sin, #cos) = f64::sin_cos(#argument);)
+                quote!(let (#sin, #cos) = #number::sin_cos(#argument);)
             }
             (Some(sin), None) => {
                 let sin = self.declare(sin, format!("sin_{label}"));
-                quote!(let #sin = f64::sin(#argument);)
+                quote!(let #sin = #number::sin(#argument);)
             }
             (None, _) => {
                 let cos = self.declare(id, format!("cos_{label}"));
-                quote!(let #cos = f64::cos(#argument);)
+                quote!(let #cos = #number::cos(#argument);)
             }
         }
     }
@@ -148,11 +229,24 @@ impl Writer<'_> {
                 let i = self.symbols.n_inputs() + i;
                 quote!(c[#i])
             }
-            Node::Literal(bits) => number(f64::from_bits(*bits)),
+            Node::Literal(bits) => self.numbers.literal(f64::from_bits(*bits)),
             _ => {
                 let name = self.names.get(&id);
                 quote!(#name)
             }
+        }
+    }
+
+    /// `a + b` or `a − b` with the product among them.
+    fn fuse(&self, id: NodeId, a: NodeId, b: NodeId) -> TokenStream {
+        let product = self.fused[&id];
+        let Node::Mul(x, y) = *self.program.node(product) else { return TokenStream::new() };
+        let (x, y, first, last) = (self.operand(x), self.operand(y), self.operand(a), self.operand(b));
+        match (self.program.node(id), product == b) {
+            (Node::Sub(..), true) => quote!(T::fused(-#x, #y, #first)),
+            (Node::Sub(..), false) => quote!(T::fused(#x, #y, -#last)),
+            (_, true) => quote!(T::fused(#x, #y, #first)),
+            (_, false) => quote!(T::fused(#x, #y, #last)),
         }
     }
 
@@ -164,30 +258,3 @@ impl Writer<'_> {
 
 /// Arguments of kernels, which temporaries must not shadow.
 const RESERVED: [&str; 10] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out"];
-
-/// A number; what overflowed while numbers were folded has no literal.
-pub fn number(x: f64) -> TokenStream {
-    if x.is_nan() {
-        quote!(f64::NAN)
-    } else if x.is_infinite() {
-        quote!(f64::INFINITY)
-    } else {
-        quote!(#x)
-    }
-}
-
-/// A call of a function of the model language.
-pub fn call(function: Function, arguments: &[TokenStream]) -> TokenStream {
-    let ident = |segment: &str| Ident::new(segment, Span::call_site());
-    let path = match function.path() {
-        Path::Of64(name) => {
-            let name = ident(name);
-            quote!(f64::#name)
-        }
-        Path::OfKernel(name) => {
-            let name = ident(name);
-            quote!(::ezy_core::kernel::#name)
-        }
-    };
-    quote!(#path(#(#arguments),*))
-}

@@ -8,22 +8,23 @@ mod loops;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::{constants, info, page, scene, scene_type, templates};
+use super::constants::Constants;
+use super::{info, page, scene, scene_type, templates};
 use crate::mechanics::Templates;
 use crate::model::{Model, Scene};
 use crate::symbolic::lower::ConstantPool;
 use describe::describe;
-use kernels::Emitter;
+use kernels::{Emitter, Methods};
 
 /// The struct, its defaults and its equations.
 pub fn items(model: &Model, scene: &Scene, templates: &Templates<'_>) -> TokenStream {
     let mut pool = ConstantPool::default();
     let mut emitter = Emitter { model, templates, pool: &mut pool };
-    let methods = emitter.methods();
+    let Methods { equations, scene: methods } = emitter.methods();
     let n_inputs = templates.inputs.len();
     let n_constants = pool.coefficients().len();
-    let n_fixed = n_inputs + n_constants;
-    let constants = constants::statements(model, &templates.algebra.coefficients, &pool, n_inputs);
+    let coefficients = &templates.algebra.coefficients;
+    let constants = Constants { model, parameters: &templates.parameters, coefficients }.method(&pool, n_inputs);
     let type_name = scene_type(scene);
     let structure = structure(model, scene, templates, &type_name);
     let parameters: Vec<&Ident> = templates.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
@@ -49,6 +50,12 @@ pub fn items(model: &Model, scene: &Scene, templates: &Templates<'_>) -> TokenSt
         }
 
         #[automatically_derived]
+        impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::#type_name {
+            #constants
+            #equations
+        }
+
+        #[automatically_derived]
         impl ::ezy_core::model::Scene for #type_name {
             fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
                 static KNOWN: ::ezy_core::layout::Known = ::ezy_core::layout::Known::new();
@@ -65,10 +72,6 @@ pub fn items(model: &Model, scene: &Scene, templates: &Templates<'_>) -> TokenSt
             }
             fn set_parameter(&mut self, index: usize, value: f64) {
                 #set_parameter
-            }
-            fn constants(&self, c: &mut [f64]) {
-                let c = ::ezy_core::kernel::array_mut::<#n_fixed>(c);
-                #constants
             }
             #methods
         }

@@ -4,8 +4,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::abbreviations::Abbreviations;
-use super::kernel::{self, Body};
-use super::{constants, info, page, scene_type};
+use super::constants::Constants;
+use super::kernel::{self, Body, Numbers};
+use super::{info, page, scene_type};
 use crate::mechanics::Equations;
 use crate::mechanics::solve::{self, Correction, Solver};
 use crate::model::{Model, Parameter, Scene};
@@ -17,12 +18,13 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let mut pool = ConstantPool::default();
     let accelerations = solve::accelerations(&mut equations, &mut pool);
     let Correction { solver: correction, residuals } = solve::correction(&mut equations, &mut pool);
-    let methods = methods(&equations, &mut pool, &accelerations, &correction, &residuals);
+    let Methods { equations: kernels, scene: methods } =
+        methods(&equations, &mut pool, &accelerations, &correction, &residuals);
 
     let n_constants = pool.coefficients().len();
     let n_inputs = equations.inputs.len();
-    let n_fixed = n_inputs + n_constants;
-    let constants = constants::statements(model, &equations.algebra.coefficients, &pool, n_inputs);
+    let coefficients = &equations.algebra.coefficients;
+    let constants = Constants { model, parameters: &equations.parameters, coefficients }.method(&pool, n_inputs);
     let names = &Abbreviations::new(&equations);
     let emitted = info::Emitted { accelerations: &accelerations, correction: &correction, n_constants, names };
     let info = info::scene(model, scene, &equations, &emitted);
@@ -40,6 +42,12 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
         }
 
         #[automatically_derived]
+        impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::#type_name {
+            #constants
+            #kernels
+        }
+
+        #[automatically_derived]
         impl ::ezy_core::model::Scene for #type_name {
             fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
                 static INFO: ::ezy_core::model::SceneInfo = #type_name::INFO;
@@ -51,24 +59,25 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
             fn set_parameter(&mut self, index: usize, value: f64) {
                 #set_parameter
             }
-            fn constants(&self, c: &mut [f64]) {
-                let c = ::ezy_core::kernel::array_mut::<#n_fixed>(c);
-                #constants
-            }
             #methods
         }
     };
     (items, summary)
 }
 
-/// The methods that read the vector of constants.
+/// The methods that read the vector of constants, by trait.
+struct Methods {
+    equations: TokenStream,
+    scene: TokenStream,
+}
+
 fn methods(
     equations: &Equations,
     pool: &mut ConstantPool,
     accelerations: &Solver,
     correction: &Solver,
     residuals: &[Symbol],
-) -> TokenStream {
+) -> Methods {
     let constraints = &equations.constraints;
     let (n_q, n_c) = (equations.mass.len(), constraints.rows.len());
     let jacobian: Vec<SumId> = constraints.jacobian.iter().flatten().map(|&(_, entry)| entry).collect();
@@ -84,35 +93,68 @@ fn methods(
         quote!(lambda[#row])
     };
     let mut emitter = Emitter { equations, pool };
-    let bodies = [
-        emitter.method("mass_matrix", &[], "m", &equations.mass_entries),
-        emitter.method("position_constraint", &["q"], "out", &constraints.position),
-        emitter.method("velocity_constraint", &["q", "v"], "out", &constraints.velocity),
-        emitter.method("velocity_jacobian", &["q"], "out", &jacobian),
-        emitter.method("convective_term", &["q", "v"], "out", &constraints.convective),
-        emitter.method("applied_force", &["q", "v"], "out", &equations.force),
-        emitter.method_with("power", &["q", "v", "lambda"], "out", &power, &multiplier),
-        emitter.method("points", &["q"], "out", &points),
-        emitter.method("outputs", &["q", "v"], "out", &outputs),
+    let kernels = [
+        emitter.method(Numbers::Any, "mass_matrix", &[], "m", &equations.mass_entries),
+        emitter.method(Numbers::Any, "position_constraint", &["q"], "out", &constraints.position),
+        emitter.method(Numbers::Any, "velocity_constraint", &["q", "v"], "out", &constraints.velocity),
+        emitter.method(Numbers::Any, "velocity_jacobian", &["q"], "out", &jacobian),
+        emitter.method(Numbers::Any, "convective_term", &["q", "v"], "out", &constraints.convective),
+        emitter.method(Numbers::Any, "applied_force", &["q", "v"], "out", &equations.force),
     ];
-    let Body { statements, outputs } = emitter.lowered(&[equations.potential], &no_other);
+    let bodies = [
+        emitter.method_with(Numbers::F64, "power", &["q", "v", "lambda"], "out", &power, &multiplier),
+        emitter.method(Numbers::F64, "points", &["q"], "out", &points),
+        emitter.method(Numbers::F64, "outputs", &["q", "v"], "out", &outputs),
+    ];
+    let Body { statements, outputs } = emitter.lowered(Numbers::F64, &[equations.potential], &no_other);
     let potential = quote!(#statements #(#outputs)*);
     let start = emitter.start();
     let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
     let correction = emitter.solver(correction, &[("delta", n_q)], &other);
     let n_fixed = equations.inputs.len() + emitter.pool.coefficients().len();
-    let opening = |reads: &[(&str, usize)], writes: &[(&str, usize)]| {
-        let reads = reads.iter().map(|&(name, n)| open(name, name, n, false));
-        let writes = writes.iter().map(|&(name, n)| open(name, name, n, true));
+    let opening = |numbers: Numbers, reads: &[(&str, usize)], writes: &[(&str, usize)]| {
+        let reads = reads.iter().map(|&(name, n)| open(numbers, name, name, n, false));
+        let writes = writes.iter().map(|&(name, n)| open(numbers, name, name, n, true));
         quote!(#(#reads)* #(#writes)*)
     };
+    let kernels = kernels.map(|method| method.finish(n_fixed, n_q, n_c));
     let bodies = bodies.map(|method| method.finish(n_fixed, n_q, n_c));
     let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
-    let potential_opening = opening(if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);
-    let start_opening = opening(&[("c", n_fixed)], &[]);
-    let accelerations_opening = opening(&[("c", n_fixed), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
-    let correction_opening = opening(&[("c", n_fixed), ("q", n_q), ("residual", n_c)], &[("delta", n_q)]);
-    quote! {
+    let potential_opening =
+        opening(Numbers::F64, if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);
+    let start_opening = opening(Numbers::F64, &[("c", n_fixed)], &[]);
+    let accelerations_opening =
+        opening(Numbers::Any, &[("c", n_fixed), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
+    let correction_opening = opening(Numbers::Any, &[("c", n_fixed), ("q", n_q), ("residual", n_c)], &[("delta", n_q)]);
+    let equations = quote! {
+        #(#kernels)*
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            v: &[T],
+            a: &mut [T],
+            lambda: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            #accelerations_opening
+            #accelerations
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            residual: &[T],
+            delta: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            #correction_opening
+            #correction
+        }
+    };
+    let scene = quote! {
         #(#bodies)*
         fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
             #potential_opening
@@ -122,41 +164,17 @@ fn methods(
             #start_opening
             #start
         }
-        #[inline]
-        fn accelerations(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            a: &mut [f64],
-            lambda: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            #accelerations_opening
-            #accelerations
-        }
-        #[inline]
-        fn correction(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            residual: &[f64],
-            delta: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            #correction_opening
-            #correction
-        }
-    }
+    };
+    Methods { equations, scene }
 }
 
 /// Turns a slice into an array, so that its length is checked once.
-fn open(name: &str, slice: &str, n: usize, written: bool) -> TokenStream {
-    let (name, slice) = (argument(name), argument(slice));
+fn open(numbers: Numbers, name: &str, slice: &str, n: usize, written: bool) -> TokenStream {
+    let (name, slice, number) = (argument(name), argument(slice), numbers.name());
     if written {
-        quote!(let #name = ::ezy_core::kernel::array_mut::<#n>(#slice);)
+        quote!(let #name = ::ezy_core::kernel::array_mut::<#n, #number>(#slice);)
     } else {
-        quote!(let #name = ::ezy_core::kernel::array::<#n>(#slice);)
+        quote!(let #name = ::ezy_core::kernel::array::<#n, #number>(#slice);)
     }
 }
 
@@ -176,6 +194,7 @@ pub fn give(rate: bool, near: bool) -> Ident {
 
 /// A method that writes one vector; the number of constants is known only when all methods are lowered.
 struct Method {
+    numbers: Numbers,
     name: &'static str,
     reads: &'static [&'static str],
     target: &'static str,
@@ -185,18 +204,18 @@ struct Method {
 
 impl Method {
     fn finish(self, n_fixed: usize, n_q: usize, n_c: usize) -> TokenStream {
-        let Self { name, reads, target, n_outputs, body } = self;
-        let (name, output) = (argument(name), argument(target));
+        let Self { numbers, name, reads, target, n_outputs, body } = self;
+        let (name, output, number) = (argument(name), argument(target), numbers.name());
         let arguments = reads.iter().map(|read| {
             let read = argument(read);
-            quote!(#read: &[f64])
+            quote!(#read: &[#number])
         });
-        let time = if reads.is_empty() { quote!() } else { quote!(t: f64,) };
-        let opening = std::iter::once(open("c", "c", n_fixed, false))
-            .chain(reads.iter().map(|&read| open(read, read, if read == "lambda" { n_c } else { n_q }, false)))
-            .chain(std::iter::once(open("out", target, n_outputs, true)));
+        let time = if reads.is_empty() { quote!() } else { quote!(t: #number,) };
+        let opening = std::iter::once(open(numbers, "c", "c", n_fixed, false))
+            .chain(reads.iter().map(|&read| open(numbers, read, read, if read == "lambda" { n_c } else { n_q }, false)))
+            .chain(std::iter::once(open(numbers, "out", target, n_outputs, true)));
         quote! {
-            fn #name(&self, c: &[f64], #time #(#arguments,)* #output: &mut [f64]) {
+            fn #name(&self, c: &[#number], #time #(#arguments,)* #output: &mut [#number]) {
                 #(#opening)*
                 #body
             }
@@ -217,30 +236,32 @@ struct Emitter<'a> {
 impl Emitter<'_> {
     fn method(
         &mut self,
+        numbers: Numbers,
         name: &'static str,
         reads: &'static [&'static str],
         target: &'static str,
         sums: &[SumId],
     ) -> Method {
-        self.method_with(name, reads, target, sums, &no_other)
+        self.method_with(numbers, name, reads, target, sums, &no_other)
     }
 
     /// A method that reads more than time, coordinates, velocities and inputs; `other` says where.
     fn method_with(
         &mut self,
+        numbers: Numbers,
         name: &'static str,
         reads: &'static [&'static str],
         target: &'static str,
         sums: &[SumId],
         other: &dyn Fn(Symbol) -> TokenStream,
     ) -> Method {
-        let Body { statements, outputs } = self.lowered(sums, other);
+        let Body { statements, outputs } = self.lowered(numbers, sums, other);
         let indices = 0..outputs.len();
         let body = quote!(#statements #(out[#indices] = #outputs;)*);
-        Method { name, reads, target, n_outputs: sums.len(), body }
+        Method { numbers, name, reads, target, n_outputs: sums.len(), body }
     }
 
-    fn lowered(&mut self, sums: &[SumId], other: &dyn Fn(Symbol) -> TokenStream) -> Body {
+    fn lowered(&mut self, numbers: Numbers, sums: &[SumId], other: &dyn Fn(Symbol) -> TokenStream) -> Body {
         let mut lowering = Lowering::new(&self.equations.algebra, self.pool);
         for &sum in sums {
             let value = lowering.lower(sum);
@@ -248,12 +269,12 @@ impl Emitter<'_> {
         }
         let mut program = lowering.program;
         program.settle_signs();
-        kernel::body(&program, &self.equations.symbols, other)
+        kernel::body(numbers, &program, &self.equations.symbols, other)
     }
 
     fn start(&mut self) -> TokenStream {
         let sums: Vec<SumId> = self.equations.start.iter().map(|given| given.value).collect();
-        let Body { statements, outputs } = self.lowered(&sums, &no_other);
+        let Body { statements, outputs } = self.lowered(Numbers::F64, &sums, &no_other);
         let gives = self.equations.start.iter().zip(outputs).map(|(given, value)| {
             let i = given.index;
             let give = give(given.rate, given.near);
@@ -269,7 +290,7 @@ impl Emitter<'_> {
         slices: &[(&str, usize)],
         other: &dyn Fn(Symbol) -> TokenStream,
     ) -> TokenStream {
-        let Body { statements, outputs } = kernel::body(&solver.program, &self.equations.symbols, other);
+        let Body { statements, outputs } = kernel::body(Numbers::Any, &solver.program, &self.equations.symbols, other);
         let (solution, pivots) = outputs.split_at(solver.n_outputs);
         let targets = slices.iter().flat_map(|&(name, length)| {
             let name = argument(name);
@@ -278,7 +299,7 @@ impl Emitter<'_> {
         let marks = solver.pivots.iter().zip(pivots.chunks(2)).flat_map(|(rows, pair)| {
             let (pivot, threshold) = (&pair[0], &pair[1]);
             // written so that a pivot that is not a number counts as vanished
-            rows.iter().map(move |row| quote!(.mark(#row, !(#pivot > #threshold))))
+            rows.iter().map(move |row| quote!(.mark(#row, !T::is_above(#pivot, #threshold))))
         });
         quote! {
             #statements

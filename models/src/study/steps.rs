@@ -3,7 +3,7 @@
 use ezy_core::dynamics::{Projection, State, System};
 use ezy_core::integrate::{Clock, Knot, Method, Rk4};
 use ezy_core::linalg::Backend;
-use ezy_core::model::Scene;
+use ezy_core::model::{Equations, Scene};
 use ezy_core::record::find_name;
 use ezy_core::report::figure::Figure;
 use ezy_core::report::page::Page;

@@ -601,6 +601,441 @@ pub mod ezy_roller {
         };
     }
     #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Coast {
+        fn constants(&self, parameters: &[T], c: &mut [T]) {
+            let parameters = ::ezy_core::kernel::array::<8usize, T>(parameters);
+            let c = ::ezy_core::kernel::array_mut::<28usize, T>(c);
+            let k1 = T::from_f64(1f64);
+            let parameter_m1 = parameters[4usize];
+            let parameter_i1 = parameters[5usize];
+            let parameter_m2 = parameters[6usize];
+            let parameter_i2 = parameters[7usize];
+            let parameter_b = parameters[1usize];
+            let parameter_d = parameters[3usize];
+            let parameter_a = parameters[0usize];
+            let parameter_c = parameters[2usize];
+            let k11 = T::PI;
+            let k12 = T::from_f64(2f64);
+            let k13 = k11 / k12;
+            let k14 = k1 / parameter_m1;
+            let k15 = k1 / parameter_i1;
+            let k16 = k1 / parameter_m2;
+            let k17 = k1 / parameter_i2;
+            let k18 = parameter_b * parameter_b;
+            let k19 = k18 * k15;
+            let k20 = parameter_d * parameter_d;
+            let k21 = k20 * k17;
+            let k22 = k14 + k19;
+            let k23 = k22 + k16;
+            let k24 = k23 + k21;
+            let k25 = parameter_b * parameter_a;
+            let k26 = k25 * k15;
+            let k27 = k26 - k14;
+            let k28 = parameter_d * parameter_c;
+            let k29 = k28 * k17;
+            let k30 = k16 - k29;
+            let k31 = k14 + k16;
+            let k32 = parameter_a * parameter_a;
+            let k33 = k32 * k15;
+            let k34 = k14 + k33;
+            let k35 = parameter_c * parameter_c;
+            let k36 = k35 * k17;
+            let k37 = k16 + k36;
+            let k38 = k1 / k34;
+            let k39 = k27 * k38;
+            let k40 = k39 * k27;
+            let k41 = k24 - k40;
+            let k42 = k40 - k19;
+            let k43 = k1 / k37;
+            let k44 = k30 * k43;
+            let k45 = k44 * k30;
+            let k46 = k41 - k45;
+            let k47 = k45 - k21;
+            let k48 = parameter_b * k15;
+            let k49 = parameter_a * k15;
+            let k50 = parameter_d * k17;
+            let k51 = parameter_c * k17;
+            let k52 = T::from_f64(0.0000000001f64);
+            let k53 = k52 * k34;
+            let k54 = k52 * k37;
+            let k55 = k24 + k31;
+            let k56 = k55 * k55;
+            let k57 = k52 * k56;
+            c[0usize] = k42;
+            c[1usize] = k47;
+            c[2usize] = k46;
+            c[3usize] = k31;
+            c[4usize] = parameter_b;
+            c[5usize] = parameter_d;
+            c[6usize] = k39;
+            c[7usize] = k44;
+            c[8usize] = k43;
+            c[9usize] = k38;
+            c[10usize] = k14;
+            c[11usize] = k48;
+            c[12usize] = k49;
+            c[13usize] = k16;
+            c[14usize] = k50;
+            c[15usize] = k51;
+            c[16usize] = k34;
+            c[17usize] = k53;
+            c[18usize] = k37;
+            c[19usize] = k54;
+            c[20usize] = k57;
+            c[21usize] = parameter_m1;
+            c[22usize] = parameter_i1;
+            c[23usize] = parameter_m2;
+            c[24usize] = parameter_i2;
+            c[25usize] = parameter_a;
+            c[26usize] = parameter_c;
+            c[27usize] = k13;
+        }
+        fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+            out[0usize] = c[21usize];
+            out[1usize] = c[21usize];
+            out[2usize] = c[22usize];
+            out[3usize] = c[23usize];
+            out[4usize] = c[23usize];
+            out[5usize] = c[24usize];
+        }
+        fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let sum_7 = T::fused(c[4usize], cos_seat_phi, seat_x);
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_14 = T::fused(c[5usize], cos_bar_phi, difference_9);
+            let seat_y = q[1usize];
+            let sum_18 = T::fused(c[4usize], sin_seat_phi, seat_y);
+            let bar_y = q[4usize];
+            let difference_20 = sum_18 - bar_y;
+            let sum_23 = T::fused(c[5usize], sin_bar_phi, difference_20);
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
+        }
+        fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+            let seat_vx = v[0usize];
+            let seat_omega = v[2usize];
+            let product_5 = c[4usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let difference_9 = T::fused(-product_5, sin_seat_phi, seat_vx);
+            let bar_vx = v[3usize];
+            let difference_11 = difference_9 - bar_vx;
+            let bar_omega = v[5usize];
+            let product_14 = c[5usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let difference_18 = T::fused(-product_14, sin_bar_phi, difference_11);
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
+            let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
+            let product_29 = seat_omega * c[25usize];
+            let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
+            let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
+            let product_35 = bar_omega * c[26usize];
+            let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
+            let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = difference_33;
+            out[3usize] = sum_39;
+        }
+        fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_4 = c[4usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_8 = c[5usize] * sin_bar_phi;
+            let product_10 = c[4usize] * cos_seat_phi;
+            let product_12 = c[5usize] * cos_bar_phi;
+            let value_15 = -product_4;
+            let value_16 = -T::from_f64(1f64);
+            let value_17 = -product_8;
+            let value_18 = -sin_seat_phi;
+            let value_19 = -c[25usize];
+            let value_20 = -sin_bar_phi;
+            out[0usize] = T::from_f64(1f64);
+            out[1usize] = value_15;
+            out[2usize] = value_16;
+            out[3usize] = value_17;
+            out[4usize] = T::from_f64(1f64);
+            out[5usize] = product_10;
+            out[6usize] = value_16;
+            out[7usize] = product_12;
+            out[8usize] = value_18;
+            out[9usize] = cos_seat_phi;
+            out[10usize] = value_19;
+            out[11usize] = value_20;
+            out[12usize] = cos_bar_phi;
+            out[13usize] = c[26usize];
+        }
+        fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[4usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[5usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+            let product_18 = product_4 * sin_seat_phi;
+            let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+            let seat_vx = v[0usize];
+            let product_23 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let sum_26 = T::fused(sin_seat_phi, seat_vy, product_23);
+            let product_27 = seat_omega * sum_26;
+            let bar_vx = v[3usize];
+            let product_29 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_32 = T::fused(sin_bar_phi, bar_vy, product_29);
+            let product_33 = bar_omega * sum_32;
+            let value_34 = -sum_16;
+            let value_35 = -sum_21;
+            let value_36 = -product_27;
+            let value_37 = -product_33;
+            out[0usize] = value_34;
+            out[1usize] = value_35;
+            out[2usize] = value_36;
+            out[3usize] = value_37;
+        }
+        fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+            out[0usize] = T::from_f64(0f64);
+            out[1usize] = T::from_f64(0f64);
+            out[2usize] = T::from_f64(0f64);
+            out[3usize] = T::from_f64(0f64);
+            out[4usize] = T::from_f64(0f64);
+            out[5usize] = T::from_f64(0f64);
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            v: &[T],
+            a: &mut [T],
+            lambda: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_5 = seat_vx * cos_seat_phi;
+            let seat_vy = v[1usize];
+            let sum_9 = T::fused(seat_vy, sin_seat_phi, product_5);
+            let seat_omega = v[2usize];
+            let minus_right_side_rear = sum_9 * seat_omega;
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_15 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let sum_19 = T::fused(bar_vy, sin_bar_phi, product_15);
+            let bar_omega = v[5usize];
+            let minus_right_side_front = sum_19 * bar_omega;
+            let product_23 = cos_seat_phi * c[0usize];
+            let product_24 = cos_seat_phi * product_23;
+            let product_26 = cos_bar_phi * c[1usize];
+            let sum_28 = T::fused(cos_bar_phi, product_26, product_24);
+            let sum_30 = sum_28 + c[2usize];
+            let product_31 = sin_seat_phi * c[0usize];
+            let product_32 = cos_seat_phi * product_31;
+            let product_33 = sin_bar_phi * c[1usize];
+            let sum_35 = T::fused(cos_bar_phi, product_33, product_32);
+            let difference_37 = c[3usize] - sum_28;
+            let product_39 = seat_omega * c[4usize];
+            let product_40 = seat_omega * product_39;
+            let product_41 = cos_seat_phi * product_40;
+            let product_43 = bar_omega * c[5usize];
+            let product_44 = bar_omega * product_43;
+            let sum_46 = T::fused(cos_bar_phi, product_44, product_41);
+            let product_48 = minus_right_side_rear * c[6usize];
+            let difference_50 = T::fused(sin_seat_phi, product_48, -sum_46);
+            let product_52 = minus_right_side_front * c[7usize];
+            let sum_54 = T::fused(sin_bar_phi, product_52, difference_50);
+            let product_55 = sin_seat_phi * product_40;
+            let sum_57 = T::fused(sin_bar_phi, product_44, product_55);
+            let sum_59 = T::fused(cos_seat_phi, product_48, sum_57);
+            let sum_61 = T::fused(cos_bar_phi, product_52, sum_59);
+            let product_62 = sum_30 * difference_37;
+            let difference_64 = T::fused(-sum_35, sum_35, product_62);
+            let quotient_65 = T::from_f64(1f64) / difference_64;
+            let product_66 = difference_37 * sum_54;
+            let sum_68 = T::fused(sum_35, sum_61, product_66);
+            let lambda_B_x = quotient_65 * sum_68;
+            let product_70 = sum_35 * sum_54;
+            let sum_72 = T::fused(sum_30, sum_61, product_70);
+            let minus_lambda_B_y = quotient_65 * sum_72;
+            let product_74 = sin_bar_phi * lambda_B_x;
+            let sum_76 = T::fused(cos_bar_phi, minus_lambda_B_y, product_74);
+            let product_77 = c[7usize] * sum_76;
+            let minus_lambda_front = T::fused(
+                minus_right_side_front,
+                c[8usize],
+                product_77,
+            );
+            let product_81 = sin_seat_phi * lambda_B_x;
+            let sum_83 = T::fused(cos_seat_phi, minus_lambda_B_y, product_81);
+            let product_84 = c[6usize] * sum_83;
+            let minus_lambda_rear = T::fused(
+                minus_right_side_rear,
+                c[9usize],
+                product_84,
+            );
+            let sum_89 = T::fused(sin_seat_phi, minus_lambda_rear, lambda_B_x);
+            let product_91 = sum_89 * c[10usize];
+            let sum_93 = T::fused(cos_seat_phi, minus_lambda_rear, minus_lambda_B_y);
+            let product_94 = c[10usize] * sum_93;
+            let product_96 = sum_83 * c[11usize];
+            let difference_99 = T::fused(-minus_lambda_rear, c[12usize], product_96);
+            let difference_101 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
+            let product_103 = difference_101 * c[13usize];
+            let difference_105 = T::fused(
+                cos_bar_phi,
+                minus_lambda_front,
+                -minus_lambda_B_y,
+            );
+            let product_106 = c[13usize] * difference_105;
+            let product_108 = sum_76 * c[14usize];
+            let sum_111 = T::fused(minus_lambda_front, c[15usize], product_108);
+            let value_117 = -product_91;
+            let value_118 = -minus_lambda_B_y;
+            let value_119 = -minus_lambda_rear;
+            let value_120 = -minus_lambda_front;
+            a[0usize] = value_117;
+            a[1usize] = product_94;
+            a[2usize] = difference_99;
+            a[3usize] = product_103;
+            a[4usize] = product_106;
+            a[5usize] = sum_111;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = value_118;
+            lambda[2usize] = value_119;
+            lambda[3usize] = value_120;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[16usize], c[17usize]))
+                .mark(3usize, !T::is_above(c[18usize], c[19usize]))
+                .mark(0usize, !T::is_above(difference_64, c[20usize]))
+                .mark(1usize, !T::is_above(difference_64, c[20usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            residual: &[T],
+            delta: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+            let right_side_rear = residual[2usize];
+            let right_side_front = residual[3usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_7 = c[0usize] * cos_seat_phi;
+            let product_8 = cos_seat_phi * product_7;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_12 = c[1usize] * cos_bar_phi;
+            let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+            let sum_16 = sum_14 + c[2usize];
+            let product_18 = c[0usize] * sin_seat_phi;
+            let product_19 = cos_seat_phi * product_18;
+            let product_21 = c[1usize] * sin_bar_phi;
+            let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+            let difference_25 = c[3usize] - sum_14;
+            let residual_0 = residual[0usize];
+            let product_28 = right_side_rear * c[6usize];
+            let difference_30 = T::fused(-sin_seat_phi, product_28, residual_0);
+            let product_32 = right_side_front * c[7usize];
+            let difference_34 = T::fused(-sin_bar_phi, product_32, difference_30);
+            let residual_1 = residual[1usize];
+            let sum_37 = T::fused(cos_seat_phi, product_28, residual_1);
+            let sum_39 = T::fused(cos_bar_phi, product_32, sum_37);
+            let product_40 = sum_16 * difference_25;
+            let difference_42 = T::fused(-sum_23, sum_23, product_40);
+            let quotient_43 = T::from_f64(1f64) / difference_42;
+            let product_44 = difference_25 * difference_34;
+            let difference_46 = T::fused(-sum_23, sum_39, product_44);
+            let lambda_B_x = quotient_43 * difference_46;
+            let product_49 = sum_16 * sum_39;
+            let difference_50 = T::fused(-sum_23, difference_34, product_49);
+            let lambda_B_y = quotient_43 * difference_50;
+            let product_53 = cos_bar_phi * lambda_B_y;
+            let difference_54 = T::fused(-sin_bar_phi, lambda_B_x, product_53);
+            let product_55 = c[7usize] * difference_54;
+            let lambda_front = T::fused(right_side_front, c[8usize], product_55);
+            let product_60 = cos_seat_phi * lambda_B_y;
+            let difference_61 = T::fused(-sin_seat_phi, lambda_B_x, product_60);
+            let product_62 = c[6usize] * difference_61;
+            let lambda_rear = T::fused(right_side_rear, c[9usize], product_62);
+            let difference_67 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+            let product_69 = difference_67 * c[10usize];
+            let sum_71 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+            let product_72 = c[10usize] * sum_71;
+            let product_76 = lambda_rear * c[12usize];
+            let difference_77 = T::fused(-difference_61, c[11usize], product_76);
+            let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+            let product_81 = sum_79 * c[13usize];
+            let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+            let product_84 = c[13usize] * difference_83;
+            let product_86 = difference_54 * c[14usize];
+            let sum_89 = T::fused(lambda_front, c[15usize], product_86);
+            let value_95 = -product_72;
+            let value_96 = -sum_89;
+            delta[0usize] = product_69;
+            delta[1usize] = value_95;
+            delta[2usize] = difference_77;
+            delta[3usize] = product_81;
+            delta[4usize] = product_84;
+            delta[5usize] = value_96;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[16usize], c[17usize]))
+                .mark(3usize, !T::is_above(c[18usize], c[19usize]))
+                .mark(0usize, !T::is_above(difference_42, c[20usize]))
+                .mark(1usize, !T::is_above(difference_42, c[20usize]))
+        }
+    }
+    #[automatically_derived]
     impl ::ezy_core::model::Scene for Coast {
         fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
             static INFO: ::ezy_core::model::SceneInfo = Coast::INFO;
@@ -632,278 +1067,6 @@ pub mod ezy_roller {
                 _ => {}
             }
         }
-        fn constants(&self, c: &mut [f64]) {
-            let c = ::ezy_core::kernel::array_mut::<28usize>(c);
-            let k1 = 1f64;
-            let k2 = self.m1;
-            let k3 = self.i1;
-            let k4 = self.m2;
-            let k5 = self.i2;
-            let k6 = self.b;
-            let k7 = self.d;
-            let k9 = self.a;
-            let k10 = self.c;
-            let k11 = ::core::f64::consts::PI;
-            let k12 = 2f64;
-            let k13 = k11 / k12;
-            let k14 = k1 / k2;
-            let k15 = k1 / k3;
-            let k16 = k1 / k4;
-            let k17 = k1 / k5;
-            let k18 = k6 * k6;
-            let k19 = k18 * k15;
-            let k20 = k7 * k7;
-            let k21 = k20 * k17;
-            let k22 = k14 + k19;
-            let k23 = k22 + k16;
-            let k24 = k23 + k21;
-            let k25 = k6 * k9;
-            let k26 = k25 * k15;
-            let k27 = k26 - k14;
-            let k28 = k7 * k10;
-            let k29 = k28 * k17;
-            let k30 = k16 - k29;
-            let k31 = k14 + k16;
-            let k32 = k9 * k9;
-            let k33 = k32 * k15;
-            let k34 = k14 + k33;
-            let k35 = k10 * k10;
-            let k36 = k35 * k17;
-            let k37 = k16 + k36;
-            let k38 = k1 / k34;
-            let k39 = k27 * k38;
-            let k40 = k39 * k27;
-            let k41 = k24 - k40;
-            let k42 = k40 - k19;
-            let k43 = k1 / k37;
-            let k44 = k30 * k43;
-            let k45 = k44 * k30;
-            let k46 = k41 - k45;
-            let k47 = k45 - k21;
-            let k48 = k6 * k15;
-            let k49 = k9 * k15;
-            let k50 = k7 * k17;
-            let k51 = k10 * k17;
-            let k52 = 0.0000000001f64;
-            let k53 = k52 * k34;
-            let k54 = k52 * k37;
-            let k55 = k24 + k31;
-            let k56 = k55 * k55;
-            let k57 = k52 * k56;
-            c[0usize] = k42;
-            c[1usize] = k47;
-            c[2usize] = k46;
-            c[3usize] = k31;
-            c[4usize] = k6;
-            c[5usize] = k7;
-            c[6usize] = k39;
-            c[7usize] = k44;
-            c[8usize] = k43;
-            c[9usize] = k38;
-            c[10usize] = k14;
-            c[11usize] = k48;
-            c[12usize] = k49;
-            c[13usize] = k16;
-            c[14usize] = k50;
-            c[15usize] = k51;
-            c[16usize] = k34;
-            c[17usize] = k53;
-            c[18usize] = k37;
-            c[19usize] = k54;
-            c[20usize] = k57;
-            c[21usize] = k2;
-            c[22usize] = k3;
-            c[23usize] = k4;
-            c[24usize] = k5;
-            c[25usize] = k9;
-            c[26usize] = k10;
-            c[27usize] = k13;
-        }
-        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
-            out[0usize] = c[21usize];
-            out[1usize] = c[21usize];
-            out[2usize] = c[22usize];
-            out[3usize] = c[23usize];
-            out[4usize] = c[23usize];
-            out[5usize] = c[24usize];
-        }
-        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
-            let seat_x = q[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[4usize] * cos_seat_phi;
-            let sum_7 = seat_x + product_6;
-            let bar_x = q[3usize];
-            let difference_9 = sum_7 - bar_x;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_13 = c[5usize] * cos_bar_phi;
-            let sum_14 = difference_9 + product_13;
-            let seat_y = q[1usize];
-            let product_17 = c[4usize] * sin_seat_phi;
-            let sum_18 = seat_y + product_17;
-            let bar_y = q[4usize];
-            let difference_20 = sum_18 - bar_y;
-            let product_22 = c[5usize] * sin_bar_phi;
-            let sum_23 = difference_20 + product_22;
-            out[0usize] = sum_14;
-            out[1usize] = sum_23;
-        }
-        fn velocity_constraint(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
-            let seat_vx = v[0usize];
-            let seat_omega = v[2usize];
-            let product_5 = c[4usize] * seat_omega;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_5 * sin_seat_phi;
-            let difference_9 = seat_vx - product_8;
-            let bar_vx = v[3usize];
-            let difference_11 = difference_9 - bar_vx;
-            let bar_omega = v[5usize];
-            let product_14 = c[5usize] * bar_omega;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_17 = product_14 * sin_bar_phi;
-            let difference_18 = difference_11 - product_17;
-            let seat_vy = v[1usize];
-            let bar_vy = v[4usize];
-            let difference_21 = seat_vy - bar_vy;
-            let product_23 = product_5 * cos_seat_phi;
-            let sum_24 = difference_21 + product_23;
-            let product_26 = product_14 * cos_bar_phi;
-            let sum_27 = sum_24 + product_26;
-            let product_29 = seat_omega * c[25usize];
-            let product_30 = seat_vx * sin_seat_phi;
-            let sum_31 = product_29 + product_30;
-            let product_32 = seat_vy * cos_seat_phi;
-            let difference_33 = product_32 - sum_31;
-            let product_35 = bar_omega * c[26usize];
-            let product_36 = bar_vx * sin_bar_phi;
-            let difference_37 = product_35 - product_36;
-            let product_38 = bar_vy * cos_bar_phi;
-            let sum_39 = difference_37 + product_38;
-            out[0usize] = difference_18;
-            out[1usize] = sum_27;
-            out[2usize] = difference_33;
-            out[3usize] = sum_39;
-        }
-        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<14usize>(out);
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_4 = c[4usize] * sin_seat_phi;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_8 = c[5usize] * sin_bar_phi;
-            let product_10 = c[4usize] * cos_seat_phi;
-            let product_12 = c[5usize] * cos_bar_phi;
-            let value_15 = -product_4;
-            let value_16 = -1f64;
-            let value_17 = -product_8;
-            let value_18 = -sin_seat_phi;
-            let value_19 = -c[25usize];
-            let value_20 = -sin_bar_phi;
-            out[0usize] = 1f64;
-            out[1usize] = value_15;
-            out[2usize] = value_16;
-            out[3usize] = value_17;
-            out[4usize] = 1f64;
-            out[5usize] = product_10;
-            out[6usize] = value_16;
-            out[7usize] = product_12;
-            out[8usize] = value_18;
-            out[9usize] = cos_seat_phi;
-            out[10usize] = value_19;
-            out[11usize] = value_20;
-            out[12usize] = cos_bar_phi;
-            out[13usize] = c[26usize];
-        }
-        fn convective_term(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
-            let seat_omega = v[2usize];
-            let product_3 = c[4usize] * seat_omega;
-            let product_4 = seat_omega * product_3;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_4 * cos_seat_phi;
-            let bar_omega = v[5usize];
-            let product_11 = c[5usize] * bar_omega;
-            let product_12 = bar_omega * product_11;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = product_12 * cos_bar_phi;
-            let sum_16 = product_8 + product_15;
-            let product_18 = product_4 * sin_seat_phi;
-            let product_20 = product_12 * sin_bar_phi;
-            let sum_21 = product_18 + product_20;
-            let seat_vx = v[0usize];
-            let product_23 = cos_seat_phi * seat_vx;
-            let seat_vy = v[1usize];
-            let product_25 = sin_seat_phi * seat_vy;
-            let sum_26 = product_23 + product_25;
-            let product_27 = seat_omega * sum_26;
-            let bar_vx = v[3usize];
-            let product_29 = cos_bar_phi * bar_vx;
-            let bar_vy = v[4usize];
-            let product_31 = sin_bar_phi * bar_vy;
-            let sum_32 = product_29 + product_31;
-            let product_33 = bar_omega * sum_32;
-            let value_34 = -sum_16;
-            let value_35 = -sum_21;
-            let value_36 = -product_27;
-            let value_37 = -product_33;
-            out[0usize] = value_34;
-            out[1usize] = value_35;
-            out[2usize] = value_36;
-            out[3usize] = value_37;
-        }
-        fn applied_force(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
-            out[0usize] = 0f64;
-            out[1usize] = 0f64;
-            out[2usize] = 0f64;
-            out[3usize] = 0f64;
-            out[4usize] = 0f64;
-            out[5usize] = 0f64;
-        }
         fn power(
             &self,
             c: &[f64],
@@ -913,16 +1076,16 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let lambda = ::ezy_core::kernel::array::<4usize>(lambda);
-            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+            let c = ::ezy_core::kernel::array::<28usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
+            let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let c = ::ezy_core::kernel::array::<28usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
@@ -951,248 +1114,22 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+            let c = ::ezy_core::kernel::array::<28usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
         }
         fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
+            let c = ::ezy_core::kernel::array::<28usize, f64>(c);
             start.give_position(0usize, c[25usize]);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
             start.give_position(5usize, c[27usize]);
             start.give_velocity(0usize, 1f64);
             start.give_velocity(2usize, 0f64);
-        }
-        #[inline]
-        fn accelerations(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            a: &mut [f64],
-            lambda: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
-            let lambda = ::ezy_core::kernel::array_mut::<4usize>(lambda);
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = seat_vx * cos_seat_phi;
-            let seat_vy = v[1usize];
-            let product_8 = seat_vy * sin_seat_phi;
-            let sum_9 = product_5 + product_8;
-            let seat_omega = v[2usize];
-            let minus_right_side_rear = sum_9 * seat_omega;
-            let bar_vx = v[3usize];
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = bar_vx * cos_bar_phi;
-            let bar_vy = v[4usize];
-            let product_18 = bar_vy * sin_bar_phi;
-            let sum_19 = product_15 + product_18;
-            let bar_omega = v[5usize];
-            let minus_right_side_front = sum_19 * bar_omega;
-            let product_23 = cos_seat_phi * c[0usize];
-            let product_24 = cos_seat_phi * product_23;
-            let product_26 = cos_bar_phi * c[1usize];
-            let product_27 = cos_bar_phi * product_26;
-            let sum_28 = product_24 + product_27;
-            let sum_30 = sum_28 + c[2usize];
-            let product_31 = sin_seat_phi * c[0usize];
-            let product_32 = cos_seat_phi * product_31;
-            let product_33 = sin_bar_phi * c[1usize];
-            let product_34 = cos_bar_phi * product_33;
-            let sum_35 = product_32 + product_34;
-            let difference_37 = c[3usize] - sum_28;
-            let product_39 = seat_omega * c[4usize];
-            let product_40 = seat_omega * product_39;
-            let product_41 = cos_seat_phi * product_40;
-            let product_43 = bar_omega * c[5usize];
-            let product_44 = bar_omega * product_43;
-            let product_45 = cos_bar_phi * product_44;
-            let sum_46 = product_41 + product_45;
-            let product_48 = minus_right_side_rear * c[6usize];
-            let product_49 = sin_seat_phi * product_48;
-            let difference_50 = product_49 - sum_46;
-            let product_52 = minus_right_side_front * c[7usize];
-            let product_53 = sin_bar_phi * product_52;
-            let sum_54 = difference_50 + product_53;
-            let product_55 = sin_seat_phi * product_40;
-            let product_56 = sin_bar_phi * product_44;
-            let sum_57 = product_55 + product_56;
-            let product_58 = cos_seat_phi * product_48;
-            let sum_59 = sum_57 + product_58;
-            let product_60 = cos_bar_phi * product_52;
-            let sum_61 = sum_59 + product_60;
-            let product_62 = sum_30 * difference_37;
-            let product_63 = sum_35 * sum_35;
-            let difference_64 = product_62 - product_63;
-            let quotient_65 = 1f64 / difference_64;
-            let product_66 = difference_37 * sum_54;
-            let product_67 = sum_35 * sum_61;
-            let sum_68 = product_66 + product_67;
-            let lambda_B_x = quotient_65 * sum_68;
-            let product_70 = sum_35 * sum_54;
-            let product_71 = sum_30 * sum_61;
-            let sum_72 = product_70 + product_71;
-            let minus_lambda_B_y = quotient_65 * sum_72;
-            let product_74 = sin_bar_phi * lambda_B_x;
-            let product_75 = cos_bar_phi * minus_lambda_B_y;
-            let sum_76 = product_74 + product_75;
-            let product_77 = c[7usize] * sum_76;
-            let product_79 = minus_right_side_front * c[8usize];
-            let minus_lambda_front = product_77 + product_79;
-            let product_81 = sin_seat_phi * lambda_B_x;
-            let product_82 = cos_seat_phi * minus_lambda_B_y;
-            let sum_83 = product_81 + product_82;
-            let product_84 = c[6usize] * sum_83;
-            let product_86 = minus_right_side_rear * c[9usize];
-            let minus_lambda_rear = product_84 + product_86;
-            let product_88 = sin_seat_phi * minus_lambda_rear;
-            let sum_89 = lambda_B_x + product_88;
-            let product_91 = sum_89 * c[10usize];
-            let product_92 = cos_seat_phi * minus_lambda_rear;
-            let sum_93 = minus_lambda_B_y + product_92;
-            let product_94 = c[10usize] * sum_93;
-            let product_96 = sum_83 * c[11usize];
-            let product_98 = minus_lambda_rear * c[12usize];
-            let difference_99 = product_96 - product_98;
-            let product_100 = sin_bar_phi * minus_lambda_front;
-            let difference_101 = lambda_B_x - product_100;
-            let product_103 = difference_101 * c[13usize];
-            let product_104 = cos_bar_phi * minus_lambda_front;
-            let difference_105 = product_104 - minus_lambda_B_y;
-            let product_106 = c[13usize] * difference_105;
-            let product_108 = sum_76 * c[14usize];
-            let product_110 = minus_lambda_front * c[15usize];
-            let sum_111 = product_108 + product_110;
-            let value_117 = -product_91;
-            let value_118 = -minus_lambda_B_y;
-            let value_119 = -minus_lambda_rear;
-            let value_120 = -minus_lambda_front;
-            a[0usize] = value_117;
-            a[1usize] = product_94;
-            a[2usize] = difference_99;
-            a[3usize] = product_103;
-            a[4usize] = product_106;
-            a[5usize] = sum_111;
-            lambda[0usize] = lambda_B_x;
-            lambda[1usize] = value_118;
-            lambda[2usize] = value_119;
-            lambda[3usize] = value_120;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[16usize] > c[17usize]))
-                .mark(3usize, !(c[18usize] > c[19usize]))
-                .mark(0usize, !(difference_64 > c[20usize]))
-                .mark(1usize, !(difference_64 > c[20usize]))
-        }
-        #[inline]
-        fn correction(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            residual: &[f64],
-            delta: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<28usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let residual = ::ezy_core::kernel::array::<4usize>(residual);
-            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
-            let right_side_rear = residual[2usize];
-            let right_side_front = residual[3usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_7 = c[0usize] * cos_seat_phi;
-            let product_8 = cos_seat_phi * product_7;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_12 = c[1usize] * cos_bar_phi;
-            let product_13 = cos_bar_phi * product_12;
-            let sum_14 = product_8 + product_13;
-            let sum_16 = sum_14 + c[2usize];
-            let product_18 = c[0usize] * sin_seat_phi;
-            let product_19 = cos_seat_phi * product_18;
-            let product_21 = c[1usize] * sin_bar_phi;
-            let product_22 = cos_bar_phi * product_21;
-            let sum_23 = product_19 + product_22;
-            let difference_25 = c[3usize] - sum_14;
-            let residual_0 = residual[0usize];
-            let product_28 = right_side_rear * c[6usize];
-            let product_29 = sin_seat_phi * product_28;
-            let difference_30 = residual_0 - product_29;
-            let product_32 = right_side_front * c[7usize];
-            let product_33 = sin_bar_phi * product_32;
-            let difference_34 = difference_30 - product_33;
-            let residual_1 = residual[1usize];
-            let product_36 = cos_seat_phi * product_28;
-            let sum_37 = residual_1 + product_36;
-            let product_38 = cos_bar_phi * product_32;
-            let sum_39 = sum_37 + product_38;
-            let product_40 = sum_16 * difference_25;
-            let product_41 = sum_23 * sum_23;
-            let difference_42 = product_40 - product_41;
-            let quotient_43 = 1f64 / difference_42;
-            let product_44 = difference_25 * difference_34;
-            let product_45 = sum_23 * sum_39;
-            let difference_46 = product_44 - product_45;
-            let lambda_B_x = quotient_43 * difference_46;
-            let product_48 = sum_23 * difference_34;
-            let product_49 = sum_16 * sum_39;
-            let difference_50 = product_49 - product_48;
-            let lambda_B_y = quotient_43 * difference_50;
-            let product_52 = sin_bar_phi * lambda_B_x;
-            let product_53 = cos_bar_phi * lambda_B_y;
-            let difference_54 = product_53 - product_52;
-            let product_55 = c[7usize] * difference_54;
-            let product_57 = right_side_front * c[8usize];
-            let lambda_front = product_55 + product_57;
-            let product_59 = sin_seat_phi * lambda_B_x;
-            let product_60 = cos_seat_phi * lambda_B_y;
-            let difference_61 = product_60 - product_59;
-            let product_62 = c[6usize] * difference_61;
-            let product_64 = right_side_rear * c[9usize];
-            let lambda_rear = product_62 + product_64;
-            let product_66 = sin_seat_phi * lambda_rear;
-            let difference_67 = product_66 - lambda_B_x;
-            let product_69 = difference_67 * c[10usize];
-            let product_70 = cos_seat_phi * lambda_rear;
-            let sum_71 = lambda_B_y + product_70;
-            let product_72 = c[10usize] * sum_71;
-            let product_74 = difference_61 * c[11usize];
-            let product_76 = lambda_rear * c[12usize];
-            let difference_77 = product_76 - product_74;
-            let product_78 = sin_bar_phi * lambda_front;
-            let sum_79 = lambda_B_x + product_78;
-            let product_81 = sum_79 * c[13usize];
-            let product_82 = cos_bar_phi * lambda_front;
-            let difference_83 = lambda_B_y - product_82;
-            let product_84 = c[13usize] * difference_83;
-            let product_86 = difference_54 * c[14usize];
-            let product_88 = lambda_front * c[15usize];
-            let sum_89 = product_86 + product_88;
-            let value_95 = -product_72;
-            let value_96 = -sum_89;
-            delta[0usize] = product_69;
-            delta[1usize] = value_95;
-            delta[2usize] = difference_77;
-            delta[3usize] = product_81;
-            delta[4usize] = product_84;
-            delta[5usize] = value_96;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[16usize] > c[17usize]))
-                .mark(3usize, !(c[18usize] > c[19usize]))
-                .mark(0usize, !(difference_42 > c[20usize]))
-                .mark(1usize, !(difference_42 > c[20usize]))
         }
     }
     ///From rest, folded, driven by the rider's torque.
@@ -1772,6 +1709,472 @@ pub mod ezy_roller {
         };
     }
     #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
+    for self::Driven {
+        fn constants(&self, parameters: &[T], c: &mut [T]) {
+            let parameters = ::ezy_core::kernel::array::<10usize, T>(parameters);
+            let c = ::ezy_core::kernel::array_mut::<36usize, T>(c);
+            let k1 = T::from_f64(1f64);
+            let parameter_m1 = parameters[4usize];
+            let parameter_i1 = parameters[5usize];
+            let parameter_m2 = parameters[6usize];
+            let parameter_i2 = parameters[7usize];
+            let parameter_b = parameters[1usize];
+            let parameter_d = parameters[3usize];
+            let parameter_a = parameters[0usize];
+            let parameter_c = parameters[2usize];
+            let parameter_m0 = parameters[8usize];
+            let parameter_omega = parameters[9usize];
+            let k13 = T::PI;
+            let k14 = k1 / parameter_m1;
+            let k15 = k1 / parameter_i1;
+            let k16 = parameter_b * parameter_m0;
+            let k17 = k16 * k15;
+            let k18 = k1 / parameter_m2;
+            let k19 = k1 / parameter_i2;
+            let k20 = parameter_d * parameter_m0;
+            let k21 = k20 * k19;
+            let k22 = parameter_a * parameter_m0;
+            let k23 = k22 * k15;
+            let k24 = parameter_c * parameter_m0;
+            let k25 = k24 * k19;
+            let k26 = parameter_b * parameter_b;
+            let k27 = k26 * k15;
+            let k28 = parameter_d * parameter_d;
+            let k29 = k28 * k19;
+            let k30 = k14 + k27;
+            let k31 = k30 + k18;
+            let k32 = k31 + k29;
+            let k33 = parameter_b * parameter_a;
+            let k34 = k33 * k15;
+            let k35 = k34 - k14;
+            let k36 = parameter_d * parameter_c;
+            let k37 = k36 * k19;
+            let k38 = k18 - k37;
+            let k39 = k14 + k18;
+            let k40 = parameter_a * parameter_a;
+            let k41 = k40 * k15;
+            let k42 = k14 + k41;
+            let k43 = parameter_c * parameter_c;
+            let k44 = k43 * k19;
+            let k45 = k18 + k44;
+            let k46 = k1 / k42;
+            let k47 = k35 * k46;
+            let k48 = k47 * k35;
+            let k49 = k32 - k48;
+            let k50 = k48 - k27;
+            let k51 = k1 / k45;
+            let k52 = k38 * k51;
+            let k53 = k52 * k38;
+            let k54 = k49 - k53;
+            let k55 = k53 - k29;
+            let k56 = parameter_m0 * k15;
+            let k57 = parameter_b * k15;
+            let k58 = parameter_a * k15;
+            let k59 = parameter_m0 * k19;
+            let k60 = parameter_d * k19;
+            let k61 = parameter_c * k19;
+            let k62 = T::from_f64(0.0000000001f64);
+            let k63 = k62 * k42;
+            let k64 = k62 * k45;
+            let k65 = k32 + k39;
+            let k66 = k65 * k65;
+            let k67 = k62 * k66;
+            c[0usize] = k23;
+            c[1usize] = parameter_omega;
+            c[2usize] = k25;
+            c[3usize] = k50;
+            c[4usize] = k55;
+            c[5usize] = k54;
+            c[6usize] = k39;
+            c[7usize] = k17;
+            c[8usize] = k47;
+            c[9usize] = k21;
+            c[10usize] = k52;
+            c[11usize] = parameter_b;
+            c[12usize] = parameter_d;
+            c[13usize] = k51;
+            c[14usize] = k46;
+            c[15usize] = k14;
+            c[16usize] = k57;
+            c[17usize] = k56;
+            c[18usize] = k58;
+            c[19usize] = k18;
+            c[20usize] = k60;
+            c[21usize] = k59;
+            c[22usize] = k61;
+            c[23usize] = k42;
+            c[24usize] = k63;
+            c[25usize] = k45;
+            c[26usize] = k64;
+            c[27usize] = k67;
+            c[28usize] = parameter_m1;
+            c[29usize] = parameter_i1;
+            c[30usize] = parameter_m2;
+            c[31usize] = parameter_i2;
+            c[32usize] = parameter_a;
+            c[33usize] = parameter_c;
+            c[34usize] = parameter_m0;
+            c[35usize] = k13;
+        }
+        fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+            out[0usize] = c[28usize];
+            out[1usize] = c[28usize];
+            out[2usize] = c[29usize];
+            out[3usize] = c[30usize];
+            out[4usize] = c[30usize];
+            out[5usize] = c[31usize];
+        }
+        fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let sum_7 = T::fused(c[11usize], cos_seat_phi, seat_x);
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_14 = T::fused(c[12usize], cos_bar_phi, difference_9);
+            let seat_y = q[1usize];
+            let sum_18 = T::fused(c[11usize], sin_seat_phi, seat_y);
+            let bar_y = q[4usize];
+            let difference_20 = sum_18 - bar_y;
+            let sum_23 = T::fused(c[12usize], sin_bar_phi, difference_20);
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
+        }
+        fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+            let seat_vx = v[0usize];
+            let seat_omega = v[2usize];
+            let product_5 = c[11usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let difference_9 = T::fused(-product_5, sin_seat_phi, seat_vx);
+            let bar_vx = v[3usize];
+            let difference_11 = difference_9 - bar_vx;
+            let bar_omega = v[5usize];
+            let product_14 = c[12usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let difference_18 = T::fused(-product_14, sin_bar_phi, difference_11);
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
+            let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
+            let product_29 = seat_omega * c[32usize];
+            let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
+            let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
+            let product_35 = bar_omega * c[33usize];
+            let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
+            let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = difference_33;
+            out[3usize] = sum_39;
+        }
+        fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_4 = c[11usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_8 = c[12usize] * sin_bar_phi;
+            let product_10 = c[11usize] * cos_seat_phi;
+            let product_12 = c[12usize] * cos_bar_phi;
+            let value_15 = -product_4;
+            let value_16 = -T::from_f64(1f64);
+            let value_17 = -product_8;
+            let value_18 = -sin_seat_phi;
+            let value_19 = -c[32usize];
+            let value_20 = -sin_bar_phi;
+            out[0usize] = T::from_f64(1f64);
+            out[1usize] = value_15;
+            out[2usize] = value_16;
+            out[3usize] = value_17;
+            out[4usize] = T::from_f64(1f64);
+            out[5usize] = product_10;
+            out[6usize] = value_16;
+            out[7usize] = product_12;
+            out[8usize] = value_18;
+            out[9usize] = cos_seat_phi;
+            out[10usize] = value_19;
+            out[11usize] = value_20;
+            out[12usize] = cos_bar_phi;
+            out[13usize] = c[33usize];
+        }
+        fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[11usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[12usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+            let product_18 = product_4 * sin_seat_phi;
+            let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+            let seat_vx = v[0usize];
+            let product_23 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let sum_26 = T::fused(sin_seat_phi, seat_vy, product_23);
+            let product_27 = seat_omega * sum_26;
+            let bar_vx = v[3usize];
+            let product_29 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_32 = T::fused(sin_bar_phi, bar_vy, product_29);
+            let product_33 = bar_omega * sum_32;
+            let value_34 = -sum_16;
+            let value_35 = -sum_21;
+            let value_36 = -product_27;
+            let value_37 = -product_33;
+            out[0usize] = value_34;
+            out[1usize] = value_35;
+            out[2usize] = value_36;
+            out[3usize] = value_37;
+        }
+        fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+            let product_4 = c[1usize] * t;
+            let cos_4 = T::cos(product_4);
+            let product_6 = c[34usize] * cos_4;
+            let value_7 = -product_6;
+            out[0usize] = T::from_f64(0f64);
+            out[1usize] = T::from_f64(0f64);
+            out[2usize] = product_6;
+            out[3usize] = T::from_f64(0f64);
+            out[4usize] = T::from_f64(0f64);
+            out[5usize] = value_7;
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            v: &[T],
+            a: &mut [T],
+            lambda: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_5 = seat_vx * cos_seat_phi;
+            let seat_vy = v[1usize];
+            let sum_9 = T::fused(seat_vy, sin_seat_phi, product_5);
+            let seat_omega = v[2usize];
+            let product_11 = sum_9 * seat_omega;
+            let product_15 = c[1usize] * t;
+            let cos_15 = T::cos(product_15);
+            let minus_right_side_rear = T::fused(c[0usize], cos_15, product_11);
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_22 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let sum_26 = T::fused(bar_vy, sin_bar_phi, product_22);
+            let bar_omega = v[5usize];
+            let product_28 = sum_26 * bar_omega;
+            let minus_right_side_front = T::fused(cos_15, c[2usize], product_28);
+            let product_33 = cos_seat_phi * c[3usize];
+            let product_34 = cos_seat_phi * product_33;
+            let product_36 = cos_bar_phi * c[4usize];
+            let sum_38 = T::fused(cos_bar_phi, product_36, product_34);
+            let sum_40 = sum_38 + c[5usize];
+            let product_41 = sin_seat_phi * c[3usize];
+            let product_42 = cos_seat_phi * product_41;
+            let product_43 = sin_bar_phi * c[4usize];
+            let sum_45 = T::fused(cos_bar_phi, product_43, product_42);
+            let difference_47 = c[6usize] - sum_38;
+            let product_51 = minus_right_side_rear * c[8usize];
+            let difference_52 = T::fused(-cos_15, c[7usize], product_51);
+            let product_53 = sin_seat_phi * difference_52;
+            let product_55 = cos_15 * c[9usize];
+            let sum_58 = T::fused(minus_right_side_front, c[10usize], product_55);
+            let sum_60 = T::fused(sin_bar_phi, sum_58, product_53);
+            let product_62 = seat_omega * c[11usize];
+            let product_63 = seat_omega * product_62;
+            let difference_65 = T::fused(-cos_seat_phi, product_63, sum_60);
+            let product_67 = bar_omega * c[12usize];
+            let product_68 = bar_omega * product_67;
+            let difference_70 = T::fused(-cos_bar_phi, product_68, difference_65);
+            let product_71 = cos_seat_phi * difference_52;
+            let sum_73 = T::fused(cos_bar_phi, sum_58, product_71);
+            let sum_75 = T::fused(sin_seat_phi, product_63, sum_73);
+            let sum_77 = T::fused(sin_bar_phi, product_68, sum_75);
+            let product_78 = sum_40 * difference_47;
+            let difference_80 = T::fused(-sum_45, sum_45, product_78);
+            let quotient_81 = T::from_f64(1f64) / difference_80;
+            let product_82 = difference_47 * difference_70;
+            let sum_84 = T::fused(sum_45, sum_77, product_82);
+            let lambda_B_x = quotient_81 * sum_84;
+            let product_86 = sum_45 * difference_70;
+            let sum_88 = T::fused(sum_40, sum_77, product_86);
+            let minus_lambda_B_y = quotient_81 * sum_88;
+            let product_90 = sin_bar_phi * lambda_B_x;
+            let sum_92 = T::fused(cos_bar_phi, minus_lambda_B_y, product_90);
+            let product_93 = c[10usize] * sum_92;
+            let minus_lambda_front = T::fused(
+                minus_right_side_front,
+                c[13usize],
+                product_93,
+            );
+            let product_97 = sin_seat_phi * lambda_B_x;
+            let sum_99 = T::fused(cos_seat_phi, minus_lambda_B_y, product_97);
+            let product_100 = c[8usize] * sum_99;
+            let minus_lambda_rear = T::fused(
+                minus_right_side_rear,
+                c[14usize],
+                product_100,
+            );
+            let sum_105 = T::fused(sin_seat_phi, minus_lambda_rear, lambda_B_x);
+            let product_107 = sum_105 * c[15usize];
+            let sum_109 = T::fused(cos_seat_phi, minus_lambda_rear, minus_lambda_B_y);
+            let product_110 = c[15usize] * sum_109;
+            let product_112 = sum_99 * c[16usize];
+            let sum_115 = T::fused(cos_15, c[17usize], product_112);
+            let difference_118 = T::fused(-minus_lambda_rear, c[18usize], sum_115);
+            let difference_120 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
+            let product_122 = difference_120 * c[19usize];
+            let difference_124 = T::fused(
+                cos_bar_phi,
+                minus_lambda_front,
+                -minus_lambda_B_y,
+            );
+            let product_125 = c[19usize] * difference_124;
+            let product_127 = sum_92 * c[20usize];
+            let difference_130 = T::fused(-cos_15, c[21usize], product_127);
+            let sum_133 = T::fused(minus_lambda_front, c[22usize], difference_130);
+            let value_139 = -product_107;
+            let value_140 = -minus_lambda_B_y;
+            let value_141 = -minus_lambda_rear;
+            let value_142 = -minus_lambda_front;
+            a[0usize] = value_139;
+            a[1usize] = product_110;
+            a[2usize] = difference_118;
+            a[3usize] = product_122;
+            a[4usize] = product_125;
+            a[5usize] = sum_133;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = value_140;
+            lambda[2usize] = value_141;
+            lambda[3usize] = value_142;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[23usize], c[24usize]))
+                .mark(3usize, !T::is_above(c[25usize], c[26usize]))
+                .mark(0usize, !T::is_above(difference_80, c[27usize]))
+                .mark(1usize, !T::is_above(difference_80, c[27usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            residual: &[T],
+            delta: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+            let right_side_rear = residual[2usize];
+            let right_side_front = residual[3usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_7 = c[3usize] * cos_seat_phi;
+            let product_8 = cos_seat_phi * product_7;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_12 = c[4usize] * cos_bar_phi;
+            let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+            let sum_16 = sum_14 + c[5usize];
+            let product_18 = c[3usize] * sin_seat_phi;
+            let product_19 = cos_seat_phi * product_18;
+            let product_21 = c[4usize] * sin_bar_phi;
+            let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+            let difference_25 = c[6usize] - sum_14;
+            let residual_0 = residual[0usize];
+            let product_28 = right_side_rear * c[8usize];
+            let difference_30 = T::fused(-sin_seat_phi, product_28, residual_0);
+            let product_32 = right_side_front * c[10usize];
+            let difference_34 = T::fused(-sin_bar_phi, product_32, difference_30);
+            let residual_1 = residual[1usize];
+            let sum_37 = T::fused(cos_seat_phi, product_28, residual_1);
+            let sum_39 = T::fused(cos_bar_phi, product_32, sum_37);
+            let product_40 = sum_16 * difference_25;
+            let difference_42 = T::fused(-sum_23, sum_23, product_40);
+            let quotient_43 = T::from_f64(1f64) / difference_42;
+            let product_44 = difference_25 * difference_34;
+            let difference_46 = T::fused(-sum_23, sum_39, product_44);
+            let lambda_B_x = quotient_43 * difference_46;
+            let product_49 = sum_16 * sum_39;
+            let difference_50 = T::fused(-sum_23, difference_34, product_49);
+            let lambda_B_y = quotient_43 * difference_50;
+            let product_53 = cos_bar_phi * lambda_B_y;
+            let difference_54 = T::fused(-sin_bar_phi, lambda_B_x, product_53);
+            let product_55 = c[10usize] * difference_54;
+            let lambda_front = T::fused(right_side_front, c[13usize], product_55);
+            let product_60 = cos_seat_phi * lambda_B_y;
+            let difference_61 = T::fused(-sin_seat_phi, lambda_B_x, product_60);
+            let product_62 = c[8usize] * difference_61;
+            let lambda_rear = T::fused(right_side_rear, c[14usize], product_62);
+            let difference_67 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+            let product_69 = difference_67 * c[15usize];
+            let sum_71 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+            let product_72 = c[15usize] * sum_71;
+            let product_76 = lambda_rear * c[18usize];
+            let difference_77 = T::fused(-difference_61, c[16usize], product_76);
+            let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+            let product_81 = sum_79 * c[19usize];
+            let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+            let product_84 = c[19usize] * difference_83;
+            let product_86 = difference_54 * c[20usize];
+            let sum_89 = T::fused(lambda_front, c[22usize], product_86);
+            let value_95 = -product_72;
+            let value_96 = -sum_89;
+            delta[0usize] = product_69;
+            delta[1usize] = value_95;
+            delta[2usize] = difference_77;
+            delta[3usize] = product_81;
+            delta[4usize] = product_84;
+            delta[5usize] = value_96;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[23usize], c[24usize]))
+                .mark(3usize, !T::is_above(c[25usize], c[26usize]))
+                .mark(0usize, !T::is_above(difference_42, c[27usize]))
+                .mark(1usize, !T::is_above(difference_42, c[27usize]))
+        }
+    }
+    #[automatically_derived]
     impl ::ezy_core::model::Scene for Driven {
         fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
             static INFO: ::ezy_core::model::SceneInfo = Driven::INFO;
@@ -1807,300 +2210,6 @@ pub mod ezy_roller {
                 _ => {}
             }
         }
-        fn constants(&self, c: &mut [f64]) {
-            let c = ::ezy_core::kernel::array_mut::<36usize>(c);
-            let k1 = 1f64;
-            let k2 = self.m1;
-            let k3 = self.i1;
-            let k4 = self.m2;
-            let k5 = self.i2;
-            let k6 = self.b;
-            let k7 = self.d;
-            let k9 = self.a;
-            let k10 = self.c;
-            let k11 = self.m0;
-            let k12 = self.omega;
-            let k13 = ::core::f64::consts::PI;
-            let k14 = k1 / k2;
-            let k15 = k1 / k3;
-            let k16 = k6 * k11;
-            let k17 = k16 * k15;
-            let k18 = k1 / k4;
-            let k19 = k1 / k5;
-            let k20 = k7 * k11;
-            let k21 = k20 * k19;
-            let k22 = k9 * k11;
-            let k23 = k22 * k15;
-            let k24 = k10 * k11;
-            let k25 = k24 * k19;
-            let k26 = k6 * k6;
-            let k27 = k26 * k15;
-            let k28 = k7 * k7;
-            let k29 = k28 * k19;
-            let k30 = k14 + k27;
-            let k31 = k30 + k18;
-            let k32 = k31 + k29;
-            let k33 = k6 * k9;
-            let k34 = k33 * k15;
-            let k35 = k34 - k14;
-            let k36 = k7 * k10;
-            let k37 = k36 * k19;
-            let k38 = k18 - k37;
-            let k39 = k14 + k18;
-            let k40 = k9 * k9;
-            let k41 = k40 * k15;
-            let k42 = k14 + k41;
-            let k43 = k10 * k10;
-            let k44 = k43 * k19;
-            let k45 = k18 + k44;
-            let k46 = k1 / k42;
-            let k47 = k35 * k46;
-            let k48 = k47 * k35;
-            let k49 = k32 - k48;
-            let k50 = k48 - k27;
-            let k51 = k1 / k45;
-            let k52 = k38 * k51;
-            let k53 = k52 * k38;
-            let k54 = k49 - k53;
-            let k55 = k53 - k29;
-            let k56 = k11 * k15;
-            let k57 = k6 * k15;
-            let k58 = k9 * k15;
-            let k59 = k11 * k19;
-            let k60 = k7 * k19;
-            let k61 = k10 * k19;
-            let k62 = 0.0000000001f64;
-            let k63 = k62 * k42;
-            let k64 = k62 * k45;
-            let k65 = k32 + k39;
-            let k66 = k65 * k65;
-            let k67 = k62 * k66;
-            c[0usize] = k23;
-            c[1usize] = k12;
-            c[2usize] = k25;
-            c[3usize] = k50;
-            c[4usize] = k55;
-            c[5usize] = k54;
-            c[6usize] = k39;
-            c[7usize] = k17;
-            c[8usize] = k47;
-            c[9usize] = k21;
-            c[10usize] = k52;
-            c[11usize] = k6;
-            c[12usize] = k7;
-            c[13usize] = k51;
-            c[14usize] = k46;
-            c[15usize] = k14;
-            c[16usize] = k57;
-            c[17usize] = k56;
-            c[18usize] = k58;
-            c[19usize] = k18;
-            c[20usize] = k60;
-            c[21usize] = k59;
-            c[22usize] = k61;
-            c[23usize] = k42;
-            c[24usize] = k63;
-            c[25usize] = k45;
-            c[26usize] = k64;
-            c[27usize] = k67;
-            c[28usize] = k2;
-            c[29usize] = k3;
-            c[30usize] = k4;
-            c[31usize] = k5;
-            c[32usize] = k9;
-            c[33usize] = k10;
-            c[34usize] = k11;
-            c[35usize] = k13;
-        }
-        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
-            out[0usize] = c[28usize];
-            out[1usize] = c[28usize];
-            out[2usize] = c[29usize];
-            out[3usize] = c[30usize];
-            out[4usize] = c[30usize];
-            out[5usize] = c[31usize];
-        }
-        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
-            let seat_x = q[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[11usize] * cos_seat_phi;
-            let sum_7 = seat_x + product_6;
-            let bar_x = q[3usize];
-            let difference_9 = sum_7 - bar_x;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_13 = c[12usize] * cos_bar_phi;
-            let sum_14 = difference_9 + product_13;
-            let seat_y = q[1usize];
-            let product_17 = c[11usize] * sin_seat_phi;
-            let sum_18 = seat_y + product_17;
-            let bar_y = q[4usize];
-            let difference_20 = sum_18 - bar_y;
-            let product_22 = c[12usize] * sin_bar_phi;
-            let sum_23 = difference_20 + product_22;
-            out[0usize] = sum_14;
-            out[1usize] = sum_23;
-        }
-        fn velocity_constraint(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
-            let seat_vx = v[0usize];
-            let seat_omega = v[2usize];
-            let product_5 = c[11usize] * seat_omega;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_5 * sin_seat_phi;
-            let difference_9 = seat_vx - product_8;
-            let bar_vx = v[3usize];
-            let difference_11 = difference_9 - bar_vx;
-            let bar_omega = v[5usize];
-            let product_14 = c[12usize] * bar_omega;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_17 = product_14 * sin_bar_phi;
-            let difference_18 = difference_11 - product_17;
-            let seat_vy = v[1usize];
-            let bar_vy = v[4usize];
-            let difference_21 = seat_vy - bar_vy;
-            let product_23 = product_5 * cos_seat_phi;
-            let sum_24 = difference_21 + product_23;
-            let product_26 = product_14 * cos_bar_phi;
-            let sum_27 = sum_24 + product_26;
-            let product_29 = seat_omega * c[32usize];
-            let product_30 = seat_vx * sin_seat_phi;
-            let sum_31 = product_29 + product_30;
-            let product_32 = seat_vy * cos_seat_phi;
-            let difference_33 = product_32 - sum_31;
-            let product_35 = bar_omega * c[33usize];
-            let product_36 = bar_vx * sin_bar_phi;
-            let difference_37 = product_35 - product_36;
-            let product_38 = bar_vy * cos_bar_phi;
-            let sum_39 = difference_37 + product_38;
-            out[0usize] = difference_18;
-            out[1usize] = sum_27;
-            out[2usize] = difference_33;
-            out[3usize] = sum_39;
-        }
-        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<14usize>(out);
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_4 = c[11usize] * sin_seat_phi;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_8 = c[12usize] * sin_bar_phi;
-            let product_10 = c[11usize] * cos_seat_phi;
-            let product_12 = c[12usize] * cos_bar_phi;
-            let value_15 = -product_4;
-            let value_16 = -1f64;
-            let value_17 = -product_8;
-            let value_18 = -sin_seat_phi;
-            let value_19 = -c[32usize];
-            let value_20 = -sin_bar_phi;
-            out[0usize] = 1f64;
-            out[1usize] = value_15;
-            out[2usize] = value_16;
-            out[3usize] = value_17;
-            out[4usize] = 1f64;
-            out[5usize] = product_10;
-            out[6usize] = value_16;
-            out[7usize] = product_12;
-            out[8usize] = value_18;
-            out[9usize] = cos_seat_phi;
-            out[10usize] = value_19;
-            out[11usize] = value_20;
-            out[12usize] = cos_bar_phi;
-            out[13usize] = c[33usize];
-        }
-        fn convective_term(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
-            let seat_omega = v[2usize];
-            let product_3 = c[11usize] * seat_omega;
-            let product_4 = seat_omega * product_3;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_4 * cos_seat_phi;
-            let bar_omega = v[5usize];
-            let product_11 = c[12usize] * bar_omega;
-            let product_12 = bar_omega * product_11;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = product_12 * cos_bar_phi;
-            let sum_16 = product_8 + product_15;
-            let product_18 = product_4 * sin_seat_phi;
-            let product_20 = product_12 * sin_bar_phi;
-            let sum_21 = product_18 + product_20;
-            let seat_vx = v[0usize];
-            let product_23 = cos_seat_phi * seat_vx;
-            let seat_vy = v[1usize];
-            let product_25 = sin_seat_phi * seat_vy;
-            let sum_26 = product_23 + product_25;
-            let product_27 = seat_omega * sum_26;
-            let bar_vx = v[3usize];
-            let product_29 = cos_bar_phi * bar_vx;
-            let bar_vy = v[4usize];
-            let product_31 = sin_bar_phi * bar_vy;
-            let sum_32 = product_29 + product_31;
-            let product_33 = bar_omega * sum_32;
-            let value_34 = -sum_16;
-            let value_35 = -sum_21;
-            let value_36 = -product_27;
-            let value_37 = -product_33;
-            out[0usize] = value_34;
-            out[1usize] = value_35;
-            out[2usize] = value_36;
-            out[3usize] = value_37;
-        }
-        fn applied_force(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
-            let product_4 = c[1usize] * t;
-            let cos_4 = f64::cos(product_4);
-            let product_6 = c[34usize] * cos_4;
-            let value_7 = -product_6;
-            out[0usize] = 0f64;
-            out[1usize] = 0f64;
-            out[2usize] = product_6;
-            out[3usize] = 0f64;
-            out[4usize] = 0f64;
-            out[5usize] = value_7;
-        }
         fn power(
             &self,
             c: &[f64],
@@ -2110,11 +2219,11 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let lambda = ::ezy_core::kernel::array::<4usize>(lambda);
-            let out = ::ezy_core::kernel::array_mut::<1usize>(out);
+            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
+            let out = ::ezy_core::kernel::array_mut::<1usize, f64>(out);
             let seat_omega = v[2usize];
             let bar_omega = v[5usize];
             let difference_4 = seat_omega - bar_omega;
@@ -2125,9 +2234,9 @@ pub mod ezy_roller {
             out[0usize] = product_11;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
@@ -2156,260 +2265,20 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
         }
         fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
             start.give_position(0usize, 0f64);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
             start.give_position(5usize, c[35usize]);
-        }
-        #[inline]
-        fn accelerations(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            a: &mut [f64],
-            lambda: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
-            let lambda = ::ezy_core::kernel::array_mut::<4usize>(lambda);
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = seat_vx * cos_seat_phi;
-            let seat_vy = v[1usize];
-            let product_8 = seat_vy * sin_seat_phi;
-            let sum_9 = product_5 + product_8;
-            let seat_omega = v[2usize];
-            let product_11 = sum_9 * seat_omega;
-            let product_15 = c[1usize] * t;
-            let cos_15 = f64::cos(product_15);
-            let product_17 = c[0usize] * cos_15;
-            let minus_right_side_rear = product_11 + product_17;
-            let bar_vx = v[3usize];
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_22 = bar_vx * cos_bar_phi;
-            let bar_vy = v[4usize];
-            let product_25 = bar_vy * sin_bar_phi;
-            let sum_26 = product_22 + product_25;
-            let bar_omega = v[5usize];
-            let product_28 = sum_26 * bar_omega;
-            let product_30 = cos_15 * c[2usize];
-            let minus_right_side_front = product_28 + product_30;
-            let product_33 = cos_seat_phi * c[3usize];
-            let product_34 = cos_seat_phi * product_33;
-            let product_36 = cos_bar_phi * c[4usize];
-            let product_37 = cos_bar_phi * product_36;
-            let sum_38 = product_34 + product_37;
-            let sum_40 = sum_38 + c[5usize];
-            let product_41 = sin_seat_phi * c[3usize];
-            let product_42 = cos_seat_phi * product_41;
-            let product_43 = sin_bar_phi * c[4usize];
-            let product_44 = cos_bar_phi * product_43;
-            let sum_45 = product_42 + product_44;
-            let difference_47 = c[6usize] - sum_38;
-            let product_49 = cos_15 * c[7usize];
-            let product_51 = minus_right_side_rear * c[8usize];
-            let difference_52 = product_51 - product_49;
-            let product_53 = sin_seat_phi * difference_52;
-            let product_55 = cos_15 * c[9usize];
-            let product_57 = minus_right_side_front * c[10usize];
-            let sum_58 = product_55 + product_57;
-            let product_59 = sin_bar_phi * sum_58;
-            let sum_60 = product_53 + product_59;
-            let product_62 = seat_omega * c[11usize];
-            let product_63 = seat_omega * product_62;
-            let product_64 = cos_seat_phi * product_63;
-            let difference_65 = sum_60 - product_64;
-            let product_67 = bar_omega * c[12usize];
-            let product_68 = bar_omega * product_67;
-            let product_69 = cos_bar_phi * product_68;
-            let difference_70 = difference_65 - product_69;
-            let product_71 = cos_seat_phi * difference_52;
-            let product_72 = cos_bar_phi * sum_58;
-            let sum_73 = product_71 + product_72;
-            let product_74 = sin_seat_phi * product_63;
-            let sum_75 = sum_73 + product_74;
-            let product_76 = sin_bar_phi * product_68;
-            let sum_77 = sum_75 + product_76;
-            let product_78 = sum_40 * difference_47;
-            let product_79 = sum_45 * sum_45;
-            let difference_80 = product_78 - product_79;
-            let quotient_81 = 1f64 / difference_80;
-            let product_82 = difference_47 * difference_70;
-            let product_83 = sum_45 * sum_77;
-            let sum_84 = product_82 + product_83;
-            let lambda_B_x = quotient_81 * sum_84;
-            let product_86 = sum_45 * difference_70;
-            let product_87 = sum_40 * sum_77;
-            let sum_88 = product_86 + product_87;
-            let minus_lambda_B_y = quotient_81 * sum_88;
-            let product_90 = sin_bar_phi * lambda_B_x;
-            let product_91 = cos_bar_phi * minus_lambda_B_y;
-            let sum_92 = product_90 + product_91;
-            let product_93 = c[10usize] * sum_92;
-            let product_95 = minus_right_side_front * c[13usize];
-            let minus_lambda_front = product_93 + product_95;
-            let product_97 = sin_seat_phi * lambda_B_x;
-            let product_98 = cos_seat_phi * minus_lambda_B_y;
-            let sum_99 = product_97 + product_98;
-            let product_100 = c[8usize] * sum_99;
-            let product_102 = minus_right_side_rear * c[14usize];
-            let minus_lambda_rear = product_100 + product_102;
-            let product_104 = sin_seat_phi * minus_lambda_rear;
-            let sum_105 = lambda_B_x + product_104;
-            let product_107 = sum_105 * c[15usize];
-            let product_108 = cos_seat_phi * minus_lambda_rear;
-            let sum_109 = minus_lambda_B_y + product_108;
-            let product_110 = c[15usize] * sum_109;
-            let product_112 = sum_99 * c[16usize];
-            let product_114 = cos_15 * c[17usize];
-            let sum_115 = product_112 + product_114;
-            let product_117 = minus_lambda_rear * c[18usize];
-            let difference_118 = sum_115 - product_117;
-            let product_119 = sin_bar_phi * minus_lambda_front;
-            let difference_120 = lambda_B_x - product_119;
-            let product_122 = difference_120 * c[19usize];
-            let product_123 = cos_bar_phi * minus_lambda_front;
-            let difference_124 = product_123 - minus_lambda_B_y;
-            let product_125 = c[19usize] * difference_124;
-            let product_127 = sum_92 * c[20usize];
-            let product_129 = cos_15 * c[21usize];
-            let difference_130 = product_127 - product_129;
-            let product_132 = minus_lambda_front * c[22usize];
-            let sum_133 = difference_130 + product_132;
-            let value_139 = -product_107;
-            let value_140 = -minus_lambda_B_y;
-            let value_141 = -minus_lambda_rear;
-            let value_142 = -minus_lambda_front;
-            a[0usize] = value_139;
-            a[1usize] = product_110;
-            a[2usize] = difference_118;
-            a[3usize] = product_122;
-            a[4usize] = product_125;
-            a[5usize] = sum_133;
-            lambda[0usize] = lambda_B_x;
-            lambda[1usize] = value_140;
-            lambda[2usize] = value_141;
-            lambda[3usize] = value_142;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[23usize] > c[24usize]))
-                .mark(3usize, !(c[25usize] > c[26usize]))
-                .mark(0usize, !(difference_80 > c[27usize]))
-                .mark(1usize, !(difference_80 > c[27usize]))
-        }
-        #[inline]
-        fn correction(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            residual: &[f64],
-            delta: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let residual = ::ezy_core::kernel::array::<4usize>(residual);
-            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
-            let right_side_rear = residual[2usize];
-            let right_side_front = residual[3usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_7 = c[3usize] * cos_seat_phi;
-            let product_8 = cos_seat_phi * product_7;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_12 = c[4usize] * cos_bar_phi;
-            let product_13 = cos_bar_phi * product_12;
-            let sum_14 = product_8 + product_13;
-            let sum_16 = sum_14 + c[5usize];
-            let product_18 = c[3usize] * sin_seat_phi;
-            let product_19 = cos_seat_phi * product_18;
-            let product_21 = c[4usize] * sin_bar_phi;
-            let product_22 = cos_bar_phi * product_21;
-            let sum_23 = product_19 + product_22;
-            let difference_25 = c[6usize] - sum_14;
-            let residual_0 = residual[0usize];
-            let product_28 = right_side_rear * c[8usize];
-            let product_29 = sin_seat_phi * product_28;
-            let difference_30 = residual_0 - product_29;
-            let product_32 = right_side_front * c[10usize];
-            let product_33 = sin_bar_phi * product_32;
-            let difference_34 = difference_30 - product_33;
-            let residual_1 = residual[1usize];
-            let product_36 = cos_seat_phi * product_28;
-            let sum_37 = residual_1 + product_36;
-            let product_38 = cos_bar_phi * product_32;
-            let sum_39 = sum_37 + product_38;
-            let product_40 = sum_16 * difference_25;
-            let product_41 = sum_23 * sum_23;
-            let difference_42 = product_40 - product_41;
-            let quotient_43 = 1f64 / difference_42;
-            let product_44 = difference_25 * difference_34;
-            let product_45 = sum_23 * sum_39;
-            let difference_46 = product_44 - product_45;
-            let lambda_B_x = quotient_43 * difference_46;
-            let product_48 = sum_23 * difference_34;
-            let product_49 = sum_16 * sum_39;
-            let difference_50 = product_49 - product_48;
-            let lambda_B_y = quotient_43 * difference_50;
-            let product_52 = sin_bar_phi * lambda_B_x;
-            let product_53 = cos_bar_phi * lambda_B_y;
-            let difference_54 = product_53 - product_52;
-            let product_55 = c[10usize] * difference_54;
-            let product_57 = right_side_front * c[13usize];
-            let lambda_front = product_55 + product_57;
-            let product_59 = sin_seat_phi * lambda_B_x;
-            let product_60 = cos_seat_phi * lambda_B_y;
-            let difference_61 = product_60 - product_59;
-            let product_62 = c[8usize] * difference_61;
-            let product_64 = right_side_rear * c[14usize];
-            let lambda_rear = product_62 + product_64;
-            let product_66 = sin_seat_phi * lambda_rear;
-            let difference_67 = product_66 - lambda_B_x;
-            let product_69 = difference_67 * c[15usize];
-            let product_70 = cos_seat_phi * lambda_rear;
-            let sum_71 = lambda_B_y + product_70;
-            let product_72 = c[15usize] * sum_71;
-            let product_74 = difference_61 * c[16usize];
-            let product_76 = lambda_rear * c[18usize];
-            let difference_77 = product_76 - product_74;
-            let product_78 = sin_bar_phi * lambda_front;
-            let sum_79 = lambda_B_x + product_78;
-            let product_81 = sum_79 * c[19usize];
-            let product_82 = cos_bar_phi * lambda_front;
-            let difference_83 = lambda_B_y - product_82;
-            let product_84 = c[19usize] * difference_83;
-            let product_86 = difference_54 * c[20usize];
-            let product_88 = lambda_front * c[22usize];
-            let sum_89 = product_86 + product_88;
-            let value_95 = -product_72;
-            let value_96 = -sum_89;
-            delta[0usize] = product_69;
-            delta[1usize] = value_95;
-            delta[2usize] = difference_77;
-            delta[3usize] = product_81;
-            delta[4usize] = product_84;
-            delta[5usize] = value_96;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[23usize] > c[24usize]))
-                .mark(3usize, !(c[25usize] > c[26usize]))
-                .mark(0usize, !(difference_42 > c[27usize]))
-                .mark(1usize, !(difference_42 > c[27usize]))
         }
     }
     ///Driven, with rolling resistance.
@@ -3009,6 +2878,495 @@ pub mod ezy_roller {
         };
     }
     #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
+    for self::DrivenOnTarmac {
+        fn constants(&self, parameters: &[T], c: &mut [T]) {
+            let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
+            let c = ::ezy_core::kernel::array_mut::<38usize, T>(c);
+            let k1 = T::from_f64(1f64);
+            let parameter_m1 = parameters[4usize];
+            let parameter_i1 = parameters[5usize];
+            let parameter_m2 = parameters[6usize];
+            let parameter_i2 = parameters[7usize];
+            let parameter_b = parameters[1usize];
+            let parameter_d = parameters[3usize];
+            let parameter_a = parameters[0usize];
+            let parameter_c = parameters[2usize];
+            let parameter_m0 = parameters[8usize];
+            let parameter_omega = parameters[9usize];
+            let parameter_k = parameters[10usize];
+            let k14 = parameter_k * parameter_a;
+            let k15 = k14 * parameter_a;
+            let k16 = -(k14 + k14);
+            let k17 = T::PI;
+            let k18 = k1 / parameter_m1;
+            let k19 = k1 / parameter_i1;
+            let k20 = parameter_b * k19;
+            let k21 = k1 / parameter_m2;
+            let k22 = k1 / parameter_i2;
+            let k23 = parameter_d * parameter_m0;
+            let k24 = k23 * k22;
+            let k25 = parameter_a * k19;
+            let k26 = parameter_c * parameter_m0;
+            let k27 = k26 * k22;
+            let k28 = parameter_b * parameter_b;
+            let k29 = k28 * k19;
+            let k30 = parameter_d * parameter_d;
+            let k31 = k30 * k22;
+            let k32 = k18 + k29;
+            let k33 = k32 + k21;
+            let k34 = k33 + k31;
+            let k35 = parameter_b * parameter_a;
+            let k36 = k35 * k19;
+            let k37 = k36 - k18;
+            let k38 = parameter_d * parameter_c;
+            let k39 = k38 * k22;
+            let k40 = k21 - k39;
+            let k41 = k18 + k21;
+            let k42 = parameter_a * parameter_a;
+            let k43 = k42 * k19;
+            let k44 = k18 + k43;
+            let k45 = parameter_c * parameter_c;
+            let k46 = k45 * k22;
+            let k47 = k21 + k46;
+            let k48 = k1 / k44;
+            let k49 = k37 * k48;
+            let k50 = k49 * k37;
+            let k51 = k34 - k50;
+            let k52 = k50 - k29;
+            let k53 = k1 / k47;
+            let k54 = k40 * k53;
+            let k55 = k54 * k40;
+            let k56 = k51 - k55;
+            let k57 = k55 - k31;
+            let k58 = parameter_m0 * k22;
+            let k59 = parameter_d * k22;
+            let k60 = parameter_c * k22;
+            let k61 = T::from_f64(0.0000000001f64);
+            let k62 = k61 * k44;
+            let k63 = k61 * k47;
+            let k64 = k34 + k41;
+            let k65 = k64 * k64;
+            let k66 = k61 * k65;
+            c[0usize] = parameter_k;
+            c[1usize] = k14;
+            c[2usize] = k15;
+            c[3usize] = parameter_m0;
+            c[4usize] = parameter_omega;
+            c[5usize] = k18;
+            c[6usize] = k25;
+            c[7usize] = k27;
+            c[8usize] = k52;
+            c[9usize] = k57;
+            c[10usize] = k56;
+            c[11usize] = k41;
+            c[12usize] = k20;
+            c[13usize] = k49;
+            c[14usize] = k24;
+            c[15usize] = k54;
+            c[16usize] = parameter_b;
+            c[17usize] = parameter_d;
+            c[18usize] = k53;
+            c[19usize] = k48;
+            c[20usize] = k19;
+            c[21usize] = k21;
+            c[22usize] = k59;
+            c[23usize] = k58;
+            c[24usize] = k60;
+            c[25usize] = k44;
+            c[26usize] = k62;
+            c[27usize] = k47;
+            c[28usize] = k63;
+            c[29usize] = k66;
+            c[30usize] = parameter_m1;
+            c[31usize] = parameter_i1;
+            c[32usize] = parameter_m2;
+            c[33usize] = parameter_i2;
+            c[34usize] = parameter_a;
+            c[35usize] = parameter_c;
+            c[36usize] = k16;
+            c[37usize] = k17;
+        }
+        fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+            out[0usize] = c[30usize];
+            out[1usize] = c[30usize];
+            out[2usize] = c[31usize];
+            out[3usize] = c[32usize];
+            out[4usize] = c[32usize];
+            out[5usize] = c[33usize];
+        }
+        fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let sum_7 = T::fused(c[16usize], cos_seat_phi, seat_x);
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_14 = T::fused(c[17usize], cos_bar_phi, difference_9);
+            let seat_y = q[1usize];
+            let sum_18 = T::fused(c[16usize], sin_seat_phi, seat_y);
+            let bar_y = q[4usize];
+            let difference_20 = sum_18 - bar_y;
+            let sum_23 = T::fused(c[17usize], sin_bar_phi, difference_20);
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
+        }
+        fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+            let seat_vx = v[0usize];
+            let seat_omega = v[2usize];
+            let product_5 = c[16usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let difference_9 = T::fused(-product_5, sin_seat_phi, seat_vx);
+            let bar_vx = v[3usize];
+            let difference_11 = difference_9 - bar_vx;
+            let bar_omega = v[5usize];
+            let product_14 = c[17usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let difference_18 = T::fused(-product_14, sin_bar_phi, difference_11);
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
+            let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
+            let product_29 = seat_omega * c[34usize];
+            let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
+            let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
+            let product_35 = bar_omega * c[35usize];
+            let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
+            let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = difference_33;
+            out[3usize] = sum_39;
+        }
+        fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_4 = c[16usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_8 = c[17usize] * sin_bar_phi;
+            let product_10 = c[16usize] * cos_seat_phi;
+            let product_12 = c[17usize] * cos_bar_phi;
+            let value_15 = -product_4;
+            let value_16 = -T::from_f64(1f64);
+            let value_17 = -product_8;
+            let value_18 = -sin_seat_phi;
+            let value_19 = -c[34usize];
+            let value_20 = -sin_bar_phi;
+            out[0usize] = T::from_f64(1f64);
+            out[1usize] = value_15;
+            out[2usize] = value_16;
+            out[3usize] = value_17;
+            out[4usize] = T::from_f64(1f64);
+            out[5usize] = product_10;
+            out[6usize] = value_16;
+            out[7usize] = product_12;
+            out[8usize] = value_18;
+            out[9usize] = cos_seat_phi;
+            out[10usize] = value_19;
+            out[11usize] = value_20;
+            out[12usize] = cos_bar_phi;
+            out[13usize] = c[35usize];
+        }
+        fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[16usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[17usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+            let product_18 = product_4 * sin_seat_phi;
+            let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+            let seat_vx = v[0usize];
+            let product_23 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let sum_26 = T::fused(sin_seat_phi, seat_vy, product_23);
+            let product_27 = seat_omega * sum_26;
+            let bar_vx = v[3usize];
+            let product_29 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_32 = T::fused(sin_bar_phi, bar_vy, product_29);
+            let product_33 = bar_omega * sum_32;
+            let value_34 = -sum_16;
+            let value_35 = -sum_21;
+            let value_36 = -product_27;
+            let value_37 = -product_33;
+            out[0usize] = value_34;
+            out[1usize] = value_35;
+            out[2usize] = value_36;
+            out[3usize] = value_37;
+        }
+        fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+            let seat_vx = v[0usize];
+            let product_3 = c[0usize] * seat_vx;
+            let seat_omega = v[2usize];
+            let product_6 = c[1usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let sum_11 = T::fused(product_6, sin_seat_phi, product_3);
+            let seat_vy = v[1usize];
+            let product_15 = product_6 * cos_seat_phi;
+            let difference_16 = T::fused(-c[0usize], seat_vy, product_15);
+            let product_18 = seat_vy * cos_seat_phi;
+            let difference_19 = T::fused(-seat_vx, sin_seat_phi, product_18);
+            let product_20 = c[1usize] * difference_19;
+            let difference_23 = T::fused(-seat_omega, c[2usize], product_20);
+            let product_27 = c[4usize] * t;
+            let cos_27 = T::cos(product_27);
+            let product_29 = c[3usize] * cos_27;
+            let sum_30 = difference_23 + product_29;
+            let value_31 = -sum_11;
+            let value_32 = -product_29;
+            out[0usize] = value_31;
+            out[1usize] = difference_16;
+            out[2usize] = sum_30;
+            out[3usize] = T::from_f64(0f64);
+            out[4usize] = T::from_f64(0f64);
+            out[5usize] = value_32;
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            v: &[T],
+            a: &mut [T],
+            lambda: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+            let seat_vx = v[0usize];
+            let product_3 = c[0usize] * seat_vx;
+            let seat_omega = v[2usize];
+            let product_6 = c[1usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let minus_force_seat_x = T::fused(product_6, sin_seat_phi, product_3);
+            let seat_vy = v[1usize];
+            let product_15 = product_6 * cos_seat_phi;
+            let force_seat_y = T::fused(-c[0usize], seat_vy, product_15);
+            let product_18 = seat_vy * cos_seat_phi;
+            let difference_19 = T::fused(-seat_vx, sin_seat_phi, product_18);
+            let product_20 = c[1usize] * difference_19;
+            let difference_23 = T::fused(-seat_omega, c[2usize], product_20);
+            let product_27 = c[4usize] * t;
+            let cos_27 = T::cos(product_27);
+            let force_seat_phi = T::fused(c[3usize], cos_27, difference_23);
+            let product_31 = sin_seat_phi * minus_force_seat_x;
+            let sum_33 = T::fused(cos_seat_phi, force_seat_y, product_31);
+            let product_35 = sum_33 * c[5usize];
+            let product_36 = seat_vx * cos_seat_phi;
+            let sum_38 = T::fused(sin_seat_phi, seat_vy, product_36);
+            let difference_40 = T::fused(-seat_omega, sum_38, product_35);
+            let right_side_rear = T::fused(-force_seat_phi, c[6usize], difference_40);
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_47 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let sum_51 = T::fused(bar_vy, sin_bar_phi, product_47);
+            let bar_omega = v[5usize];
+            let product_53 = sum_51 * bar_omega;
+            let minus_right_side_front = T::fused(cos_27, c[7usize], product_53);
+            let product_58 = cos_seat_phi * c[8usize];
+            let product_59 = cos_seat_phi * product_58;
+            let product_61 = cos_bar_phi * c[9usize];
+            let sum_63 = T::fused(cos_bar_phi, product_61, product_59);
+            let sum_65 = sum_63 + c[10usize];
+            let product_66 = sin_seat_phi * c[8usize];
+            let product_67 = cos_seat_phi * product_66;
+            let product_68 = sin_bar_phi * c[9usize];
+            let sum_70 = T::fused(cos_bar_phi, product_68, product_67);
+            let difference_72 = c[11usize] - sum_63;
+            let product_74 = force_seat_phi * c[12usize];
+            let sum_77 = T::fused(right_side_rear, c[13usize], product_74);
+            let product_80 = cos_27 * c[14usize];
+            let sum_83 = T::fused(minus_right_side_front, c[15usize], product_80);
+            let product_84 = sin_bar_phi * sum_83;
+            let difference_85 = T::fused(-sin_seat_phi, sum_77, product_84);
+            let product_87 = seat_omega * c[16usize];
+            let product_88 = seat_omega * product_87;
+            let difference_90 = T::fused(-cos_seat_phi, product_88, difference_85);
+            let product_92 = bar_omega * c[17usize];
+            let product_93 = bar_omega * product_92;
+            let difference_95 = T::fused(-cos_bar_phi, product_93, difference_90);
+            let difference_97 = T::fused(-minus_force_seat_x, c[5usize], difference_95);
+            let product_98 = cos_seat_phi * sum_77;
+            let difference_100 = T::fused(-cos_bar_phi, sum_83, product_98);
+            let difference_102 = T::fused(-sin_seat_phi, product_88, difference_100);
+            let difference_104 = T::fused(-sin_bar_phi, product_93, difference_102);
+            let sum_106 = T::fused(force_seat_y, c[5usize], difference_104);
+            let product_107 = sum_65 * difference_72;
+            let difference_109 = T::fused(-sum_70, sum_70, product_107);
+            let quotient_110 = T::from_f64(1f64) / difference_109;
+            let product_111 = difference_72 * difference_97;
+            let difference_113 = T::fused(-sum_70, sum_106, product_111);
+            let lambda_B_x = quotient_110 * difference_113;
+            let product_116 = sum_65 * sum_106;
+            let difference_117 = T::fused(-sum_70, difference_97, product_116);
+            let lambda_B_y = quotient_110 * difference_117;
+            let product_120 = cos_bar_phi * lambda_B_y;
+            let difference_121 = T::fused(-sin_bar_phi, lambda_B_x, product_120);
+            let product_122 = c[15usize] * difference_121;
+            let lambda_front = T::fused(
+                -minus_right_side_front,
+                c[18usize],
+                product_122,
+            );
+            let product_127 = cos_seat_phi * lambda_B_y;
+            let difference_128 = T::fused(-sin_seat_phi, lambda_B_x, product_127);
+            let product_129 = c[13usize] * difference_128;
+            let lambda_rear = T::fused(right_side_rear, c[19usize], product_129);
+            let sum_133 = minus_force_seat_x + lambda_B_x;
+            let difference_135 = T::fused(sin_seat_phi, lambda_rear, -sum_133);
+            let product_136 = c[5usize] * difference_135;
+            let difference_137 = force_seat_y - lambda_B_y;
+            let difference_139 = T::fused(-cos_seat_phi, lambda_rear, difference_137);
+            let product_140 = c[5usize] * difference_139;
+            let product_143 = force_seat_phi * c[20usize];
+            let difference_144 = T::fused(-c[12usize], difference_128, product_143);
+            let sum_146 = T::fused(c[6usize], lambda_rear, difference_144);
+            let sum_148 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+            let product_150 = sum_148 * c[21usize];
+            let difference_152 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+            let product_153 = c[21usize] * difference_152;
+            let product_155 = difference_121 * c[22usize];
+            let sum_158 = T::fused(cos_27, c[23usize], product_155);
+            let sum_161 = T::fused(lambda_front, c[24usize], sum_158);
+            let value_167 = -sum_161;
+            a[0usize] = product_136;
+            a[1usize] = product_140;
+            a[2usize] = sum_146;
+            a[3usize] = product_150;
+            a[4usize] = product_153;
+            a[5usize] = value_167;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = lambda_B_y;
+            lambda[2usize] = lambda_rear;
+            lambda[3usize] = lambda_front;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[25usize], c[26usize]))
+                .mark(3usize, !T::is_above(c[27usize], c[28usize]))
+                .mark(0usize, !T::is_above(difference_109, c[29usize]))
+                .mark(1usize, !T::is_above(difference_109, c[29usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            residual: &[T],
+            delta: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+            let right_side_rear = residual[2usize];
+            let right_side_front = residual[3usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_7 = c[8usize] * cos_seat_phi;
+            let product_8 = cos_seat_phi * product_7;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_12 = c[9usize] * cos_bar_phi;
+            let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+            let sum_16 = sum_14 + c[10usize];
+            let product_18 = c[8usize] * sin_seat_phi;
+            let product_19 = cos_seat_phi * product_18;
+            let product_21 = c[9usize] * sin_bar_phi;
+            let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+            let difference_25 = c[11usize] - sum_14;
+            let residual_0 = residual[0usize];
+            let product_28 = right_side_rear * c[13usize];
+            let difference_30 = T::fused(-sin_seat_phi, product_28, residual_0);
+            let product_32 = right_side_front * c[15usize];
+            let difference_34 = T::fused(-sin_bar_phi, product_32, difference_30);
+            let residual_1 = residual[1usize];
+            let sum_37 = T::fused(cos_seat_phi, product_28, residual_1);
+            let sum_39 = T::fused(cos_bar_phi, product_32, sum_37);
+            let product_40 = sum_16 * difference_25;
+            let difference_42 = T::fused(-sum_23, sum_23, product_40);
+            let quotient_43 = T::from_f64(1f64) / difference_42;
+            let product_44 = difference_25 * difference_34;
+            let difference_46 = T::fused(-sum_23, sum_39, product_44);
+            let lambda_B_x = quotient_43 * difference_46;
+            let product_49 = sum_16 * sum_39;
+            let difference_50 = T::fused(-sum_23, difference_34, product_49);
+            let lambda_B_y = quotient_43 * difference_50;
+            let product_53 = cos_bar_phi * lambda_B_y;
+            let difference_54 = T::fused(-sin_bar_phi, lambda_B_x, product_53);
+            let product_55 = c[15usize] * difference_54;
+            let lambda_front = T::fused(right_side_front, c[18usize], product_55);
+            let product_60 = cos_seat_phi * lambda_B_y;
+            let difference_61 = T::fused(-sin_seat_phi, lambda_B_x, product_60);
+            let product_62 = c[13usize] * difference_61;
+            let lambda_rear = T::fused(right_side_rear, c[19usize], product_62);
+            let difference_67 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+            let product_69 = difference_67 * c[5usize];
+            let sum_71 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+            let product_72 = c[5usize] * sum_71;
+            let product_76 = lambda_rear * c[6usize];
+            let difference_77 = T::fused(-difference_61, c[12usize], product_76);
+            let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+            let product_81 = sum_79 * c[21usize];
+            let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+            let product_84 = c[21usize] * difference_83;
+            let product_86 = difference_54 * c[22usize];
+            let sum_89 = T::fused(lambda_front, c[24usize], product_86);
+            let value_95 = -product_72;
+            let value_96 = -sum_89;
+            delta[0usize] = product_69;
+            delta[1usize] = value_95;
+            delta[2usize] = difference_77;
+            delta[3usize] = product_81;
+            delta[4usize] = product_84;
+            delta[5usize] = value_96;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[25usize], c[26usize]))
+                .mark(3usize, !T::is_above(c[27usize], c[28usize]))
+                .mark(0usize, !T::is_above(difference_42, c[29usize]))
+                .mark(1usize, !T::is_above(difference_42, c[29usize]))
+        }
+    }
+    #[automatically_derived]
     impl ::ezy_core::model::Scene for DrivenOnTarmac {
         fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
             static INFO: ::ezy_core::model::SceneInfo = DrivenOnTarmac::INFO;
@@ -3046,321 +3404,6 @@ pub mod ezy_roller {
                 _ => {}
             }
         }
-        fn constants(&self, c: &mut [f64]) {
-            let c = ::ezy_core::kernel::array_mut::<38usize>(c);
-            let k1 = 1f64;
-            let k2 = self.m1;
-            let k3 = self.i1;
-            let k4 = self.m2;
-            let k5 = self.i2;
-            let k6 = self.b;
-            let k7 = self.d;
-            let k9 = self.a;
-            let k10 = self.c;
-            let k11 = self.m0;
-            let k12 = self.omega;
-            let k13 = self.k;
-            let k14 = k13 * k9;
-            let k15 = k14 * k9;
-            let k16 = -(k14 + k14);
-            let k17 = ::core::f64::consts::PI;
-            let k18 = k1 / k2;
-            let k19 = k1 / k3;
-            let k20 = k6 * k19;
-            let k21 = k1 / k4;
-            let k22 = k1 / k5;
-            let k23 = k7 * k11;
-            let k24 = k23 * k22;
-            let k25 = k9 * k19;
-            let k26 = k10 * k11;
-            let k27 = k26 * k22;
-            let k28 = k6 * k6;
-            let k29 = k28 * k19;
-            let k30 = k7 * k7;
-            let k31 = k30 * k22;
-            let k32 = k18 + k29;
-            let k33 = k32 + k21;
-            let k34 = k33 + k31;
-            let k35 = k6 * k9;
-            let k36 = k35 * k19;
-            let k37 = k36 - k18;
-            let k38 = k7 * k10;
-            let k39 = k38 * k22;
-            let k40 = k21 - k39;
-            let k41 = k18 + k21;
-            let k42 = k9 * k9;
-            let k43 = k42 * k19;
-            let k44 = k18 + k43;
-            let k45 = k10 * k10;
-            let k46 = k45 * k22;
-            let k47 = k21 + k46;
-            let k48 = k1 / k44;
-            let k49 = k37 * k48;
-            let k50 = k49 * k37;
-            let k51 = k34 - k50;
-            let k52 = k50 - k29;
-            let k53 = k1 / k47;
-            let k54 = k40 * k53;
-            let k55 = k54 * k40;
-            let k56 = k51 - k55;
-            let k57 = k55 - k31;
-            let k58 = k11 * k22;
-            let k59 = k7 * k22;
-            let k60 = k10 * k22;
-            let k61 = 0.0000000001f64;
-            let k62 = k61 * k44;
-            let k63 = k61 * k47;
-            let k64 = k34 + k41;
-            let k65 = k64 * k64;
-            let k66 = k61 * k65;
-            c[0usize] = k13;
-            c[1usize] = k14;
-            c[2usize] = k15;
-            c[3usize] = k11;
-            c[4usize] = k12;
-            c[5usize] = k18;
-            c[6usize] = k25;
-            c[7usize] = k27;
-            c[8usize] = k52;
-            c[9usize] = k57;
-            c[10usize] = k56;
-            c[11usize] = k41;
-            c[12usize] = k20;
-            c[13usize] = k49;
-            c[14usize] = k24;
-            c[15usize] = k54;
-            c[16usize] = k6;
-            c[17usize] = k7;
-            c[18usize] = k53;
-            c[19usize] = k48;
-            c[20usize] = k19;
-            c[21usize] = k21;
-            c[22usize] = k59;
-            c[23usize] = k58;
-            c[24usize] = k60;
-            c[25usize] = k44;
-            c[26usize] = k62;
-            c[27usize] = k47;
-            c[28usize] = k63;
-            c[29usize] = k66;
-            c[30usize] = k2;
-            c[31usize] = k3;
-            c[32usize] = k4;
-            c[33usize] = k5;
-            c[34usize] = k9;
-            c[35usize] = k10;
-            c[36usize] = k16;
-            c[37usize] = k17;
-        }
-        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
-            out[0usize] = c[30usize];
-            out[1usize] = c[30usize];
-            out[2usize] = c[31usize];
-            out[3usize] = c[32usize];
-            out[4usize] = c[32usize];
-            out[5usize] = c[33usize];
-        }
-        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
-            let seat_x = q[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[16usize] * cos_seat_phi;
-            let sum_7 = seat_x + product_6;
-            let bar_x = q[3usize];
-            let difference_9 = sum_7 - bar_x;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_13 = c[17usize] * cos_bar_phi;
-            let sum_14 = difference_9 + product_13;
-            let seat_y = q[1usize];
-            let product_17 = c[16usize] * sin_seat_phi;
-            let sum_18 = seat_y + product_17;
-            let bar_y = q[4usize];
-            let difference_20 = sum_18 - bar_y;
-            let product_22 = c[17usize] * sin_bar_phi;
-            let sum_23 = difference_20 + product_22;
-            out[0usize] = sum_14;
-            out[1usize] = sum_23;
-        }
-        fn velocity_constraint(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
-            let seat_vx = v[0usize];
-            let seat_omega = v[2usize];
-            let product_5 = c[16usize] * seat_omega;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_5 * sin_seat_phi;
-            let difference_9 = seat_vx - product_8;
-            let bar_vx = v[3usize];
-            let difference_11 = difference_9 - bar_vx;
-            let bar_omega = v[5usize];
-            let product_14 = c[17usize] * bar_omega;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_17 = product_14 * sin_bar_phi;
-            let difference_18 = difference_11 - product_17;
-            let seat_vy = v[1usize];
-            let bar_vy = v[4usize];
-            let difference_21 = seat_vy - bar_vy;
-            let product_23 = product_5 * cos_seat_phi;
-            let sum_24 = difference_21 + product_23;
-            let product_26 = product_14 * cos_bar_phi;
-            let sum_27 = sum_24 + product_26;
-            let product_29 = seat_omega * c[34usize];
-            let product_30 = seat_vx * sin_seat_phi;
-            let sum_31 = product_29 + product_30;
-            let product_32 = seat_vy * cos_seat_phi;
-            let difference_33 = product_32 - sum_31;
-            let product_35 = bar_omega * c[35usize];
-            let product_36 = bar_vx * sin_bar_phi;
-            let difference_37 = product_35 - product_36;
-            let product_38 = bar_vy * cos_bar_phi;
-            let sum_39 = difference_37 + product_38;
-            out[0usize] = difference_18;
-            out[1usize] = sum_27;
-            out[2usize] = difference_33;
-            out[3usize] = sum_39;
-        }
-        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<14usize>(out);
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_4 = c[16usize] * sin_seat_phi;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_8 = c[17usize] * sin_bar_phi;
-            let product_10 = c[16usize] * cos_seat_phi;
-            let product_12 = c[17usize] * cos_bar_phi;
-            let value_15 = -product_4;
-            let value_16 = -1f64;
-            let value_17 = -product_8;
-            let value_18 = -sin_seat_phi;
-            let value_19 = -c[34usize];
-            let value_20 = -sin_bar_phi;
-            out[0usize] = 1f64;
-            out[1usize] = value_15;
-            out[2usize] = value_16;
-            out[3usize] = value_17;
-            out[4usize] = 1f64;
-            out[5usize] = product_10;
-            out[6usize] = value_16;
-            out[7usize] = product_12;
-            out[8usize] = value_18;
-            out[9usize] = cos_seat_phi;
-            out[10usize] = value_19;
-            out[11usize] = value_20;
-            out[12usize] = cos_bar_phi;
-            out[13usize] = c[35usize];
-        }
-        fn convective_term(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
-            let seat_omega = v[2usize];
-            let product_3 = c[16usize] * seat_omega;
-            let product_4 = seat_omega * product_3;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_4 * cos_seat_phi;
-            let bar_omega = v[5usize];
-            let product_11 = c[17usize] * bar_omega;
-            let product_12 = bar_omega * product_11;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = product_12 * cos_bar_phi;
-            let sum_16 = product_8 + product_15;
-            let product_18 = product_4 * sin_seat_phi;
-            let product_20 = product_12 * sin_bar_phi;
-            let sum_21 = product_18 + product_20;
-            let seat_vx = v[0usize];
-            let product_23 = cos_seat_phi * seat_vx;
-            let seat_vy = v[1usize];
-            let product_25 = sin_seat_phi * seat_vy;
-            let sum_26 = product_23 + product_25;
-            let product_27 = seat_omega * sum_26;
-            let bar_vx = v[3usize];
-            let product_29 = cos_bar_phi * bar_vx;
-            let bar_vy = v[4usize];
-            let product_31 = sin_bar_phi * bar_vy;
-            let sum_32 = product_29 + product_31;
-            let product_33 = bar_omega * sum_32;
-            let value_34 = -sum_16;
-            let value_35 = -sum_21;
-            let value_36 = -product_27;
-            let value_37 = -product_33;
-            out[0usize] = value_34;
-            out[1usize] = value_35;
-            out[2usize] = value_36;
-            out[3usize] = value_37;
-        }
-        fn applied_force(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
-            let seat_vx = v[0usize];
-            let product_3 = c[0usize] * seat_vx;
-            let seat_omega = v[2usize];
-            let product_6 = c[1usize] * seat_omega;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_10 = product_6 * sin_seat_phi;
-            let sum_11 = product_3 + product_10;
-            let seat_vy = v[1usize];
-            let product_13 = c[0usize] * seat_vy;
-            let product_15 = product_6 * cos_seat_phi;
-            let difference_16 = product_15 - product_13;
-            let product_17 = seat_vx * sin_seat_phi;
-            let product_18 = seat_vy * cos_seat_phi;
-            let difference_19 = product_18 - product_17;
-            let product_20 = c[1usize] * difference_19;
-            let product_22 = seat_omega * c[2usize];
-            let difference_23 = product_20 - product_22;
-            let product_27 = c[4usize] * t;
-            let cos_27 = f64::cos(product_27);
-            let product_29 = c[3usize] * cos_27;
-            let sum_30 = difference_23 + product_29;
-            let value_31 = -sum_11;
-            let value_32 = -product_29;
-            out[0usize] = value_31;
-            out[1usize] = difference_16;
-            out[2usize] = sum_30;
-            out[3usize] = 0f64;
-            out[4usize] = 0f64;
-            out[5usize] = value_32;
-        }
         fn power(
             &self,
             c: &[f64],
@@ -3370,11 +3413,11 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let lambda = ::ezy_core::kernel::array::<4usize>(lambda);
-            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
+            let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
             let seat_omega = v[2usize];
             let bar_omega = v[5usize];
             let difference_4 = seat_omega - bar_omega;
@@ -3402,9 +3445,9 @@ pub mod ezy_roller {
             out[1usize] = difference_31;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
@@ -3433,283 +3476,20 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
         }
         fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
+            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
             start.give_position(0usize, 0f64);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
             start.give_position(5usize, c[37usize]);
-        }
-        #[inline]
-        fn accelerations(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            a: &mut [f64],
-            lambda: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
-            let lambda = ::ezy_core::kernel::array_mut::<4usize>(lambda);
-            let seat_vx = v[0usize];
-            let product_3 = c[0usize] * seat_vx;
-            let seat_omega = v[2usize];
-            let product_6 = c[1usize] * seat_omega;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_10 = product_6 * sin_seat_phi;
-            let minus_force_seat_x = product_3 + product_10;
-            let seat_vy = v[1usize];
-            let product_13 = c[0usize] * seat_vy;
-            let product_15 = product_6 * cos_seat_phi;
-            let force_seat_y = product_15 - product_13;
-            let product_17 = seat_vx * sin_seat_phi;
-            let product_18 = seat_vy * cos_seat_phi;
-            let difference_19 = product_18 - product_17;
-            let product_20 = c[1usize] * difference_19;
-            let product_22 = seat_omega * c[2usize];
-            let difference_23 = product_20 - product_22;
-            let product_27 = c[4usize] * t;
-            let cos_27 = f64::cos(product_27);
-            let product_29 = c[3usize] * cos_27;
-            let force_seat_phi = difference_23 + product_29;
-            let product_31 = sin_seat_phi * minus_force_seat_x;
-            let product_32 = cos_seat_phi * force_seat_y;
-            let sum_33 = product_31 + product_32;
-            let product_35 = sum_33 * c[5usize];
-            let product_36 = seat_vx * cos_seat_phi;
-            let product_37 = sin_seat_phi * seat_vy;
-            let sum_38 = product_36 + product_37;
-            let product_39 = seat_omega * sum_38;
-            let difference_40 = product_35 - product_39;
-            let product_42 = force_seat_phi * c[6usize];
-            let right_side_rear = difference_40 - product_42;
-            let bar_vx = v[3usize];
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_47 = bar_vx * cos_bar_phi;
-            let bar_vy = v[4usize];
-            let product_50 = bar_vy * sin_bar_phi;
-            let sum_51 = product_47 + product_50;
-            let bar_omega = v[5usize];
-            let product_53 = sum_51 * bar_omega;
-            let product_55 = cos_27 * c[7usize];
-            let minus_right_side_front = product_53 + product_55;
-            let product_58 = cos_seat_phi * c[8usize];
-            let product_59 = cos_seat_phi * product_58;
-            let product_61 = cos_bar_phi * c[9usize];
-            let product_62 = cos_bar_phi * product_61;
-            let sum_63 = product_59 + product_62;
-            let sum_65 = sum_63 + c[10usize];
-            let product_66 = sin_seat_phi * c[8usize];
-            let product_67 = cos_seat_phi * product_66;
-            let product_68 = sin_bar_phi * c[9usize];
-            let product_69 = cos_bar_phi * product_68;
-            let sum_70 = product_67 + product_69;
-            let difference_72 = c[11usize] - sum_63;
-            let product_74 = force_seat_phi * c[12usize];
-            let product_76 = right_side_rear * c[13usize];
-            let sum_77 = product_74 + product_76;
-            let product_78 = sin_seat_phi * sum_77;
-            let product_80 = cos_27 * c[14usize];
-            let product_82 = minus_right_side_front * c[15usize];
-            let sum_83 = product_80 + product_82;
-            let product_84 = sin_bar_phi * sum_83;
-            let difference_85 = product_84 - product_78;
-            let product_87 = seat_omega * c[16usize];
-            let product_88 = seat_omega * product_87;
-            let product_89 = cos_seat_phi * product_88;
-            let difference_90 = difference_85 - product_89;
-            let product_92 = bar_omega * c[17usize];
-            let product_93 = bar_omega * product_92;
-            let product_94 = cos_bar_phi * product_93;
-            let difference_95 = difference_90 - product_94;
-            let product_96 = minus_force_seat_x * c[5usize];
-            let difference_97 = difference_95 - product_96;
-            let product_98 = cos_seat_phi * sum_77;
-            let product_99 = cos_bar_phi * sum_83;
-            let difference_100 = product_98 - product_99;
-            let product_101 = sin_seat_phi * product_88;
-            let difference_102 = difference_100 - product_101;
-            let product_103 = sin_bar_phi * product_93;
-            let difference_104 = difference_102 - product_103;
-            let product_105 = force_seat_y * c[5usize];
-            let sum_106 = difference_104 + product_105;
-            let product_107 = sum_65 * difference_72;
-            let product_108 = sum_70 * sum_70;
-            let difference_109 = product_107 - product_108;
-            let quotient_110 = 1f64 / difference_109;
-            let product_111 = difference_72 * difference_97;
-            let product_112 = sum_70 * sum_106;
-            let difference_113 = product_111 - product_112;
-            let lambda_B_x = quotient_110 * difference_113;
-            let product_115 = sum_70 * difference_97;
-            let product_116 = sum_65 * sum_106;
-            let difference_117 = product_116 - product_115;
-            let lambda_B_y = quotient_110 * difference_117;
-            let product_119 = sin_bar_phi * lambda_B_x;
-            let product_120 = cos_bar_phi * lambda_B_y;
-            let difference_121 = product_120 - product_119;
-            let product_122 = c[15usize] * difference_121;
-            let product_124 = minus_right_side_front * c[18usize];
-            let lambda_front = product_122 - product_124;
-            let product_126 = sin_seat_phi * lambda_B_x;
-            let product_127 = cos_seat_phi * lambda_B_y;
-            let difference_128 = product_127 - product_126;
-            let product_129 = c[13usize] * difference_128;
-            let product_131 = right_side_rear * c[19usize];
-            let lambda_rear = product_129 + product_131;
-            let sum_133 = minus_force_seat_x + lambda_B_x;
-            let product_134 = sin_seat_phi * lambda_rear;
-            let difference_135 = product_134 - sum_133;
-            let product_136 = c[5usize] * difference_135;
-            let difference_137 = force_seat_y - lambda_B_y;
-            let product_138 = cos_seat_phi * lambda_rear;
-            let difference_139 = difference_137 - product_138;
-            let product_140 = c[5usize] * difference_139;
-            let product_141 = c[12usize] * difference_128;
-            let product_143 = force_seat_phi * c[20usize];
-            let difference_144 = product_143 - product_141;
-            let product_145 = c[6usize] * lambda_rear;
-            let sum_146 = difference_144 + product_145;
-            let product_147 = sin_bar_phi * lambda_front;
-            let sum_148 = lambda_B_x + product_147;
-            let product_150 = sum_148 * c[21usize];
-            let product_151 = cos_bar_phi * lambda_front;
-            let difference_152 = lambda_B_y - product_151;
-            let product_153 = c[21usize] * difference_152;
-            let product_155 = difference_121 * c[22usize];
-            let product_157 = cos_27 * c[23usize];
-            let sum_158 = product_155 + product_157;
-            let product_160 = lambda_front * c[24usize];
-            let sum_161 = sum_158 + product_160;
-            let value_167 = -sum_161;
-            a[0usize] = product_136;
-            a[1usize] = product_140;
-            a[2usize] = sum_146;
-            a[3usize] = product_150;
-            a[4usize] = product_153;
-            a[5usize] = value_167;
-            lambda[0usize] = lambda_B_x;
-            lambda[1usize] = lambda_B_y;
-            lambda[2usize] = lambda_rear;
-            lambda[3usize] = lambda_front;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[25usize] > c[26usize]))
-                .mark(3usize, !(c[27usize] > c[28usize]))
-                .mark(0usize, !(difference_109 > c[29usize]))
-                .mark(1usize, !(difference_109 > c[29usize]))
-        }
-        #[inline]
-        fn correction(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            residual: &[f64],
-            delta: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<38usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let residual = ::ezy_core::kernel::array::<4usize>(residual);
-            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
-            let right_side_rear = residual[2usize];
-            let right_side_front = residual[3usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_7 = c[8usize] * cos_seat_phi;
-            let product_8 = cos_seat_phi * product_7;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_12 = c[9usize] * cos_bar_phi;
-            let product_13 = cos_bar_phi * product_12;
-            let sum_14 = product_8 + product_13;
-            let sum_16 = sum_14 + c[10usize];
-            let product_18 = c[8usize] * sin_seat_phi;
-            let product_19 = cos_seat_phi * product_18;
-            let product_21 = c[9usize] * sin_bar_phi;
-            let product_22 = cos_bar_phi * product_21;
-            let sum_23 = product_19 + product_22;
-            let difference_25 = c[11usize] - sum_14;
-            let residual_0 = residual[0usize];
-            let product_28 = right_side_rear * c[13usize];
-            let product_29 = sin_seat_phi * product_28;
-            let difference_30 = residual_0 - product_29;
-            let product_32 = right_side_front * c[15usize];
-            let product_33 = sin_bar_phi * product_32;
-            let difference_34 = difference_30 - product_33;
-            let residual_1 = residual[1usize];
-            let product_36 = cos_seat_phi * product_28;
-            let sum_37 = residual_1 + product_36;
-            let product_38 = cos_bar_phi * product_32;
-            let sum_39 = sum_37 + product_38;
-            let product_40 = sum_16 * difference_25;
-            let product_41 = sum_23 * sum_23;
-            let difference_42 = product_40 - product_41;
-            let quotient_43 = 1f64 / difference_42;
-            let product_44 = difference_25 * difference_34;
-            let product_45 = sum_23 * sum_39;
-            let difference_46 = product_44 - product_45;
-            let lambda_B_x = quotient_43 * difference_46;
-            let product_48 = sum_23 * difference_34;
-            let product_49 = sum_16 * sum_39;
-            let difference_50 = product_49 - product_48;
-            let lambda_B_y = quotient_43 * difference_50;
-            let product_52 = sin_bar_phi * lambda_B_x;
-            let product_53 = cos_bar_phi * lambda_B_y;
-            let difference_54 = product_53 - product_52;
-            let product_55 = c[15usize] * difference_54;
-            let product_57 = right_side_front * c[18usize];
-            let lambda_front = product_55 + product_57;
-            let product_59 = sin_seat_phi * lambda_B_x;
-            let product_60 = cos_seat_phi * lambda_B_y;
-            let difference_61 = product_60 - product_59;
-            let product_62 = c[13usize] * difference_61;
-            let product_64 = right_side_rear * c[19usize];
-            let lambda_rear = product_62 + product_64;
-            let product_66 = sin_seat_phi * lambda_rear;
-            let difference_67 = product_66 - lambda_B_x;
-            let product_69 = difference_67 * c[5usize];
-            let product_70 = cos_seat_phi * lambda_rear;
-            let sum_71 = lambda_B_y + product_70;
-            let product_72 = c[5usize] * sum_71;
-            let product_74 = difference_61 * c[12usize];
-            let product_76 = lambda_rear * c[6usize];
-            let difference_77 = product_76 - product_74;
-            let product_78 = sin_bar_phi * lambda_front;
-            let sum_79 = lambda_B_x + product_78;
-            let product_81 = sum_79 * c[21usize];
-            let product_82 = cos_bar_phi * lambda_front;
-            let difference_83 = lambda_B_y - product_82;
-            let product_84 = c[21usize] * difference_83;
-            let product_86 = difference_54 * c[22usize];
-            let product_88 = lambda_front * c[24usize];
-            let sum_89 = product_86 + product_88;
-            let value_95 = -product_72;
-            let value_96 = -sum_89;
-            delta[0usize] = product_69;
-            delta[1usize] = value_95;
-            delta[2usize] = difference_77;
-            delta[3usize] = product_81;
-            delta[4usize] = product_84;
-            delta[5usize] = value_96;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[25usize] > c[26usize]))
-                .mark(3usize, !(c[27usize] > c[28usize]))
-                .mark(0usize, !(difference_42 > c[29usize]))
-                .mark(1usize, !(difference_42 > c[29usize]))
         }
     }
     ///Driven, with a rear wheel that slips and rolls with resistance.
@@ -4336,6 +4116,464 @@ pub mod ezy_roller {
         };
     }
     #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Drift {
+        fn constants(&self, parameters: &[T], c: &mut [T]) {
+            let parameters = ::ezy_core::kernel::array::<13usize, T>(parameters);
+            let c = ::ezy_core::kernel::array_mut::<36usize, T>(c);
+            let k1 = T::from_f64(1f64);
+            let parameter_m1 = parameters[4usize];
+            let parameter_i1 = parameters[5usize];
+            let parameter_m2 = parameters[6usize];
+            let parameter_i2 = parameters[7usize];
+            let parameter_b = parameters[1usize];
+            let parameter_d = parameters[3usize];
+            let parameter_c = parameters[2usize];
+            let parameter_m0 = parameters[8usize];
+            let parameter_omega = parameters[9usize];
+            let parameter_k = parameters[10usize];
+            let parameter_a = parameters[0usize];
+            let k14 = parameter_k * parameter_a;
+            let k15 = k14 * parameter_a;
+            let k16 = -(k14 + k14);
+            let parameter_creep = parameters[12usize];
+            let k18 = parameter_creep * parameter_creep;
+            let parameter_cornering = parameters[11usize];
+            let k20 = parameter_cornering * parameter_a;
+            let k21 = T::PI;
+            let k22 = k1 / parameter_m1;
+            let k23 = k1 / parameter_i1;
+            let k24 = parameter_b * k23;
+            let k25 = k1 / parameter_m2;
+            let k26 = k1 / parameter_i2;
+            let k27 = parameter_d * parameter_m0;
+            let k28 = k27 * k26;
+            let k29 = parameter_c * parameter_m0;
+            let k30 = k29 * k26;
+            let k31 = parameter_b * parameter_b;
+            let k32 = k31 * k23;
+            let k33 = parameter_d * parameter_d;
+            let k34 = k33 * k26;
+            let k35 = k22 + k32;
+            let k36 = k35 + k25;
+            let k37 = k36 + k34;
+            let k38 = parameter_d * parameter_c;
+            let k39 = k38 * k26;
+            let k40 = k25 - k39;
+            let k41 = k22 + k25;
+            let k42 = parameter_c * parameter_c;
+            let k43 = k42 * k26;
+            let k44 = k25 + k43;
+            let k45 = k1 / k44;
+            let k46 = k40 * k45;
+            let k47 = k46 * k40;
+            let k48 = k37 - k47;
+            let k49 = k47 - k34;
+            let k50 = parameter_m0 * k26;
+            let k51 = parameter_d * k26;
+            let k52 = parameter_c * k26;
+            let k53 = T::from_f64(0.0000000001f64);
+            let k54 = k53 * k44;
+            let k55 = k37 + k41;
+            let k56 = k55 * k55;
+            let k57 = k53 * k56;
+            c[0usize] = k14;
+            c[1usize] = parameter_cornering;
+            c[2usize] = parameter_a;
+            c[3usize] = k18;
+            c[4usize] = parameter_k;
+            c[5usize] = k15;
+            c[6usize] = parameter_m0;
+            c[7usize] = parameter_omega;
+            c[8usize] = k20;
+            c[9usize] = k30;
+            c[10usize] = k32;
+            c[11usize] = k49;
+            c[12usize] = k48;
+            c[13usize] = k41;
+            c[14usize] = k28;
+            c[15usize] = k46;
+            c[16usize] = parameter_b;
+            c[17usize] = parameter_d;
+            c[18usize] = k22;
+            c[19usize] = k24;
+            c[20usize] = k45;
+            c[21usize] = k23;
+            c[22usize] = k25;
+            c[23usize] = k51;
+            c[24usize] = k50;
+            c[25usize] = k52;
+            c[26usize] = k44;
+            c[27usize] = k54;
+            c[28usize] = k57;
+            c[29usize] = parameter_m1;
+            c[30usize] = parameter_i1;
+            c[31usize] = parameter_m2;
+            c[32usize] = parameter_i2;
+            c[33usize] = parameter_c;
+            c[34usize] = k16;
+            c[35usize] = k21;
+        }
+        fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+            out[0usize] = c[29usize];
+            out[1usize] = c[29usize];
+            out[2usize] = c[30usize];
+            out[3usize] = c[31usize];
+            out[4usize] = c[31usize];
+            out[5usize] = c[32usize];
+        }
+        fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let sum_7 = T::fused(c[16usize], cos_seat_phi, seat_x);
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_14 = T::fused(c[17usize], cos_bar_phi, difference_9);
+            let seat_y = q[1usize];
+            let sum_18 = T::fused(c[16usize], sin_seat_phi, seat_y);
+            let bar_y = q[4usize];
+            let difference_20 = sum_18 - bar_y;
+            let sum_23 = T::fused(c[17usize], sin_bar_phi, difference_20);
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
+        }
+        fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+            let seat_vx = v[0usize];
+            let bar_vx = v[3usize];
+            let difference_4 = seat_vx - bar_vx;
+            let bar_omega = v[5usize];
+            let product_7 = c[17usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let difference_11 = T::fused(-product_7, sin_bar_phi, difference_4);
+            let seat_omega = v[2usize];
+            let product_14 = c[16usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let difference_18 = T::fused(-product_14, sin_seat_phi, difference_11);
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let sum_24 = T::fused(product_7, cos_bar_phi, difference_21);
+            let sum_27 = T::fused(product_14, cos_seat_phi, sum_24);
+            let product_29 = bar_omega * c[33usize];
+            let difference_31 = T::fused(-bar_vx, sin_bar_phi, product_29);
+            let sum_33 = T::fused(bar_vy, cos_bar_phi, difference_31);
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = sum_33;
+        }
+        fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_4 = c[16usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_8 = c[17usize] * sin_bar_phi;
+            let product_10 = c[16usize] * cos_seat_phi;
+            let product_12 = c[17usize] * cos_bar_phi;
+            let value_14 = -product_4;
+            let value_15 = -T::from_f64(1f64);
+            let value_16 = -product_8;
+            let value_17 = -sin_bar_phi;
+            out[0usize] = T::from_f64(1f64);
+            out[1usize] = value_14;
+            out[2usize] = value_15;
+            out[3usize] = value_16;
+            out[4usize] = T::from_f64(1f64);
+            out[5usize] = product_10;
+            out[6usize] = value_15;
+            out[7usize] = product_12;
+            out[8usize] = value_17;
+            out[9usize] = cos_bar_phi;
+            out[10usize] = c[33usize];
+        }
+        fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[16usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[17usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+            let product_18 = product_4 * sin_seat_phi;
+            let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+            let bar_vx = v[3usize];
+            let product_23 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_26 = T::fused(sin_bar_phi, bar_vy, product_23);
+            let product_27 = bar_omega * sum_26;
+            let value_28 = -sum_16;
+            let value_29 = -sum_21;
+            let value_30 = -product_27;
+            out[0usize] = value_28;
+            out[1usize] = value_29;
+            out[2usize] = value_30;
+        }
+        fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+            let seat_omega = v[2usize];
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_11 = seat_vx * sin_seat_phi;
+            let sum_12 = T::fused(seat_omega, c[2usize], product_11);
+            let seat_vy = v[1usize];
+            let product_15 = seat_vy * cos_seat_phi;
+            let difference_16 = product_15 - sum_12;
+            let product_17 = seat_vx * cos_seat_phi;
+            let sum_19 = T::fused(sin_seat_phi, seat_vy, product_17);
+            let sum_22 = T::fused(sum_19, sum_19, c[3usize]);
+            let value_23 = T::sqrt(sum_22);
+            let value_24 = T::atan2(difference_16, value_23);
+            let product_25 = c[1usize] * value_24;
+            let difference_26 = T::fused(-c[0usize], seat_omega, product_25);
+            let product_27 = sin_seat_phi * difference_26;
+            let difference_30 = T::fused(-seat_vx, c[4usize], product_27);
+            let product_31 = cos_seat_phi * difference_26;
+            let sum_33 = T::fused(seat_vy, c[4usize], product_31);
+            let difference_34 = product_15 - product_11;
+            let product_35 = c[0usize] * difference_34;
+            let difference_38 = T::fused(-seat_omega, c[5usize], product_35);
+            let product_42 = c[7usize] * t;
+            let cos_42 = T::cos(product_42);
+            let product_44 = c[6usize] * cos_42;
+            let sum_45 = difference_38 + product_44;
+            let sum_48 = T::fused(value_24, c[8usize], sum_45);
+            let value_49 = -sum_33;
+            let value_50 = -product_44;
+            out[0usize] = difference_30;
+            out[1usize] = value_49;
+            out[2usize] = sum_48;
+            out[3usize] = T::from_f64(0f64);
+            out[4usize] = T::from_f64(0f64);
+            out[5usize] = value_50;
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            v: &[T],
+            a: &mut [T],
+            lambda: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<3usize, T>(lambda);
+            let seat_omega = v[2usize];
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_11 = seat_vx * sin_seat_phi;
+            let sum_12 = T::fused(seat_omega, c[2usize], product_11);
+            let seat_vy = v[1usize];
+            let product_15 = seat_vy * cos_seat_phi;
+            let difference_16 = product_15 - sum_12;
+            let product_17 = seat_vx * cos_seat_phi;
+            let sum_19 = T::fused(sin_seat_phi, seat_vy, product_17);
+            let sum_22 = T::fused(sum_19, sum_19, c[3usize]);
+            let value_23 = T::sqrt(sum_22);
+            let value_24 = T::atan2(difference_16, value_23);
+            let product_25 = c[1usize] * value_24;
+            let difference_26 = T::fused(-c[0usize], seat_omega, product_25);
+            let product_27 = sin_seat_phi * difference_26;
+            let force_seat_x = T::fused(-seat_vx, c[4usize], product_27);
+            let product_31 = cos_seat_phi * difference_26;
+            let minus_force_seat_y = T::fused(seat_vy, c[4usize], product_31);
+            let difference_34 = product_15 - product_11;
+            let product_35 = c[0usize] * difference_34;
+            let difference_38 = T::fused(-seat_omega, c[5usize], product_35);
+            let product_42 = c[7usize] * t;
+            let cos_42 = T::cos(product_42);
+            let sum_45 = T::fused(c[6usize], cos_42, difference_38);
+            let force_seat_phi = T::fused(value_24, c[8usize], sum_45);
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_52 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let sum_56 = T::fused(bar_vy, sin_bar_phi, product_52);
+            let bar_omega = v[5usize];
+            let product_58 = sum_56 * bar_omega;
+            let minus_right_side_front = T::fused(cos_42, c[9usize], product_58);
+            let product_63 = cos_seat_phi * c[10usize];
+            let product_66 = cos_bar_phi * c[11usize];
+            let product_67 = cos_bar_phi * product_66;
+            let difference_68 = T::fused(-cos_seat_phi, product_63, product_67);
+            let sum_70 = difference_68 + c[12usize];
+            let product_71 = sin_seat_phi * c[10usize];
+            let product_73 = sin_bar_phi * c[11usize];
+            let product_74 = cos_bar_phi * product_73;
+            let difference_75 = T::fused(-cos_seat_phi, product_71, product_74);
+            let difference_77 = c[13usize] - difference_68;
+            let product_79 = cos_42 * c[14usize];
+            let sum_82 = T::fused(minus_right_side_front, c[15usize], product_79);
+            let product_83 = sin_bar_phi * sum_82;
+            let product_85 = seat_omega * c[16usize];
+            let product_86 = seat_omega * product_85;
+            let difference_88 = T::fused(-cos_seat_phi, product_86, product_83);
+            let product_90 = bar_omega * c[17usize];
+            let product_91 = bar_omega * product_90;
+            let difference_93 = T::fused(-cos_bar_phi, product_91, difference_88);
+            let sum_96 = T::fused(force_seat_x, c[18usize], difference_93);
+            let product_98 = force_seat_phi * c[19usize];
+            let difference_100 = T::fused(-sin_seat_phi, product_98, sum_96);
+            let product_101 = cos_bar_phi * sum_82;
+            let sum_103 = T::fused(sin_seat_phi, product_86, product_101);
+            let sum_105 = T::fused(sin_bar_phi, product_91, sum_103);
+            let sum_107 = T::fused(minus_force_seat_y, c[18usize], sum_105);
+            let difference_109 = T::fused(cos_seat_phi, product_98, -sum_107);
+            let product_110 = sum_70 * difference_77;
+            let difference_112 = T::fused(-difference_75, difference_75, product_110);
+            let quotient_113 = T::from_f64(1f64) / difference_112;
+            let product_114 = difference_77 * difference_100;
+            let difference_116 = T::fused(-difference_75, difference_109, product_114);
+            let lambda_B_x = quotient_113 * difference_116;
+            let product_119 = sum_70 * difference_109;
+            let difference_120 = T::fused(-difference_75, difference_100, product_119);
+            let lambda_B_y = quotient_113 * difference_120;
+            let product_123 = cos_bar_phi * lambda_B_y;
+            let difference_124 = T::fused(-sin_bar_phi, lambda_B_x, product_123);
+            let product_125 = c[15usize] * difference_124;
+            let lambda_front = T::fused(
+                -minus_right_side_front,
+                c[20usize],
+                product_125,
+            );
+            let difference_129 = force_seat_x - lambda_B_x;
+            let product_130 = c[18usize] * difference_129;
+            let sum_131 = minus_force_seat_y + lambda_B_y;
+            let product_132 = c[18usize] * sum_131;
+            let product_133 = sin_seat_phi * lambda_B_x;
+            let difference_135 = T::fused(-cos_seat_phi, lambda_B_y, product_133);
+            let product_136 = c[19usize] * difference_135;
+            let sum_139 = T::fused(force_seat_phi, c[21usize], product_136);
+            let sum_141 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+            let product_143 = sum_141 * c[22usize];
+            let difference_145 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+            let product_146 = c[22usize] * difference_145;
+            let product_148 = difference_124 * c[23usize];
+            let sum_151 = T::fused(cos_42, c[24usize], product_148);
+            let sum_154 = T::fused(lambda_front, c[25usize], sum_151);
+            let value_158 = -product_132;
+            let value_159 = -sum_154;
+            a[0usize] = product_130;
+            a[1usize] = value_158;
+            a[2usize] = sum_139;
+            a[3usize] = product_143;
+            a[4usize] = product_146;
+            a[5usize] = value_159;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = lambda_B_y;
+            lambda[2usize] = lambda_front;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[26usize], c[27usize]))
+                .mark(0usize, !T::is_above(difference_112, c[28usize]))
+                .mark(1usize, !T::is_above(difference_112, c[28usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            residual: &[T],
+            delta: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let residual = ::ezy_core::kernel::array::<3usize, T>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+            let right_side_front = residual[2usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_6 = c[10usize] * cos_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_11 = c[11usize] * cos_bar_phi;
+            let product_12 = cos_bar_phi * product_11;
+            let difference_13 = T::fused(-cos_seat_phi, product_6, product_12);
+            let sum_15 = difference_13 + c[12usize];
+            let product_17 = c[10usize] * sin_seat_phi;
+            let product_20 = c[11usize] * sin_bar_phi;
+            let product_21 = cos_bar_phi * product_20;
+            let difference_22 = T::fused(-cos_seat_phi, product_17, product_21);
+            let difference_24 = c[13usize] - difference_13;
+            let residual_0 = residual[0usize];
+            let product_27 = right_side_front * c[15usize];
+            let difference_29 = T::fused(-sin_bar_phi, product_27, residual_0);
+            let residual_1 = residual[1usize];
+            let sum_32 = T::fused(cos_bar_phi, product_27, residual_1);
+            let product_33 = sum_15 * difference_24;
+            let difference_35 = T::fused(-difference_22, difference_22, product_33);
+            let quotient_36 = T::from_f64(1f64) / difference_35;
+            let product_37 = difference_24 * difference_29;
+            let difference_39 = T::fused(-difference_22, sum_32, product_37);
+            let lambda_B_x = quotient_36 * difference_39;
+            let product_42 = sum_15 * sum_32;
+            let difference_43 = T::fused(-difference_22, difference_29, product_42);
+            let lambda_B_y = quotient_36 * difference_43;
+            let product_46 = cos_bar_phi * lambda_B_y;
+            let difference_47 = T::fused(-sin_bar_phi, lambda_B_x, product_46);
+            let product_48 = c[15usize] * difference_47;
+            let lambda_front = T::fused(right_side_front, c[20usize], product_48);
+            let product_53 = lambda_B_x * c[18usize];
+            let product_54 = lambda_B_y * c[18usize];
+            let product_55 = sin_seat_phi * lambda_B_x;
+            let difference_57 = T::fused(-cos_seat_phi, lambda_B_y, product_55);
+            let product_59 = difference_57 * c[19usize];
+            let sum_61 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+            let product_63 = sum_61 * c[22usize];
+            let difference_65 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+            let product_66 = c[22usize] * difference_65;
+            let product_68 = difference_47 * c[23usize];
+            let sum_71 = T::fused(lambda_front, c[25usize], product_68);
+            let value_75 = -product_53;
+            let value_76 = -product_54;
+            let value_77 = -sum_71;
+            delta[0usize] = value_75;
+            delta[1usize] = value_76;
+            delta[2usize] = product_59;
+            delta[3usize] = product_63;
+            delta[4usize] = product_66;
+            delta[5usize] = value_77;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[26usize], c[27usize]))
+                .mark(0usize, !T::is_above(difference_35, c[28usize]))
+                .mark(1usize, !T::is_above(difference_35, c[28usize]))
+        }
+    }
+    #[automatically_derived]
     impl ::ezy_core::model::Scene for Drift {
         fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
             static INFO: ::ezy_core::model::SceneInfo = Drift::INFO;
@@ -4377,305 +4615,6 @@ pub mod ezy_roller {
                 _ => {}
             }
         }
-        fn constants(&self, c: &mut [f64]) {
-            let c = ::ezy_core::kernel::array_mut::<36usize>(c);
-            let k1 = 1f64;
-            let k2 = self.m1;
-            let k3 = self.i1;
-            let k4 = self.m2;
-            let k5 = self.i2;
-            let k6 = self.b;
-            let k7 = self.d;
-            let k9 = self.c;
-            let k10 = self.m0;
-            let k11 = self.omega;
-            let k12 = self.k;
-            let k13 = self.a;
-            let k14 = k12 * k13;
-            let k15 = k14 * k13;
-            let k16 = -(k14 + k14);
-            let k17 = self.creep;
-            let k18 = k17 * k17;
-            let k19 = self.cornering;
-            let k20 = k19 * k13;
-            let k21 = ::core::f64::consts::PI;
-            let k22 = k1 / k2;
-            let k23 = k1 / k3;
-            let k24 = k6 * k23;
-            let k25 = k1 / k4;
-            let k26 = k1 / k5;
-            let k27 = k7 * k10;
-            let k28 = k27 * k26;
-            let k29 = k9 * k10;
-            let k30 = k29 * k26;
-            let k31 = k6 * k6;
-            let k32 = k31 * k23;
-            let k33 = k7 * k7;
-            let k34 = k33 * k26;
-            let k35 = k22 + k32;
-            let k36 = k35 + k25;
-            let k37 = k36 + k34;
-            let k38 = k7 * k9;
-            let k39 = k38 * k26;
-            let k40 = k25 - k39;
-            let k41 = k22 + k25;
-            let k42 = k9 * k9;
-            let k43 = k42 * k26;
-            let k44 = k25 + k43;
-            let k45 = k1 / k44;
-            let k46 = k40 * k45;
-            let k47 = k46 * k40;
-            let k48 = k37 - k47;
-            let k49 = k47 - k34;
-            let k50 = k10 * k26;
-            let k51 = k7 * k26;
-            let k52 = k9 * k26;
-            let k53 = 0.0000000001f64;
-            let k54 = k53 * k44;
-            let k55 = k37 + k41;
-            let k56 = k55 * k55;
-            let k57 = k53 * k56;
-            c[0usize] = k14;
-            c[1usize] = k19;
-            c[2usize] = k13;
-            c[3usize] = k18;
-            c[4usize] = k12;
-            c[5usize] = k15;
-            c[6usize] = k10;
-            c[7usize] = k11;
-            c[8usize] = k20;
-            c[9usize] = k30;
-            c[10usize] = k32;
-            c[11usize] = k49;
-            c[12usize] = k48;
-            c[13usize] = k41;
-            c[14usize] = k28;
-            c[15usize] = k46;
-            c[16usize] = k6;
-            c[17usize] = k7;
-            c[18usize] = k22;
-            c[19usize] = k24;
-            c[20usize] = k45;
-            c[21usize] = k23;
-            c[22usize] = k25;
-            c[23usize] = k51;
-            c[24usize] = k50;
-            c[25usize] = k52;
-            c[26usize] = k44;
-            c[27usize] = k54;
-            c[28usize] = k57;
-            c[29usize] = k2;
-            c[30usize] = k3;
-            c[31usize] = k4;
-            c[32usize] = k5;
-            c[33usize] = k9;
-            c[34usize] = k16;
-            c[35usize] = k21;
-        }
-        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
-            out[0usize] = c[29usize];
-            out[1usize] = c[29usize];
-            out[2usize] = c[30usize];
-            out[3usize] = c[31usize];
-            out[4usize] = c[31usize];
-            out[5usize] = c[32usize];
-        }
-        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
-            let seat_x = q[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[16usize] * cos_seat_phi;
-            let sum_7 = seat_x + product_6;
-            let bar_x = q[3usize];
-            let difference_9 = sum_7 - bar_x;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_13 = c[17usize] * cos_bar_phi;
-            let sum_14 = difference_9 + product_13;
-            let seat_y = q[1usize];
-            let product_17 = c[16usize] * sin_seat_phi;
-            let sum_18 = seat_y + product_17;
-            let bar_y = q[4usize];
-            let difference_20 = sum_18 - bar_y;
-            let product_22 = c[17usize] * sin_bar_phi;
-            let sum_23 = difference_20 + product_22;
-            out[0usize] = sum_14;
-            out[1usize] = sum_23;
-        }
-        fn velocity_constraint(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<3usize>(out);
-            let seat_vx = v[0usize];
-            let bar_vx = v[3usize];
-            let difference_4 = seat_vx - bar_vx;
-            let bar_omega = v[5usize];
-            let product_7 = c[17usize] * bar_omega;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_10 = product_7 * sin_bar_phi;
-            let difference_11 = difference_4 - product_10;
-            let seat_omega = v[2usize];
-            let product_14 = c[16usize] * seat_omega;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_17 = product_14 * sin_seat_phi;
-            let difference_18 = difference_11 - product_17;
-            let seat_vy = v[1usize];
-            let bar_vy = v[4usize];
-            let difference_21 = seat_vy - bar_vy;
-            let product_23 = product_7 * cos_bar_phi;
-            let sum_24 = difference_21 + product_23;
-            let product_26 = product_14 * cos_seat_phi;
-            let sum_27 = sum_24 + product_26;
-            let product_29 = bar_omega * c[33usize];
-            let product_30 = bar_vx * sin_bar_phi;
-            let difference_31 = product_29 - product_30;
-            let product_32 = bar_vy * cos_bar_phi;
-            let sum_33 = difference_31 + product_32;
-            out[0usize] = difference_18;
-            out[1usize] = sum_27;
-            out[2usize] = sum_33;
-        }
-        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<11usize>(out);
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_4 = c[16usize] * sin_seat_phi;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_8 = c[17usize] * sin_bar_phi;
-            let product_10 = c[16usize] * cos_seat_phi;
-            let product_12 = c[17usize] * cos_bar_phi;
-            let value_14 = -product_4;
-            let value_15 = -1f64;
-            let value_16 = -product_8;
-            let value_17 = -sin_bar_phi;
-            out[0usize] = 1f64;
-            out[1usize] = value_14;
-            out[2usize] = value_15;
-            out[3usize] = value_16;
-            out[4usize] = 1f64;
-            out[5usize] = product_10;
-            out[6usize] = value_15;
-            out[7usize] = product_12;
-            out[8usize] = value_17;
-            out[9usize] = cos_bar_phi;
-            out[10usize] = c[33usize];
-        }
-        fn convective_term(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<3usize>(out);
-            let seat_omega = v[2usize];
-            let product_3 = c[16usize] * seat_omega;
-            let product_4 = seat_omega * product_3;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_4 * cos_seat_phi;
-            let bar_omega = v[5usize];
-            let product_11 = c[17usize] * bar_omega;
-            let product_12 = bar_omega * product_11;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = product_12 * cos_bar_phi;
-            let sum_16 = product_8 + product_15;
-            let product_18 = product_4 * sin_seat_phi;
-            let product_20 = product_12 * sin_bar_phi;
-            let sum_21 = product_18 + product_20;
-            let bar_vx = v[3usize];
-            let product_23 = cos_bar_phi * bar_vx;
-            let bar_vy = v[4usize];
-            let product_25 = sin_bar_phi * bar_vy;
-            let sum_26 = product_23 + product_25;
-            let product_27 = bar_omega * sum_26;
-            let value_28 = -sum_16;
-            let value_29 = -sum_21;
-            let value_30 = -product_27;
-            out[0usize] = value_28;
-            out[1usize] = value_29;
-            out[2usize] = value_30;
-        }
-        fn applied_force(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
-            let seat_omega = v[2usize];
-            let product_3 = c[0usize] * seat_omega;
-            let product_6 = seat_omega * c[2usize];
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_11 = seat_vx * sin_seat_phi;
-            let sum_12 = product_6 + product_11;
-            let seat_vy = v[1usize];
-            let product_15 = seat_vy * cos_seat_phi;
-            let difference_16 = product_15 - sum_12;
-            let product_17 = seat_vx * cos_seat_phi;
-            let product_18 = sin_seat_phi * seat_vy;
-            let sum_19 = product_17 + product_18;
-            let product_20 = sum_19 * sum_19;
-            let sum_22 = product_20 + c[3usize];
-            let value_23 = f64::sqrt(sum_22);
-            let value_24 = f64::atan2(difference_16, value_23);
-            let product_25 = c[1usize] * value_24;
-            let difference_26 = product_25 - product_3;
-            let product_27 = sin_seat_phi * difference_26;
-            let product_29 = seat_vx * c[4usize];
-            let difference_30 = product_27 - product_29;
-            let product_31 = cos_seat_phi * difference_26;
-            let product_32 = seat_vy * c[4usize];
-            let sum_33 = product_31 + product_32;
-            let difference_34 = product_15 - product_11;
-            let product_35 = c[0usize] * difference_34;
-            let product_37 = seat_omega * c[5usize];
-            let difference_38 = product_35 - product_37;
-            let product_42 = c[7usize] * t;
-            let cos_42 = f64::cos(product_42);
-            let product_44 = c[6usize] * cos_42;
-            let sum_45 = difference_38 + product_44;
-            let product_47 = value_24 * c[8usize];
-            let sum_48 = sum_45 + product_47;
-            let value_49 = -sum_33;
-            let value_50 = -product_44;
-            out[0usize] = difference_30;
-            out[1usize] = value_49;
-            out[2usize] = sum_48;
-            out[3usize] = 0f64;
-            out[4usize] = 0f64;
-            out[5usize] = value_50;
-        }
         fn power(
             &self,
             c: &[f64],
@@ -4685,11 +4624,11 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let lambda = ::ezy_core::kernel::array::<3usize>(lambda);
-            let out = ::ezy_core::kernel::array_mut::<3usize>(out);
+            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let lambda = ::ezy_core::kernel::array::<3usize, f64>(lambda);
+            let out = ::ezy_core::kernel::array_mut::<3usize, f64>(out);
             let seat_omega = v[2usize];
             let bar_omega = v[5usize];
             let difference_4 = seat_omega - bar_omega;
@@ -4732,9 +4671,9 @@ pub mod ezy_roller {
             out[2usize] = product_49;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
@@ -4763,259 +4702,20 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<0usize>(out);
+            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
         }
         fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
+            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
             start.give_position(0usize, 0f64);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
             start.give_position(5usize, c[35usize]);
-        }
-        #[inline]
-        fn accelerations(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            a: &mut [f64],
-            lambda: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
-            let lambda = ::ezy_core::kernel::array_mut::<3usize>(lambda);
-            let seat_omega = v[2usize];
-            let product_3 = c[0usize] * seat_omega;
-            let product_6 = seat_omega * c[2usize];
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_11 = seat_vx * sin_seat_phi;
-            let sum_12 = product_6 + product_11;
-            let seat_vy = v[1usize];
-            let product_15 = seat_vy * cos_seat_phi;
-            let difference_16 = product_15 - sum_12;
-            let product_17 = seat_vx * cos_seat_phi;
-            let product_18 = sin_seat_phi * seat_vy;
-            let sum_19 = product_17 + product_18;
-            let product_20 = sum_19 * sum_19;
-            let sum_22 = product_20 + c[3usize];
-            let value_23 = f64::sqrt(sum_22);
-            let value_24 = f64::atan2(difference_16, value_23);
-            let product_25 = c[1usize] * value_24;
-            let difference_26 = product_25 - product_3;
-            let product_27 = sin_seat_phi * difference_26;
-            let product_29 = seat_vx * c[4usize];
-            let force_seat_x = product_27 - product_29;
-            let product_31 = cos_seat_phi * difference_26;
-            let product_32 = seat_vy * c[4usize];
-            let minus_force_seat_y = product_31 + product_32;
-            let difference_34 = product_15 - product_11;
-            let product_35 = c[0usize] * difference_34;
-            let product_37 = seat_omega * c[5usize];
-            let difference_38 = product_35 - product_37;
-            let product_42 = c[7usize] * t;
-            let cos_42 = f64::cos(product_42);
-            let product_44 = c[6usize] * cos_42;
-            let sum_45 = difference_38 + product_44;
-            let product_47 = value_24 * c[8usize];
-            let force_seat_phi = sum_45 + product_47;
-            let bar_vx = v[3usize];
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_52 = bar_vx * cos_bar_phi;
-            let bar_vy = v[4usize];
-            let product_55 = bar_vy * sin_bar_phi;
-            let sum_56 = product_52 + product_55;
-            let bar_omega = v[5usize];
-            let product_58 = sum_56 * bar_omega;
-            let product_60 = cos_42 * c[9usize];
-            let minus_right_side_front = product_58 + product_60;
-            let product_63 = cos_seat_phi * c[10usize];
-            let product_64 = cos_seat_phi * product_63;
-            let product_66 = cos_bar_phi * c[11usize];
-            let product_67 = cos_bar_phi * product_66;
-            let difference_68 = product_67 - product_64;
-            let sum_70 = difference_68 + c[12usize];
-            let product_71 = sin_seat_phi * c[10usize];
-            let product_72 = cos_seat_phi * product_71;
-            let product_73 = sin_bar_phi * c[11usize];
-            let product_74 = cos_bar_phi * product_73;
-            let difference_75 = product_74 - product_72;
-            let difference_77 = c[13usize] - difference_68;
-            let product_79 = cos_42 * c[14usize];
-            let product_81 = minus_right_side_front * c[15usize];
-            let sum_82 = product_79 + product_81;
-            let product_83 = sin_bar_phi * sum_82;
-            let product_85 = seat_omega * c[16usize];
-            let product_86 = seat_omega * product_85;
-            let product_87 = cos_seat_phi * product_86;
-            let difference_88 = product_83 - product_87;
-            let product_90 = bar_omega * c[17usize];
-            let product_91 = bar_omega * product_90;
-            let product_92 = cos_bar_phi * product_91;
-            let difference_93 = difference_88 - product_92;
-            let product_95 = force_seat_x * c[18usize];
-            let sum_96 = difference_93 + product_95;
-            let product_98 = force_seat_phi * c[19usize];
-            let product_99 = sin_seat_phi * product_98;
-            let difference_100 = sum_96 - product_99;
-            let product_101 = cos_bar_phi * sum_82;
-            let product_102 = sin_seat_phi * product_86;
-            let sum_103 = product_101 + product_102;
-            let product_104 = sin_bar_phi * product_91;
-            let sum_105 = sum_103 + product_104;
-            let product_106 = minus_force_seat_y * c[18usize];
-            let sum_107 = sum_105 + product_106;
-            let product_108 = cos_seat_phi * product_98;
-            let difference_109 = product_108 - sum_107;
-            let product_110 = sum_70 * difference_77;
-            let product_111 = difference_75 * difference_75;
-            let difference_112 = product_110 - product_111;
-            let quotient_113 = 1f64 / difference_112;
-            let product_114 = difference_77 * difference_100;
-            let product_115 = difference_75 * difference_109;
-            let difference_116 = product_114 - product_115;
-            let lambda_B_x = quotient_113 * difference_116;
-            let product_118 = difference_75 * difference_100;
-            let product_119 = sum_70 * difference_109;
-            let difference_120 = product_119 - product_118;
-            let lambda_B_y = quotient_113 * difference_120;
-            let product_122 = sin_bar_phi * lambda_B_x;
-            let product_123 = cos_bar_phi * lambda_B_y;
-            let difference_124 = product_123 - product_122;
-            let product_125 = c[15usize] * difference_124;
-            let product_127 = minus_right_side_front * c[20usize];
-            let lambda_front = product_125 - product_127;
-            let difference_129 = force_seat_x - lambda_B_x;
-            let product_130 = c[18usize] * difference_129;
-            let sum_131 = minus_force_seat_y + lambda_B_y;
-            let product_132 = c[18usize] * sum_131;
-            let product_133 = sin_seat_phi * lambda_B_x;
-            let product_134 = cos_seat_phi * lambda_B_y;
-            let difference_135 = product_133 - product_134;
-            let product_136 = c[19usize] * difference_135;
-            let product_138 = force_seat_phi * c[21usize];
-            let sum_139 = product_136 + product_138;
-            let product_140 = sin_bar_phi * lambda_front;
-            let sum_141 = lambda_B_x + product_140;
-            let product_143 = sum_141 * c[22usize];
-            let product_144 = cos_bar_phi * lambda_front;
-            let difference_145 = lambda_B_y - product_144;
-            let product_146 = c[22usize] * difference_145;
-            let product_148 = difference_124 * c[23usize];
-            let product_150 = cos_42 * c[24usize];
-            let sum_151 = product_148 + product_150;
-            let product_153 = lambda_front * c[25usize];
-            let sum_154 = sum_151 + product_153;
-            let value_158 = -product_132;
-            let value_159 = -sum_154;
-            a[0usize] = product_130;
-            a[1usize] = value_158;
-            a[2usize] = sum_139;
-            a[3usize] = product_143;
-            a[4usize] = product_146;
-            a[5usize] = value_159;
-            lambda[0usize] = lambda_B_x;
-            lambda[1usize] = lambda_B_y;
-            lambda[2usize] = lambda_front;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[26usize] > c[27usize]))
-                .mark(0usize, !(difference_112 > c[28usize]))
-                .mark(1usize, !(difference_112 > c[28usize]))
-        }
-        #[inline]
-        fn correction(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            residual: &[f64],
-            delta: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<36usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let residual = ::ezy_core::kernel::array::<3usize>(residual);
-            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
-            let right_side_front = residual[2usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[10usize] * cos_seat_phi;
-            let product_7 = cos_seat_phi * product_6;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_11 = c[11usize] * cos_bar_phi;
-            let product_12 = cos_bar_phi * product_11;
-            let difference_13 = product_12 - product_7;
-            let sum_15 = difference_13 + c[12usize];
-            let product_17 = c[10usize] * sin_seat_phi;
-            let product_18 = cos_seat_phi * product_17;
-            let product_20 = c[11usize] * sin_bar_phi;
-            let product_21 = cos_bar_phi * product_20;
-            let difference_22 = product_21 - product_18;
-            let difference_24 = c[13usize] - difference_13;
-            let residual_0 = residual[0usize];
-            let product_27 = right_side_front * c[15usize];
-            let product_28 = sin_bar_phi * product_27;
-            let difference_29 = residual_0 - product_28;
-            let residual_1 = residual[1usize];
-            let product_31 = cos_bar_phi * product_27;
-            let sum_32 = residual_1 + product_31;
-            let product_33 = sum_15 * difference_24;
-            let product_34 = difference_22 * difference_22;
-            let difference_35 = product_33 - product_34;
-            let quotient_36 = 1f64 / difference_35;
-            let product_37 = difference_24 * difference_29;
-            let product_38 = difference_22 * sum_32;
-            let difference_39 = product_37 - product_38;
-            let lambda_B_x = quotient_36 * difference_39;
-            let product_41 = difference_22 * difference_29;
-            let product_42 = sum_15 * sum_32;
-            let difference_43 = product_42 - product_41;
-            let lambda_B_y = quotient_36 * difference_43;
-            let product_45 = sin_bar_phi * lambda_B_x;
-            let product_46 = cos_bar_phi * lambda_B_y;
-            let difference_47 = product_46 - product_45;
-            let product_48 = c[15usize] * difference_47;
-            let product_50 = right_side_front * c[20usize];
-            let lambda_front = product_48 + product_50;
-            let product_53 = lambda_B_x * c[18usize];
-            let product_54 = lambda_B_y * c[18usize];
-            let product_55 = sin_seat_phi * lambda_B_x;
-            let product_56 = cos_seat_phi * lambda_B_y;
-            let difference_57 = product_55 - product_56;
-            let product_59 = difference_57 * c[19usize];
-            let product_60 = sin_bar_phi * lambda_front;
-            let sum_61 = lambda_B_x + product_60;
-            let product_63 = sum_61 * c[22usize];
-            let product_64 = cos_bar_phi * lambda_front;
-            let difference_65 = lambda_B_y - product_64;
-            let product_66 = c[22usize] * difference_65;
-            let product_68 = difference_47 * c[23usize];
-            let product_70 = lambda_front * c[25usize];
-            let sum_71 = product_68 + product_70;
-            let value_75 = -product_53;
-            let value_76 = -product_54;
-            let value_77 = -sum_71;
-            delta[0usize] = value_75;
-            delta[1usize] = value_76;
-            delta[2usize] = product_59;
-            delta[3usize] = product_63;
-            delta[4usize] = product_66;
-            delta[5usize] = value_77;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[26usize] > c[27usize]))
-                .mark(0usize, !(difference_35 > c[28usize]))
-                .mark(1usize, !(difference_35 > c[28usize]))
         }
     }
     ///At 1 m/s with the bar across, in the hands of a rider: set `torque`.
@@ -5598,6 +5298,441 @@ pub mod ezy_roller {
         };
     }
     #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
+    for self::Ridden {
+        fn constants(&self, parameters: &[T], c: &mut [T]) {
+            let parameters = ::ezy_core::kernel::array::<8usize, T>(parameters);
+            let c = ::ezy_core::kernel::array_mut::<32usize, T>(c);
+            let k1 = T::from_f64(1f64);
+            let parameter_m1 = parameters[4usize];
+            let parameter_i1 = parameters[5usize];
+            let parameter_m2 = parameters[6usize];
+            let parameter_i2 = parameters[7usize];
+            let parameter_b = parameters[1usize];
+            let parameter_d = parameters[3usize];
+            let parameter_a = parameters[0usize];
+            let parameter_c = parameters[2usize];
+            let k11 = T::PI;
+            let k12 = T::from_f64(2f64);
+            let k13 = k11 / k12;
+            let k14 = T::from_f64(180f64);
+            let k16 = k14 / k11;
+            let k17 = k1 / parameter_m1;
+            let k18 = k1 / parameter_i1;
+            let k19 = parameter_b * k18;
+            let k20 = k1 / parameter_m2;
+            let k21 = k1 / parameter_i2;
+            let k22 = parameter_d * k21;
+            let k23 = parameter_a * k18;
+            let k24 = parameter_c * k21;
+            let k25 = parameter_b * parameter_b;
+            let k26 = k25 * k18;
+            let k27 = parameter_d * parameter_d;
+            let k28 = k27 * k21;
+            let k29 = k17 + k26;
+            let k30 = k29 + k20;
+            let k31 = k30 + k28;
+            let k32 = parameter_b * parameter_a;
+            let k33 = k32 * k18;
+            let k34 = k33 - k17;
+            let k35 = parameter_d * parameter_c;
+            let k36 = k35 * k21;
+            let k37 = k20 - k36;
+            let k38 = k17 + k20;
+            let k39 = parameter_a * parameter_a;
+            let k40 = k39 * k18;
+            let k41 = k17 + k40;
+            let k42 = parameter_c * parameter_c;
+            let k43 = k42 * k21;
+            let k44 = k20 + k43;
+            let k45 = k1 / k41;
+            let k46 = k34 * k45;
+            let k47 = k46 * k34;
+            let k48 = k31 - k47;
+            let k49 = k47 - k26;
+            let k50 = k1 / k44;
+            let k51 = k37 * k50;
+            let k52 = k51 * k37;
+            let k53 = k48 - k52;
+            let k54 = k52 - k28;
+            let k55 = T::from_f64(0.0000000001f64);
+            let k56 = k55 * k41;
+            let k57 = k55 * k44;
+            let k58 = k31 + k38;
+            let k59 = k58 * k58;
+            let k60 = k55 * k59;
+            c[1usize] = k23;
+            c[2usize] = k24;
+            c[3usize] = k49;
+            c[4usize] = k54;
+            c[5usize] = k53;
+            c[6usize] = k38;
+            c[7usize] = k19;
+            c[8usize] = k46;
+            c[9usize] = k22;
+            c[10usize] = k51;
+            c[11usize] = parameter_b;
+            c[12usize] = parameter_d;
+            c[13usize] = k50;
+            c[14usize] = k45;
+            c[15usize] = k17;
+            c[16usize] = k18;
+            c[17usize] = k20;
+            c[18usize] = k21;
+            c[19usize] = k41;
+            c[20usize] = k56;
+            c[21usize] = k44;
+            c[22usize] = k57;
+            c[23usize] = k60;
+            c[24usize] = parameter_m1;
+            c[25usize] = parameter_i1;
+            c[26usize] = parameter_m2;
+            c[27usize] = parameter_i2;
+            c[28usize] = parameter_a;
+            c[29usize] = parameter_c;
+            c[30usize] = k16;
+            c[31usize] = k13;
+        }
+        fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+            out[0usize] = c[24usize];
+            out[1usize] = c[24usize];
+            out[2usize] = c[25usize];
+            out[3usize] = c[26usize];
+            out[4usize] = c[26usize];
+            out[5usize] = c[27usize];
+        }
+        fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let sum_7 = T::fused(c[11usize], cos_seat_phi, seat_x);
+            let bar_x = q[3usize];
+            let difference_9 = sum_7 - bar_x;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_14 = T::fused(c[12usize], cos_bar_phi, difference_9);
+            let seat_y = q[1usize];
+            let sum_18 = T::fused(c[11usize], sin_seat_phi, seat_y);
+            let bar_y = q[4usize];
+            let difference_20 = sum_18 - bar_y;
+            let sum_23 = T::fused(c[12usize], sin_bar_phi, difference_20);
+            out[0usize] = sum_14;
+            out[1usize] = sum_23;
+        }
+        fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+            let seat_vx = v[0usize];
+            let seat_omega = v[2usize];
+            let product_5 = c[11usize] * seat_omega;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let difference_9 = T::fused(-product_5, sin_seat_phi, seat_vx);
+            let bar_vx = v[3usize];
+            let difference_11 = difference_9 - bar_vx;
+            let bar_omega = v[5usize];
+            let product_14 = c[12usize] * bar_omega;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let difference_18 = T::fused(-product_14, sin_bar_phi, difference_11);
+            let seat_vy = v[1usize];
+            let bar_vy = v[4usize];
+            let difference_21 = seat_vy - bar_vy;
+            let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
+            let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
+            let product_29 = seat_omega * c[28usize];
+            let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
+            let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
+            let product_35 = bar_omega * c[29usize];
+            let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
+            let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
+            out[0usize] = difference_18;
+            out[1usize] = sum_27;
+            out[2usize] = difference_33;
+            out[3usize] = sum_39;
+        }
+        fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_4 = c[11usize] * sin_seat_phi;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_8 = c[12usize] * sin_bar_phi;
+            let product_10 = c[11usize] * cos_seat_phi;
+            let product_12 = c[12usize] * cos_bar_phi;
+            let value_15 = -product_4;
+            let value_16 = -T::from_f64(1f64);
+            let value_17 = -product_8;
+            let value_18 = -sin_seat_phi;
+            let value_19 = -c[28usize];
+            let value_20 = -sin_bar_phi;
+            out[0usize] = T::from_f64(1f64);
+            out[1usize] = value_15;
+            out[2usize] = value_16;
+            out[3usize] = value_17;
+            out[4usize] = T::from_f64(1f64);
+            out[5usize] = product_10;
+            out[6usize] = value_16;
+            out[7usize] = product_12;
+            out[8usize] = value_18;
+            out[9usize] = cos_seat_phi;
+            out[10usize] = value_19;
+            out[11usize] = value_20;
+            out[12usize] = cos_bar_phi;
+            out[13usize] = c[29usize];
+        }
+        fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+            let seat_omega = v[2usize];
+            let product_3 = c[11usize] * seat_omega;
+            let product_4 = seat_omega * product_3;
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_8 = product_4 * cos_seat_phi;
+            let bar_omega = v[5usize];
+            let product_11 = c[12usize] * bar_omega;
+            let product_12 = bar_omega * product_11;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+            let product_18 = product_4 * sin_seat_phi;
+            let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+            let seat_vx = v[0usize];
+            let product_23 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let sum_26 = T::fused(sin_seat_phi, seat_vy, product_23);
+            let product_27 = seat_omega * sum_26;
+            let bar_vx = v[3usize];
+            let product_29 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_32 = T::fused(sin_bar_phi, bar_vy, product_29);
+            let product_33 = bar_omega * sum_32;
+            let value_34 = -sum_16;
+            let value_35 = -sum_21;
+            let value_36 = -product_27;
+            let value_37 = -product_33;
+            out[0usize] = value_34;
+            out[1usize] = value_35;
+            out[2usize] = value_36;
+            out[3usize] = value_37;
+        }
+        fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+            let torque = c[0usize];
+            let value_3 = -torque;
+            out[0usize] = T::from_f64(0f64);
+            out[1usize] = T::from_f64(0f64);
+            out[2usize] = value_3;
+            out[3usize] = T::from_f64(0f64);
+            out[4usize] = T::from_f64(0f64);
+            out[5usize] = torque;
+        }
+        #[inline]
+        fn accelerations(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            v: &[T],
+            a: &mut [T],
+            lambda: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let v = ::ezy_core::kernel::array::<6usize, T>(v);
+            let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+            let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_5 = seat_vx * cos_seat_phi;
+            let seat_vy = v[1usize];
+            let sum_9 = T::fused(seat_vy, sin_seat_phi, product_5);
+            let seat_omega = v[2usize];
+            let torque = c[0usize];
+            let product_14 = c[1usize] * torque;
+            let right_side_rear = T::fused(-sum_9, seat_omega, product_14);
+            let bar_vx = v[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_19 = bar_vx * cos_bar_phi;
+            let bar_vy = v[4usize];
+            let sum_23 = T::fused(bar_vy, sin_bar_phi, product_19);
+            let bar_omega = v[5usize];
+            let product_27 = torque * c[2usize];
+            let right_side_front = T::fused(-sum_23, bar_omega, product_27);
+            let product_30 = cos_seat_phi * c[3usize];
+            let product_31 = cos_seat_phi * product_30;
+            let product_33 = cos_bar_phi * c[4usize];
+            let sum_35 = T::fused(cos_bar_phi, product_33, product_31);
+            let sum_37 = sum_35 + c[5usize];
+            let product_38 = sin_seat_phi * c[3usize];
+            let product_39 = cos_seat_phi * product_38;
+            let product_40 = sin_bar_phi * c[4usize];
+            let sum_42 = T::fused(cos_bar_phi, product_40, product_39);
+            let difference_44 = c[6usize] - sum_35;
+            let product_46 = torque * c[7usize];
+            let difference_49 = T::fused(-right_side_rear, c[8usize], product_46);
+            let product_50 = sin_seat_phi * difference_49;
+            let product_52 = torque * c[9usize];
+            let sum_55 = T::fused(right_side_front, c[10usize], product_52);
+            let difference_57 = T::fused(-sin_bar_phi, sum_55, product_50);
+            let product_59 = seat_omega * c[11usize];
+            let product_60 = seat_omega * product_59;
+            let difference_62 = T::fused(-cos_seat_phi, product_60, difference_57);
+            let product_64 = bar_omega * c[12usize];
+            let product_65 = bar_omega * product_64;
+            let difference_67 = T::fused(-cos_bar_phi, product_65, difference_62);
+            let product_69 = cos_bar_phi * sum_55;
+            let difference_70 = T::fused(-cos_seat_phi, difference_49, product_69);
+            let difference_72 = T::fused(-sin_seat_phi, product_60, difference_70);
+            let difference_74 = T::fused(-sin_bar_phi, product_65, difference_72);
+            let product_75 = sum_37 * difference_44;
+            let difference_77 = T::fused(-sum_42, sum_42, product_75);
+            let quotient_78 = T::from_f64(1f64) / difference_77;
+            let product_79 = difference_44 * difference_67;
+            let difference_81 = T::fused(-sum_42, difference_74, product_79);
+            let lambda_B_x = quotient_78 * difference_81;
+            let product_84 = sum_37 * difference_74;
+            let difference_85 = T::fused(-sum_42, difference_67, product_84);
+            let lambda_B_y = quotient_78 * difference_85;
+            let product_88 = cos_bar_phi * lambda_B_y;
+            let difference_89 = T::fused(-sin_bar_phi, lambda_B_x, product_88);
+            let product_90 = c[10usize] * difference_89;
+            let lambda_front = T::fused(right_side_front, c[13usize], product_90);
+            let product_95 = cos_seat_phi * lambda_B_y;
+            let difference_96 = T::fused(-sin_seat_phi, lambda_B_x, product_95);
+            let product_97 = c[8usize] * difference_96;
+            let lambda_rear = T::fused(right_side_rear, c[14usize], product_97);
+            let difference_102 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+            let product_104 = difference_102 * c[15usize];
+            let sum_106 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+            let product_107 = c[15usize] * sum_106;
+            let product_108 = c[7usize] * difference_96;
+            let sum_111 = T::fused(torque, c[16usize], product_108);
+            let difference_113 = T::fused(c[1usize], lambda_rear, -sum_111);
+            let sum_115 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+            let product_117 = sum_115 * c[17usize];
+            let difference_119 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+            let product_120 = c[17usize] * difference_119;
+            let product_123 = torque * c[18usize];
+            let difference_124 = T::fused(-c[9usize], difference_89, product_123);
+            let difference_126 = T::fused(-c[2usize], lambda_front, difference_124);
+            let value_132 = -product_107;
+            a[0usize] = product_104;
+            a[1usize] = value_132;
+            a[2usize] = difference_113;
+            a[3usize] = product_117;
+            a[4usize] = product_120;
+            a[5usize] = difference_126;
+            lambda[0usize] = lambda_B_x;
+            lambda[1usize] = lambda_B_y;
+            lambda[2usize] = lambda_rear;
+            lambda[3usize] = lambda_front;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[19usize], c[20usize]))
+                .mark(3usize, !T::is_above(c[21usize], c[22usize]))
+                .mark(0usize, !T::is_above(difference_77, c[23usize]))
+                .mark(1usize, !T::is_above(difference_77, c[23usize]))
+        }
+        #[inline]
+        fn correction(
+            &self,
+            c: &[T],
+            t: T,
+            q: &[T],
+            residual: &[T],
+            delta: &mut [T],
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let q = ::ezy_core::kernel::array::<6usize, T>(q);
+            let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
+            let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+            let right_side_rear = residual[2usize];
+            let right_side_front = residual[3usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let product_7 = c[3usize] * cos_seat_phi;
+            let product_8 = cos_seat_phi * product_7;
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_12 = c[4usize] * cos_bar_phi;
+            let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+            let sum_16 = sum_14 + c[5usize];
+            let product_18 = c[3usize] * sin_seat_phi;
+            let product_19 = cos_seat_phi * product_18;
+            let product_21 = c[4usize] * sin_bar_phi;
+            let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+            let difference_25 = c[6usize] - sum_14;
+            let residual_0 = residual[0usize];
+            let product_28 = right_side_rear * c[8usize];
+            let difference_30 = T::fused(-sin_seat_phi, product_28, residual_0);
+            let product_32 = right_side_front * c[10usize];
+            let difference_34 = T::fused(-sin_bar_phi, product_32, difference_30);
+            let residual_1 = residual[1usize];
+            let sum_37 = T::fused(cos_seat_phi, product_28, residual_1);
+            let sum_39 = T::fused(cos_bar_phi, product_32, sum_37);
+            let product_40 = sum_16 * difference_25;
+            let difference_42 = T::fused(-sum_23, sum_23, product_40);
+            let quotient_43 = T::from_f64(1f64) / difference_42;
+            let product_44 = difference_25 * difference_34;
+            let difference_46 = T::fused(-sum_23, sum_39, product_44);
+            let lambda_B_x = quotient_43 * difference_46;
+            let product_49 = sum_16 * sum_39;
+            let difference_50 = T::fused(-sum_23, difference_34, product_49);
+            let lambda_B_y = quotient_43 * difference_50;
+            let product_53 = cos_bar_phi * lambda_B_y;
+            let difference_54 = T::fused(-sin_bar_phi, lambda_B_x, product_53);
+            let product_55 = c[10usize] * difference_54;
+            let lambda_front = T::fused(right_side_front, c[13usize], product_55);
+            let product_60 = cos_seat_phi * lambda_B_y;
+            let difference_61 = T::fused(-sin_seat_phi, lambda_B_x, product_60);
+            let product_62 = c[8usize] * difference_61;
+            let lambda_rear = T::fused(right_side_rear, c[14usize], product_62);
+            let difference_67 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+            let product_69 = difference_67 * c[15usize];
+            let sum_71 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+            let product_72 = c[15usize] * sum_71;
+            let product_76 = lambda_rear * c[1usize];
+            let difference_77 = T::fused(-difference_61, c[7usize], product_76);
+            let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+            let product_81 = sum_79 * c[17usize];
+            let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+            let product_84 = c[17usize] * difference_83;
+            let product_86 = difference_54 * c[9usize];
+            let sum_89 = T::fused(lambda_front, c[2usize], product_86);
+            let value_95 = -product_72;
+            let value_96 = -sum_89;
+            delta[0usize] = product_69;
+            delta[1usize] = value_95;
+            delta[2usize] = difference_77;
+            delta[3usize] = product_81;
+            delta[4usize] = product_84;
+            delta[5usize] = value_96;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[19usize], c[20usize]))
+                .mark(3usize, !T::is_above(c[21usize], c[22usize]))
+                .mark(0usize, !T::is_above(difference_42, c[23usize]))
+                .mark(1usize, !T::is_above(difference_42, c[23usize]))
+        }
+    }
+    #[automatically_derived]
     impl ::ezy_core::model::Scene for Ridden {
         fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
             static INFO: ::ezy_core::model::SceneInfo = Ridden::INFO;
@@ -5629,285 +5764,6 @@ pub mod ezy_roller {
                 _ => {}
             }
         }
-        fn constants(&self, c: &mut [f64]) {
-            let c = ::ezy_core::kernel::array_mut::<32usize>(c);
-            let k1 = 1f64;
-            let k2 = self.m1;
-            let k3 = self.i1;
-            let k4 = self.m2;
-            let k5 = self.i2;
-            let k6 = self.b;
-            let k7 = self.d;
-            let k9 = self.a;
-            let k10 = self.c;
-            let k11 = ::core::f64::consts::PI;
-            let k12 = 2f64;
-            let k13 = k11 / k12;
-            let k14 = 180f64;
-            let k16 = k14 / k11;
-            let k17 = k1 / k2;
-            let k18 = k1 / k3;
-            let k19 = k6 * k18;
-            let k20 = k1 / k4;
-            let k21 = k1 / k5;
-            let k22 = k7 * k21;
-            let k23 = k9 * k18;
-            let k24 = k10 * k21;
-            let k25 = k6 * k6;
-            let k26 = k25 * k18;
-            let k27 = k7 * k7;
-            let k28 = k27 * k21;
-            let k29 = k17 + k26;
-            let k30 = k29 + k20;
-            let k31 = k30 + k28;
-            let k32 = k6 * k9;
-            let k33 = k32 * k18;
-            let k34 = k33 - k17;
-            let k35 = k7 * k10;
-            let k36 = k35 * k21;
-            let k37 = k20 - k36;
-            let k38 = k17 + k20;
-            let k39 = k9 * k9;
-            let k40 = k39 * k18;
-            let k41 = k17 + k40;
-            let k42 = k10 * k10;
-            let k43 = k42 * k21;
-            let k44 = k20 + k43;
-            let k45 = k1 / k41;
-            let k46 = k34 * k45;
-            let k47 = k46 * k34;
-            let k48 = k31 - k47;
-            let k49 = k47 - k26;
-            let k50 = k1 / k44;
-            let k51 = k37 * k50;
-            let k52 = k51 * k37;
-            let k53 = k48 - k52;
-            let k54 = k52 - k28;
-            let k55 = 0.0000000001f64;
-            let k56 = k55 * k41;
-            let k57 = k55 * k44;
-            let k58 = k31 + k38;
-            let k59 = k58 * k58;
-            let k60 = k55 * k59;
-            c[1usize] = k23;
-            c[2usize] = k24;
-            c[3usize] = k49;
-            c[4usize] = k54;
-            c[5usize] = k53;
-            c[6usize] = k38;
-            c[7usize] = k19;
-            c[8usize] = k46;
-            c[9usize] = k22;
-            c[10usize] = k51;
-            c[11usize] = k6;
-            c[12usize] = k7;
-            c[13usize] = k50;
-            c[14usize] = k45;
-            c[15usize] = k17;
-            c[16usize] = k18;
-            c[17usize] = k20;
-            c[18usize] = k21;
-            c[19usize] = k41;
-            c[20usize] = k56;
-            c[21usize] = k44;
-            c[22usize] = k57;
-            c[23usize] = k60;
-            c[24usize] = k2;
-            c[25usize] = k3;
-            c[26usize] = k4;
-            c[27usize] = k5;
-            c[28usize] = k9;
-            c[29usize] = k10;
-            c[30usize] = k16;
-            c[31usize] = k13;
-        }
-        fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(m);
-            out[0usize] = c[24usize];
-            out[1usize] = c[24usize];
-            out[2usize] = c[25usize];
-            out[3usize] = c[26usize];
-            out[4usize] = c[26usize];
-            out[5usize] = c[27usize];
-        }
-        fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
-            let seat_x = q[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[11usize] * cos_seat_phi;
-            let sum_7 = seat_x + product_6;
-            let bar_x = q[3usize];
-            let difference_9 = sum_7 - bar_x;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_13 = c[12usize] * cos_bar_phi;
-            let sum_14 = difference_9 + product_13;
-            let seat_y = q[1usize];
-            let product_17 = c[11usize] * sin_seat_phi;
-            let sum_18 = seat_y + product_17;
-            let bar_y = q[4usize];
-            let difference_20 = sum_18 - bar_y;
-            let product_22 = c[12usize] * sin_bar_phi;
-            let sum_23 = difference_20 + product_22;
-            out[0usize] = sum_14;
-            out[1usize] = sum_23;
-        }
-        fn velocity_constraint(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
-            let seat_vx = v[0usize];
-            let seat_omega = v[2usize];
-            let product_5 = c[11usize] * seat_omega;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_5 * sin_seat_phi;
-            let difference_9 = seat_vx - product_8;
-            let bar_vx = v[3usize];
-            let difference_11 = difference_9 - bar_vx;
-            let bar_omega = v[5usize];
-            let product_14 = c[12usize] * bar_omega;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_17 = product_14 * sin_bar_phi;
-            let difference_18 = difference_11 - product_17;
-            let seat_vy = v[1usize];
-            let bar_vy = v[4usize];
-            let difference_21 = seat_vy - bar_vy;
-            let product_23 = product_5 * cos_seat_phi;
-            let sum_24 = difference_21 + product_23;
-            let product_26 = product_14 * cos_bar_phi;
-            let sum_27 = sum_24 + product_26;
-            let product_29 = seat_omega * c[28usize];
-            let product_30 = seat_vx * sin_seat_phi;
-            let sum_31 = product_29 + product_30;
-            let product_32 = seat_vy * cos_seat_phi;
-            let difference_33 = product_32 - sum_31;
-            let product_35 = bar_omega * c[29usize];
-            let product_36 = bar_vx * sin_bar_phi;
-            let difference_37 = product_35 - product_36;
-            let product_38 = bar_vy * cos_bar_phi;
-            let sum_39 = difference_37 + product_38;
-            out[0usize] = difference_18;
-            out[1usize] = sum_27;
-            out[2usize] = difference_33;
-            out[3usize] = sum_39;
-        }
-        fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<14usize>(out);
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_4 = c[11usize] * sin_seat_phi;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_8 = c[12usize] * sin_bar_phi;
-            let product_10 = c[11usize] * cos_seat_phi;
-            let product_12 = c[12usize] * cos_bar_phi;
-            let value_15 = -product_4;
-            let value_16 = -1f64;
-            let value_17 = -product_8;
-            let value_18 = -sin_seat_phi;
-            let value_19 = -c[28usize];
-            let value_20 = -sin_bar_phi;
-            out[0usize] = 1f64;
-            out[1usize] = value_15;
-            out[2usize] = value_16;
-            out[3usize] = value_17;
-            out[4usize] = 1f64;
-            out[5usize] = product_10;
-            out[6usize] = value_16;
-            out[7usize] = product_12;
-            out[8usize] = value_18;
-            out[9usize] = cos_seat_phi;
-            out[10usize] = value_19;
-            out[11usize] = value_20;
-            out[12usize] = cos_bar_phi;
-            out[13usize] = c[29usize];
-        }
-        fn convective_term(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<4usize>(out);
-            let seat_omega = v[2usize];
-            let product_3 = c[11usize] * seat_omega;
-            let product_4 = seat_omega * product_3;
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_8 = product_4 * cos_seat_phi;
-            let bar_omega = v[5usize];
-            let product_11 = c[12usize] * bar_omega;
-            let product_12 = bar_omega * product_11;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_15 = product_12 * cos_bar_phi;
-            let sum_16 = product_8 + product_15;
-            let product_18 = product_4 * sin_seat_phi;
-            let product_20 = product_12 * sin_bar_phi;
-            let sum_21 = product_18 + product_20;
-            let seat_vx = v[0usize];
-            let product_23 = cos_seat_phi * seat_vx;
-            let seat_vy = v[1usize];
-            let product_25 = sin_seat_phi * seat_vy;
-            let sum_26 = product_23 + product_25;
-            let product_27 = seat_omega * sum_26;
-            let bar_vx = v[3usize];
-            let product_29 = cos_bar_phi * bar_vx;
-            let bar_vy = v[4usize];
-            let product_31 = sin_bar_phi * bar_vy;
-            let sum_32 = product_29 + product_31;
-            let product_33 = bar_omega * sum_32;
-            let value_34 = -sum_16;
-            let value_35 = -sum_21;
-            let value_36 = -product_27;
-            let value_37 = -product_33;
-            out[0usize] = value_34;
-            out[1usize] = value_35;
-            out[2usize] = value_36;
-            out[3usize] = value_37;
-        }
-        fn applied_force(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
-            let torque = c[0usize];
-            let value_3 = -torque;
-            out[0usize] = 0f64;
-            out[1usize] = 0f64;
-            out[2usize] = value_3;
-            out[3usize] = 0f64;
-            out[4usize] = 0f64;
-            out[5usize] = torque;
-        }
         fn power(
             &self,
             c: &[f64],
@@ -5917,11 +5773,11 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let lambda = ::ezy_core::kernel::array::<4usize>(lambda);
-            let out = ::ezy_core::kernel::array_mut::<1usize>(out);
+            let c = ::ezy_core::kernel::array::<32usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
+            let out = ::ezy_core::kernel::array_mut::<1usize, f64>(out);
             let seat_omega = v[2usize];
             let bar_omega = v[5usize];
             let difference_4 = bar_omega - seat_omega;
@@ -5930,9 +5786,9 @@ pub mod ezy_roller {
             out[0usize] = product_6;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let out = ::ezy_core::kernel::array_mut::<6usize>(out);
+            let c = ::ezy_core::kernel::array::<32usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
@@ -5961,10 +5817,10 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let out = ::ezy_core::kernel::array_mut::<2usize>(out);
+            let c = ::ezy_core::kernel::array::<32usize, f64>(c);
+            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
+            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
+            let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
             let seat_phi = q[2usize];
             let bar_phi = q[5usize];
             let difference_4 = bar_phi - seat_phi;
@@ -5982,249 +5838,13 @@ pub mod ezy_roller {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
+            let c = ::ezy_core::kernel::array::<32usize, f64>(c);
             start.give_position(0usize, c[28usize]);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
             start.give_position(5usize, c[31usize]);
             start.give_velocity(0usize, 1f64);
             start.give_velocity(2usize, 0f64);
-        }
-        #[inline]
-        fn accelerations(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            a: &mut [f64],
-            lambda: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let v = ::ezy_core::kernel::array::<6usize>(v);
-            let a = ::ezy_core::kernel::array_mut::<6usize>(a);
-            let lambda = ::ezy_core::kernel::array_mut::<4usize>(lambda);
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_5 = seat_vx * cos_seat_phi;
-            let seat_vy = v[1usize];
-            let product_8 = seat_vy * sin_seat_phi;
-            let sum_9 = product_5 + product_8;
-            let seat_omega = v[2usize];
-            let product_11 = sum_9 * seat_omega;
-            let torque = c[0usize];
-            let product_14 = c[1usize] * torque;
-            let right_side_rear = product_14 - product_11;
-            let bar_vx = v[3usize];
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_19 = bar_vx * cos_bar_phi;
-            let bar_vy = v[4usize];
-            let product_22 = bar_vy * sin_bar_phi;
-            let sum_23 = product_19 + product_22;
-            let bar_omega = v[5usize];
-            let product_25 = sum_23 * bar_omega;
-            let product_27 = torque * c[2usize];
-            let right_side_front = product_27 - product_25;
-            let product_30 = cos_seat_phi * c[3usize];
-            let product_31 = cos_seat_phi * product_30;
-            let product_33 = cos_bar_phi * c[4usize];
-            let product_34 = cos_bar_phi * product_33;
-            let sum_35 = product_31 + product_34;
-            let sum_37 = sum_35 + c[5usize];
-            let product_38 = sin_seat_phi * c[3usize];
-            let product_39 = cos_seat_phi * product_38;
-            let product_40 = sin_bar_phi * c[4usize];
-            let product_41 = cos_bar_phi * product_40;
-            let sum_42 = product_39 + product_41;
-            let difference_44 = c[6usize] - sum_35;
-            let product_46 = torque * c[7usize];
-            let product_48 = right_side_rear * c[8usize];
-            let difference_49 = product_46 - product_48;
-            let product_50 = sin_seat_phi * difference_49;
-            let product_52 = torque * c[9usize];
-            let product_54 = right_side_front * c[10usize];
-            let sum_55 = product_52 + product_54;
-            let product_56 = sin_bar_phi * sum_55;
-            let difference_57 = product_50 - product_56;
-            let product_59 = seat_omega * c[11usize];
-            let product_60 = seat_omega * product_59;
-            let product_61 = cos_seat_phi * product_60;
-            let difference_62 = difference_57 - product_61;
-            let product_64 = bar_omega * c[12usize];
-            let product_65 = bar_omega * product_64;
-            let product_66 = cos_bar_phi * product_65;
-            let difference_67 = difference_62 - product_66;
-            let product_68 = cos_seat_phi * difference_49;
-            let product_69 = cos_bar_phi * sum_55;
-            let difference_70 = product_69 - product_68;
-            let product_71 = sin_seat_phi * product_60;
-            let difference_72 = difference_70 - product_71;
-            let product_73 = sin_bar_phi * product_65;
-            let difference_74 = difference_72 - product_73;
-            let product_75 = sum_37 * difference_44;
-            let product_76 = sum_42 * sum_42;
-            let difference_77 = product_75 - product_76;
-            let quotient_78 = 1f64 / difference_77;
-            let product_79 = difference_44 * difference_67;
-            let product_80 = sum_42 * difference_74;
-            let difference_81 = product_79 - product_80;
-            let lambda_B_x = quotient_78 * difference_81;
-            let product_83 = sum_42 * difference_67;
-            let product_84 = sum_37 * difference_74;
-            let difference_85 = product_84 - product_83;
-            let lambda_B_y = quotient_78 * difference_85;
-            let product_87 = sin_bar_phi * lambda_B_x;
-            let product_88 = cos_bar_phi * lambda_B_y;
-            let difference_89 = product_88 - product_87;
-            let product_90 = c[10usize] * difference_89;
-            let product_92 = right_side_front * c[13usize];
-            let lambda_front = product_90 + product_92;
-            let product_94 = sin_seat_phi * lambda_B_x;
-            let product_95 = cos_seat_phi * lambda_B_y;
-            let difference_96 = product_95 - product_94;
-            let product_97 = c[8usize] * difference_96;
-            let product_99 = right_side_rear * c[14usize];
-            let lambda_rear = product_97 + product_99;
-            let product_101 = sin_seat_phi * lambda_rear;
-            let difference_102 = product_101 - lambda_B_x;
-            let product_104 = difference_102 * c[15usize];
-            let product_105 = cos_seat_phi * lambda_rear;
-            let sum_106 = lambda_B_y + product_105;
-            let product_107 = c[15usize] * sum_106;
-            let product_108 = c[7usize] * difference_96;
-            let product_110 = torque * c[16usize];
-            let sum_111 = product_108 + product_110;
-            let product_112 = c[1usize] * lambda_rear;
-            let difference_113 = product_112 - sum_111;
-            let product_114 = sin_bar_phi * lambda_front;
-            let sum_115 = lambda_B_x + product_114;
-            let product_117 = sum_115 * c[17usize];
-            let product_118 = cos_bar_phi * lambda_front;
-            let difference_119 = lambda_B_y - product_118;
-            let product_120 = c[17usize] * difference_119;
-            let product_121 = c[9usize] * difference_89;
-            let product_123 = torque * c[18usize];
-            let difference_124 = product_123 - product_121;
-            let product_125 = c[2usize] * lambda_front;
-            let difference_126 = difference_124 - product_125;
-            let value_132 = -product_107;
-            a[0usize] = product_104;
-            a[1usize] = value_132;
-            a[2usize] = difference_113;
-            a[3usize] = product_117;
-            a[4usize] = product_120;
-            a[5usize] = difference_126;
-            lambda[0usize] = lambda_B_x;
-            lambda[1usize] = lambda_B_y;
-            lambda[2usize] = lambda_rear;
-            lambda[3usize] = lambda_front;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[19usize] > c[20usize]))
-                .mark(3usize, !(c[21usize] > c[22usize]))
-                .mark(0usize, !(difference_77 > c[23usize]))
-                .mark(1usize, !(difference_77 > c[23usize]))
-        }
-        #[inline]
-        fn correction(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            residual: &[f64],
-            delta: &mut [f64],
-        ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<32usize>(c);
-            let q = ::ezy_core::kernel::array::<6usize>(q);
-            let residual = ::ezy_core::kernel::array::<4usize>(residual);
-            let delta = ::ezy_core::kernel::array_mut::<6usize>(delta);
-            let right_side_rear = residual[2usize];
-            let right_side_front = residual[3usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_7 = c[3usize] * cos_seat_phi;
-            let product_8 = cos_seat_phi * product_7;
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_12 = c[4usize] * cos_bar_phi;
-            let product_13 = cos_bar_phi * product_12;
-            let sum_14 = product_8 + product_13;
-            let sum_16 = sum_14 + c[5usize];
-            let product_18 = c[3usize] * sin_seat_phi;
-            let product_19 = cos_seat_phi * product_18;
-            let product_21 = c[4usize] * sin_bar_phi;
-            let product_22 = cos_bar_phi * product_21;
-            let sum_23 = product_19 + product_22;
-            let difference_25 = c[6usize] - sum_14;
-            let residual_0 = residual[0usize];
-            let product_28 = right_side_rear * c[8usize];
-            let product_29 = sin_seat_phi * product_28;
-            let difference_30 = residual_0 - product_29;
-            let product_32 = right_side_front * c[10usize];
-            let product_33 = sin_bar_phi * product_32;
-            let difference_34 = difference_30 - product_33;
-            let residual_1 = residual[1usize];
-            let product_36 = cos_seat_phi * product_28;
-            let sum_37 = residual_1 + product_36;
-            let product_38 = cos_bar_phi * product_32;
-            let sum_39 = sum_37 + product_38;
-            let product_40 = sum_16 * difference_25;
-            let product_41 = sum_23 * sum_23;
-            let difference_42 = product_40 - product_41;
-            let quotient_43 = 1f64 / difference_42;
-            let product_44 = difference_25 * difference_34;
-            let product_45 = sum_23 * sum_39;
-            let difference_46 = product_44 - product_45;
-            let lambda_B_x = quotient_43 * difference_46;
-            let product_48 = sum_23 * difference_34;
-            let product_49 = sum_16 * sum_39;
-            let difference_50 = product_49 - product_48;
-            let lambda_B_y = quotient_43 * difference_50;
-            let product_52 = sin_bar_phi * lambda_B_x;
-            let product_53 = cos_bar_phi * lambda_B_y;
-            let difference_54 = product_53 - product_52;
-            let product_55 = c[10usize] * difference_54;
-            let product_57 = right_side_front * c[13usize];
-            let lambda_front = product_55 + product_57;
-            let product_59 = sin_seat_phi * lambda_B_x;
-            let product_60 = cos_seat_phi * lambda_B_y;
-            let difference_61 = product_60 - product_59;
-            let product_62 = c[8usize] * difference_61;
-            let product_64 = right_side_rear * c[14usize];
-            let lambda_rear = product_62 + product_64;
-            let product_66 = sin_seat_phi * lambda_rear;
-            let difference_67 = product_66 - lambda_B_x;
-            let product_69 = difference_67 * c[15usize];
-            let product_70 = cos_seat_phi * lambda_rear;
-            let sum_71 = lambda_B_y + product_70;
-            let product_72 = c[15usize] * sum_71;
-            let product_74 = difference_61 * c[7usize];
-            let product_76 = lambda_rear * c[1usize];
-            let difference_77 = product_76 - product_74;
-            let product_78 = sin_bar_phi * lambda_front;
-            let sum_79 = lambda_B_x + product_78;
-            let product_81 = sum_79 * c[17usize];
-            let product_82 = cos_bar_phi * lambda_front;
-            let difference_83 = lambda_B_y - product_82;
-            let product_84 = c[17usize] * difference_83;
-            let product_86 = difference_54 * c[9usize];
-            let product_88 = lambda_front * c[2usize];
-            let sum_89 = product_86 + product_88;
-            let value_95 = -product_72;
-            let value_96 = -sum_89;
-            delta[0usize] = product_69;
-            delta[1usize] = value_95;
-            delta[2usize] = difference_77;
-            delta[3usize] = product_81;
-            delta[4usize] = product_84;
-            delta[5usize] = value_96;
-            ::ezy_core::model::DeficientRows(0)
-                .mark(2usize, !(c[19usize] > c[20usize]))
-                .mark(3usize, !(c[21usize] > c[22usize]))
-                .mark(0usize, !(difference_42 > c[23usize]))
-                .mark(1usize, !(difference_42 > c[23usize]))
         }
     }
 }

@@ -7,7 +7,7 @@
 mod info;
 mod schur;
 
-use ezy_core::model::{DeficientRows, Scene, SceneInfo, Start};
+use ezy_core::model::{DeficientRows, Equations, Scene, SceneInfo, Start};
 use schur::Schur;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -52,33 +52,9 @@ fn masses(c: &[f64]) -> [f64; 6] {
     [c[4], c[4], c[5], c[6], c[6], c[7]]
 }
 
-impl Scene for HandRoller {
-    fn info(&self) -> &'static SceneInfo {
-        if self.driven { &info::DRIVEN } else { &info::COAST }
-    }
-
-    fn parameter(&self, index: usize) -> f64 {
-        self.parameters[index]
-    }
-
-    fn set_parameter(&mut self, index: usize, value: f64) {
-        self.parameters[index] = value;
-    }
-
-    fn constants(&self, c: &mut [f64]) {
-        c.copy_from_slice(&self.parameters);
-    }
-
-    fn start(&self, c: &[f64], start: &mut Start) {
-        start.give_position(0, if self.driven { 0.0 } else { c[0] });
-        start.give_position(1, 0.0);
-        start.give_position(2, 0.0);
-        start.give_position(5, if self.driven { PI } else { FRAC_PI_2 });
-        if !self.driven {
-            start.give_velocity(0, 1.0);
-            start.give_velocity(1, 0.0);
-            start.give_velocity(2, 0.0);
-        }
+impl Equations<f64> for HandRoller {
+    fn constants(&self, parameters: &[f64], c: &mut [f64]) {
+        c.copy_from_slice(parameters);
     }
 
     fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
@@ -120,26 +96,6 @@ impl Scene for HandRoller {
         out[5] = -torque(c, t);
     }
 
-    fn power(&self, c: &[f64], t: f64, _q: &[f64], v: &[f64], _lambda: &[f64], out: &mut [f64]) {
-        out.fill(torque(c, t) * (v[2] - v[5]));
-    }
-
-    fn potential_energy(&self, _c: &[f64], _t: f64, _q: &[f64]) -> f64 {
-        0.0
-    }
-
-    fn points(&self, c: &[f64], _t: f64, q: &[f64], out: &mut [f64]) {
-        let ((s1, c1), (s2, c2)) = (q[2].sin_cos(), q[5].sin_cos());
-        out[0] = q[0] - c[0] * c1;
-        out[1] = q[1] - c[0] * s1;
-        out[2] = q[3] + c[2] * c2;
-        out[3] = q[4] + c[2] * s2;
-        out[4] = q[0] + c[1] * c1;
-        out[5] = q[1] + c[1] * s1;
-    }
-
-    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
-
     fn accelerations(
         &self,
         c: &[f64],
@@ -164,4 +120,50 @@ impl Scene for HandRoller {
         schur.solve(&[0.0; 6], &r, delta, &mut [0.0; 4]);
         schur.deficient
     }
+}
+
+impl Scene for HandRoller {
+    fn info(&self) -> &'static SceneInfo {
+        if self.driven { &info::DRIVEN } else { &info::COAST }
+    }
+
+    fn parameter(&self, index: usize) -> f64 {
+        self.parameters[index]
+    }
+
+    fn set_parameter(&mut self, index: usize, value: f64) {
+        self.parameters[index] = value;
+    }
+
+    fn start(&self, c: &[f64], start: &mut Start) {
+        start.give_position(0, if self.driven { 0.0 } else { c[0] });
+        start.give_position(1, 0.0);
+        start.give_position(2, 0.0);
+        start.give_position(5, if self.driven { PI } else { FRAC_PI_2 });
+        if !self.driven {
+            start.give_velocity(0, 1.0);
+            start.give_velocity(1, 0.0);
+            start.give_velocity(2, 0.0);
+        }
+    }
+
+    fn power(&self, c: &[f64], t: f64, _q: &[f64], v: &[f64], _lambda: &[f64], out: &mut [f64]) {
+        out.fill(torque(c, t) * (v[2] - v[5]));
+    }
+
+    fn potential_energy(&self, _c: &[f64], _t: f64, _q: &[f64]) -> f64 {
+        0.0
+    }
+
+    fn points(&self, c: &[f64], _t: f64, q: &[f64], out: &mut [f64]) {
+        let ((s1, c1), (s2, c2)) = (q[2].sin_cos(), q[5].sin_cos());
+        out[0] = q[0] - c[0] * c1;
+        out[1] = q[1] - c[0] * s1;
+        out[2] = q[3] + c[2] * c2;
+        out[3] = q[4] + c[2] * s2;
+        out[4] = q[0] + c[1] * c1;
+        out[5] = q[1] + c[1] * s1;
+    }
+
+    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
 }

@@ -45,7 +45,7 @@ fn pairs() -> [[Box<dyn Scene>; 2]; 2] {
 
 fn constants(scene: &dyn Scene) -> Vec<f64> {
     let mut c = vec![0.0; scene.info().n_fixed()];
-    scene.constants(&mut c);
+    scene.constants(&scene.parameters(), &mut c);
     c
 }
 

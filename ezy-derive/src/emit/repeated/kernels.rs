@@ -6,7 +6,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::loops::{about, looped, members, whole};
-use crate::emit::kernel::{self, Body};
+use crate::emit::kernel::{self, Body, Numbers};
 use crate::emit::scene::give;
 use crate::mechanics::{Group, RowTemplate, Templates};
 use crate::model::whole::Whole;
@@ -30,9 +30,14 @@ struct Written<'t> {
     put: Box<dyn Fn(Vec<TokenStream>) -> TokenStream + 't>,
 }
 
+/// The methods that read the vector of constants, by trait.
+pub struct Methods {
+    pub equations: TokenStream,
+    pub scene: TokenStream,
+}
+
 impl Emitter<'_> {
-    /// The methods that read the vector of constants.
-    pub fn methods(&mut self) -> TokenStream {
+    pub fn methods(&mut self) -> Methods {
         let templates = self.templates;
         let mass_matrix = self.mass_matrix();
         let rows = || templates.rows.iter();
@@ -55,38 +60,41 @@ impl Emitter<'_> {
             sums: force.entries.iter().map(|&(_, entry)| entry).collect(),
             put: Box::new(|values| {
                 let places = force.entries.iter().map(|&(i, _)| coordinate(&force.slots, i));
-                quote!(#(out[#places] += #values;)*)
+                let places: Vec<TokenStream> = places.collect();
+                quote!(#(out[#places] = out[#places] + #values;)*)
             }),
         });
-        let position = self.kernel(quote!(), position);
-        let velocity = self.kernel(quote!(), velocity);
-        let jacobian = self.kernel(quote!(), jacobian);
-        let convective = self.kernel(quote!(), convective);
-        let force = self.kernel(quote!(out.fill(0.0);), forces.collect());
-        let points = self.kernel(quote!(), points);
-        let outputs = self.kernel(quote!(), outputs);
+        let position = self.kernel(Numbers::Any, quote!(), position);
+        let velocity = self.kernel(Numbers::Any, quote!(), velocity);
+        let jacobian = self.kernel(Numbers::Any, quote!(), jacobian);
+        let convective = self.kernel(Numbers::Any, quote!(), convective);
+        let force = self.kernel(Numbers::Any, quote!(out.fill(T::from_f64(0.0));), forces.collect());
+        let points = self.kernel(Numbers::F64, quote!(), points);
+        let outputs = self.kernel(Numbers::F64, quote!(), outputs);
         let power = self.power();
         let potential = self.potential();
         let start = self.start();
-        quote! {
-            fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
+        let equations = quote! {
+            fn mass_matrix(&self, c: &[T], m: &mut [T]) {
                 #mass_matrix
             }
-            fn position_constraint(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
                 #position
             }
-            fn velocity_constraint(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
                 #velocity
             }
-            fn velocity_jacobian(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
                 #jacobian
             }
-            fn convective_term(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
                 #convective
             }
-            fn applied_force(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
                 #force
             }
+        };
+        let scene = quote! {
             fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {
                 #power
             }
@@ -102,12 +110,13 @@ impl Emitter<'_> {
             fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
                 #start
             }
-        }
+        };
+        Methods { equations, scene }
     }
 
     fn mass_matrix(&mut self) -> TokenStream {
         let arrays = self.model.arrays.iter().zip(&self.templates.masses).map(|(array, masses)| {
-            let Body { statements, outputs } = self.lowered(masses, &[], &no_other);
+            let Body { statements, outputs } = self.lowered(Numbers::Any, masses, &[], &no_other);
             let members = members(self.model, array);
             quote! {
                 for _ in 0..#members {
@@ -121,14 +130,19 @@ impl Emitter<'_> {
     }
 
     /// A kernel that writes `out`.
-    fn kernel(&mut self, opening: TokenStream, written: Vec<Written<'_>>) -> TokenStream {
+    fn kernel(&mut self, numbers: Numbers, opening: TokenStream, written: Vec<Written<'_>>) -> TokenStream {
         let firsts = self.firsts();
-        let loops: Vec<TokenStream> = written.iter().map(|written| self.written(written, &no_other)).collect();
+        let loops: Vec<TokenStream> = written.iter().map(|written| self.written(numbers, written, &no_other)).collect();
         quote!(#firsts let mut place = 0; #opening #(#loops)*)
     }
 
-    fn written(&mut self, written: &Written<'_>, other: &dyn Fn(Symbol) -> TokenStream) -> TokenStream {
-        let Body { statements, outputs } = self.lowered(&written.sums, written.slots, other);
+    fn written(
+        &mut self,
+        numbers: Numbers,
+        written: &Written<'_>,
+        other: &dyn Fn(Symbol) -> TokenStream,
+    ) -> TokenStream {
+        let Body { statements, outputs } = self.lowered(numbers, &written.sums, written.slots, other);
         let slots = self.slots(written.slots);
         let put = (written.put)(outputs);
         let body = quote!(#slots #statements #put);
@@ -148,7 +162,11 @@ impl Emitter<'_> {
                 let i = group(force.group);
                 let add = move |values: Vec<TokenStream>| quote!(#(out[#i] += #values;)*);
                 let (loops, slots) = (&force.force.loops[..], &force.slots[..]);
-                self.written(&Written { loops, slots, sums: vec![force.power], put: Box::new(add) }, &no_other)
+                self.written(
+                    Numbers::F64,
+                    &Written { loops, slots, sums: vec![force.power], put: Box::new(add) },
+                    &no_other,
+                )
             })
             .collect();
         let n_counted = templates.rows.iter().rposition(|row| !row.multipliers.is_empty()).map_or(0, |last| last + 1);
@@ -163,7 +181,7 @@ impl Emitter<'_> {
                     let own = row.multipliers.iter().find(|(other, _)| *other == symbol).map_or(0, |(_, own)| *own);
                     quote!(lambda[place + #own])
                 };
-                self.written(&Written { loops, slots, sums, put: Box::new(add) }, &multiplier)
+                self.written(Numbers::F64, &Written { loops, slots, sums, put: Box::new(add) }, &multiplier)
             })
             .collect();
         quote!(#firsts out.fill(0.0); #(#forces)* let mut place = 0; #(#rows)*)
@@ -179,7 +197,11 @@ impl Emitter<'_> {
             .map(|force| {
                 let add = |values: Vec<TokenStream>| quote!(#(total += #values;)*);
                 let (loops, slots) = (&force.force.loops[..], &force.slots[..]);
-                self.written(&Written { loops, slots, sums: vec![force.potential], put: Box::new(add) }, &no_other)
+                self.written(
+                    Numbers::F64,
+                    &Written { loops, slots, sums: vec![force.potential], put: Box::new(add) },
+                    &no_other,
+                )
             })
             .collect();
         quote!(#firsts let mut total = 0.0; #(#parts)* total)
@@ -199,13 +221,23 @@ impl Emitter<'_> {
                     quote!(#(start.#give(#place, #values);)*)
                 };
                 let loops = &given.loops[..];
-                self.written(&Written { loops, slots: &slots, sums: vec![*value], put: Box::new(give) }, &no_other)
+                self.written(
+                    Numbers::F64,
+                    &Written { loops, slots: &slots, sums: vec![*value], put: Box::new(give) },
+                    &no_other,
+                )
             })
             .collect();
         quote!(#firsts #(#gives)*)
     }
 
-    fn lowered(&mut self, sums: &[SumId], slots: &[BodyId], other: &dyn Fn(Symbol) -> TokenStream) -> Body {
+    fn lowered(
+        &mut self,
+        numbers: Numbers,
+        sums: &[SumId],
+        slots: &[BodyId],
+        other: &dyn Fn(Symbol) -> TokenStream,
+    ) -> Body {
         let symbols = &self.templates.symbols;
         let mut lowering = Lowering::new(&self.templates.algebra, self.pool);
         for &sum in sums {
@@ -217,11 +249,11 @@ impl Emitter<'_> {
         let index_or_other = |symbol: Symbol| match symbols.index_of(symbol) {
             Some(id) => {
                 let value = whole(self.model, &Whole::Index(id));
-                quote!((#value as f64))
+                numbers.convert(quote!((#value as f64)))
             }
             None => other(symbol),
         };
-        kernel::body_at(&program, symbols, &|i| coordinate(slots, i), &index_or_other)
+        kernel::body_at(numbers, &program, symbols, &|i| coordinate(slots, i), &index_or_other)
     }
 
     /// Index of the first body of each array.

@@ -1,0 +1,49 @@
+//! The equations of a scene, in any number.
+
+use super::DeficientRows;
+use crate::scalar::Scalar;
+
+/// The kernels of a scene on numbers `T`.
+///
+/// `c` holds the present inputs, then what [`Equations::constants`] wrote; `t` is the time in s, `q` and `v` are the `n_q`
+/// coordinates and velocities.
+pub trait Equations<T: Scalar>: Send + Sync {
+    /// Everything that depends on parameters alone, from their values in the order of
+    /// [`SceneInfo::parameters`](super::SceneInfo::parameters). Writes `n_constants` numbers behind the inputs in `c`, which
+    /// it neither reads nor changes.
+    fn constants(&self, parameters: &[T], c: &mut [T]);
+
+    /// Diagonal of M (kg, kg·m²). Writes `n_q`.
+    fn mass_matrix(&self, c: &[T], m: &mut [T]);
+
+    /// C(q, t). Writes `n_h`.
+    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]);
+
+    /// All rows at velocity level: C_q v + C_t, then S v + s_t. Writes `n_c`.
+    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]);
+
+    /// Entries of G = [C_q; S] in the order of [`SceneInfo::jacobian`](super::SceneInfo::jacobian).
+    fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]);
+
+    /// [h; s], so that G a = −[h; s]. Writes `n_c`.
+    fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]);
+
+    /// F. Writes `n_q`.
+    fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]);
+
+    /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
+    /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished. A scene without
+    /// elimination ([`SceneInfo::has_elimination`](super::SceneInfo::has_elimination)) writes nothing and marks every row.
+    fn accelerations(&self, c: &[T], t: T, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> DeficientRows {
+        let _ = (c, t, q, v, a, lambda);
+        DeficientRows::ALL
+    }
+
+    /// Generated mass-weighted correction: the `delta` of smallest `deltaᵀ M delta` with `G(q, t) delta = −residual`.
+    /// Reads `n_c` residuals, writes `n_q`; needs M > 0, meaningless when a pivot vanished. A scene without
+    /// elimination writes nothing and marks every row.
+    fn correction(&self, c: &[T], t: T, q: &[T], residual: &[T], delta: &mut [T]) -> DeficientRows {
+        let _ = (c, t, q, residual, delta);
+        DeficientRows::ALL
+    }
+}

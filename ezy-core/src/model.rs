@@ -13,7 +13,7 @@ mod equations;
 mod repeats;
 mod series;
 
-pub use equations::Equations;
+pub use equations::{Equations, PreciseScene};
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
 
@@ -460,6 +460,11 @@ pub trait Scene: Equations<f64> {
 
     /// The recurrences of its Taylor series; none where a law of the scene is not analytic.
     fn series(&self) -> Option<&dyn Series<f64>> {
+        None
+    }
+
+    /// The scene in numbers of twice the length, where it has a Taylor series.
+    fn precise(&self) -> Option<&dyn PreciseScene> {
         None
     }
 }

@@ -1,6 +1,9 @@
 //! The numbers that kernels run on.
 
+mod double_double;
 mod plain;
+
+pub use double_double::DoubleDouble;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

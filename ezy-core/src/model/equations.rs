@@ -1,7 +1,7 @@
 //! The equations of a scene, in any number.
 
-use super::DeficientRows;
-use crate::scalar::Scalar;
+use super::{DeficientRows, Series};
+use crate::scalar::{DoubleDouble, Scalar};
 
 /// The kernels of a scene on numbers `T`.
 ///
@@ -47,3 +47,8 @@ pub trait Equations<T: Scalar>: Send + Sync {
         DeficientRows::ALL
     }
 }
+
+/// Equations and Taylor series of a scene in numbers of twice the length of `f64`, as one trait object.
+pub trait PreciseScene: Equations<DoubleDouble> + Series<DoubleDouble> {}
+
+impl<S: Equations<DoubleDouble> + Series<DoubleDouble>> PreciseScene for S {}

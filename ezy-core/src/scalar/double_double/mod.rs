@@ -1,0 +1,157 @@
+//! Numbers of twice the length of `f64`: 106 bits, 31 decimal digits.
+
+mod functions;
+mod tables;
+#[cfg(test)]
+mod tests;
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The unevaluated sum of two `f64` that do not overlap: `low` is at most half of the last place of `high`.
+///
+/// Sums, products and quotients have a relative error below 1e-31, sums under cancellation included; the range is that of
+/// `f64`, less the last 1e16 at its lower end.
+///
+/// ```
+/// use ezy_core::scalar::{DoubleDouble, Scalar};
+///
+/// let third = DoubleDouble::from_f64(1.0) / DoubleDouble::from_f64(3.0);
+/// let rest = third * DoubleDouble::from_f64(3.0) - DoubleDouble::from_f64(1.0);
+/// assert!(rest.magnitude() < 1e-31);
+/// ```
+///
+/// # Source
+/// Dekker, Numer. Math. 18 (1971); Joldes, Muller, Popescu, ACM Trans. Math. Softw. 44 (2017).
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
+pub struct DoubleDouble {
+    high: f64,
+    low: f64,
+}
+
+impl DoubleDouble {
+    /// `high + low`, which may overlap.
+    #[inline]
+    pub fn new(high: f64, low: f64) -> Self {
+        two_sum(high, low)
+    }
+
+    /// The nearest `f64`.
+    #[inline]
+    pub fn high(self) -> f64 {
+        self.high
+    }
+
+    /// What [`DoubleDouble::high`] leaves.
+    #[inline]
+    pub fn low(self) -> f64 {
+        self.low
+    }
+
+    /// Times a power of two, so that nothing is rounded.
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> Self {
+        Self { high: self.high * power_of_two, low: self.low * power_of_two }
+    }
+
+    #[inline]
+    fn is_negative(self) -> bool {
+        self.high < 0.0
+    }
+}
+
+impl From<f64> for DoubleDouble {
+    #[inline]
+    fn from(x: f64) -> Self {
+        Self { high: x, low: 0.0 }
+    }
+}
+
+/// a + b without error.
+#[inline(always)]
+fn two_sum(a: f64, b: f64) -> DoubleDouble {
+    let high = a + b;
+    let from_b = high - a;
+    DoubleDouble { high, low: (a - (high - from_b)) + (b - from_b) }
+}
+
+/// a + b without error where |a| ≥ |b|.
+#[inline(always)]
+fn quick_two_sum(a: f64, b: f64) -> DoubleDouble {
+    let high = a + b;
+    DoubleDouble { high, low: b - (high - a) }
+}
+
+/// a b without error.
+#[inline(always)]
+fn two_product(a: f64, b: f64) -> DoubleDouble {
+    let high = a * b;
+    if cfg!(target_feature = "fma") {
+        return DoubleDouble { high, low: a.mul_add(b, -high) };
+    }
+    let ((a, a_rest), (b, b_rest)) = (halves(a), halves(b));
+    DoubleDouble { high, low: ((a * b - high) + a * b_rest + a_rest * b) + a_rest * b_rest }
+}
+
+/// The upper and lower 26 bits.
+#[inline(always)]
+fn halves(a: f64) -> (f64, f64) {
+    const SPLITTER: f64 = 134_217_729.0; // 2²⁷ + 1
+    let scaled = SPLITTER * a;
+    let upper = scaled - (scaled - a);
+    (upper, a - upper)
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let (upper, lower) = (two_sum(self.high, other.high), two_sum(self.low, other.low));
+        let sum = quick_two_sum(upper.high, upper.low + lower.high);
+        quick_two_sum(sum.high, lower.low + sum.low)
+    }
+}
+
+impl Sub for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let product = two_product(self.high, other.high);
+        let crossed = self.low * other.low + self.high * other.low + self.low * other.high;
+        quick_two_sum(product.high, product.low + crossed)
+    }
+}
+
+impl Div for DoubleDouble {
+    type Output = Self;
+
+    /// Long division, digit by digit of 53 bits.
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let first = self.high / other.high;
+        let rest = self - other * first.into();
+        let second = rest.high / other.high;
+        let third = (rest - other * second.into()).high / other.high;
+        let quotient = quick_two_sum(first, second);
+        quick_two_sum(quotient.high, quotient.low + third)
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
+    }
+}

@@ -165,7 +165,7 @@ fn invariant_run_every_sets_the_rows() {
 
 #[test]
 fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
-    let cases: [(&[&str], &str); 23] = [
+    let cases: [(&[&str], &str); 24] = [
         (&["run", "ezyroler/coast"], "did you mean `ezyroller`?"),
         (&["run", "ezyroller/cost"], "did you mean `coast`?"),
         (&["run", "ezyroller"], "run one of: ezyroller/coast"),
@@ -177,9 +177,10 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["run", "ezyroller/coast", "--step", "-1"], "give a positive step"),
         (&["run", "ezyroller/coast", "--step", "0"], "give a positive step"),
         (&["run", "ezyroller/coast", "--until", "nan"], "is not a finite number"),
-        (&["run", "ezyroller/coast", "--method", "euler"], "[possible values: rk4, dop853]"),
+        (&["run", "ezyroller/coast", "--method", "euler"], "[possible values: rk4, dop853, taylor]"),
         (&["run", "ezyroller/coast", "--rtol", "1e-9"], "rk4 has a fixed step: give `--step`"),
         (&["run", "ezyroller/coast", "--method", "dop853", "--step", "1e-3"], "give `--rtol` in place of `--step`"),
+        (&["run", "ezyroller/coast", "--method", "taylor", "--step", "1e-3"], "taylor chooses the length of its steps"),
         (&["run", "ezyroller/coast", "--method", "dop853", "--rtol", "0"], "give a relative one between"),
         (&["run", "ezyroller/coast", "--frobnicate"], "unexpected argument"),
         (&["run", "ezyroller/coast", "--out", "/no/such/directory/x.csv"], "in a directory that exists"),

@@ -34,6 +34,18 @@ fn invariant_steps_do_not_allocate() {
 }
 
 #[test]
+fn invariant_taylor_steps_do_not_allocate() {
+    let scene = HandRoller::driven();
+    for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
+        let allocations = |until_s: f64| {
+            let order = Simulation::new(&scene).method(Method::taylor(1e-12)).backend(backend).work().until(until_s);
+            allocation_counter::measure(|| assert!(order.run().unwrap().cost.steps >= 2)).count_total
+        };
+        assert_eq!(allocations(1.0), allocations(10.0), "{backend:?}");
+    }
+}
+
+#[test]
 fn invariant_steps_of_a_scene_with_counts_do_not_allocate() {
     let scene = chain::Swing { n: 5, ..Default::default() };
     // the description of a chain of five is made once

@@ -4,7 +4,7 @@ use super::projection::Euclidean;
 use super::system::Solver;
 use super::{Metric, MotionError, System};
 use crate::linalg::{DenseKkt, KktFactorization, LARGEST_DIAGNOSED, diagnose};
-use crate::model::{Scene, SceneInfo};
+use crate::model::{Scene, SceneInfo, Series, SeriesStore};
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Accelerations and multipliers at one state: solves `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`.
@@ -100,6 +100,37 @@ impl<S: Scene + ?Sized> System<'_, S> {
             }
         };
         if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
+    }
+
+    /// Begins a series from orders 0 and 1 of q in `store` ([`Series::begin`]); true when the scene's own elimination can
+    /// solve for it. Otherwise K is factored, for [`System::solve_factored`].
+    ///
+    /// # Errors
+    /// As [`System::accelerations`].
+    pub fn begin_series(
+        &mut self,
+        series: &dyn Series<f64>,
+        t: f64,
+        store: &mut SeriesStore<f64>,
+    ) -> Result<bool, MotionError> {
+        self.counters.evaluations += 1;
+        self.counters.factorizations += 1;
+        let deficient = series.begin(&self.fixed, t, store);
+        if deficient.none() && matches!(self.solver, Solver::Generated) {
+            return Ok(true);
+        }
+        let q = &store.q[..self.info.n_coordinates()];
+        if self.factor(t, q) { Ok(false) } else { Err(self.why_singular(t, q)) }
+    }
+
+    /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors of [`System::begin_series`].
+    pub fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) {
+        let right_side = &mut self.buffers.right_side;
+        right_side[..force.len()].copy_from_slice(force);
+        right_side[force.len()..].copy_from_slice(row);
+        factored(&mut self.solver, &mut self.second_opinion, self.info).solve(right_side);
+        a.copy_from_slice(&right_side[..force.len()]);
+        lambda.copy_from_slice(&right_side[force.len()..]);
     }
 
     /// Removes from accelerations `a` what rounding left of `G a + [h; s]`, by one correction in the mass matrix.

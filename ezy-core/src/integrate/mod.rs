@@ -2,16 +2,19 @@
 //! [`System`](crate::dynamics::System).
 
 mod clock;
+mod compensated;
 mod dop853;
 mod hermite;
 mod rk4;
 mod step_control;
+mod taylor;
 
 pub use clock::Clock;
 pub use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER};
 pub use hermite::{Knot, interpolate};
 pub use rk4::Rk4;
 pub use step_control::{StepControl, Tolerance};
+pub use taylor::{Taylor, taylor_order};
 
 /// How a run is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +26,8 @@ pub enum Method {
     },
     /// The method of Dormand and Prince of order 8 with steps that keep to a tolerance.
     Dop853(Tolerance),
+    /// Taylor's method, with order and steps that keep to a tolerance; for scenes whose laws are analytic.
+    Taylor(Tolerance),
 }
 
 impl Method {
@@ -37,11 +42,17 @@ impl Method {
         Self::Dop853(Tolerance { relative: tolerance, absolute: tolerance })
     }
 
+    /// Taylor's method, with one number for the relative and the absolute tolerance (m, rad, m/s, rad/s).
+    pub const fn taylor(tolerance: f64) -> Self {
+        Self::Taylor(Tolerance { relative: tolerance, absolute: tolerance })
+    }
+
     /// Name on the command line and in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rk4 { .. } => "rk4",
             Self::Dop853(_) => "dop853",
+            Self::Taylor(_) => "taylor",
         }
     }
 }

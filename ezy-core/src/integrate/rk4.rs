@@ -1,6 +1,6 @@
 //! The classical Runge–Kutta method of order 4.
 
-use super::Knot;
+use super::{Knot, compensated};
 use crate::dynamics::{MotionError, State, System};
 use crate::model::Scene;
 
@@ -69,17 +69,10 @@ impl Rk4 {
     }
 }
 
-/// `to = from + (h slope + rest)`, and what rounding cuts off into `rest`.
-///
-/// # Source
-/// Knuth, The Art of Computer Programming 2, 4.2.2: the error of a sum is a floating-point number.
+/// `to = from + h slope`, with what rounding cuts off in `rest`.
 fn add(to: &mut [f64], from: &[f64], h: f64, slope: &[f64], rest: &mut [f64]) {
     for (((to, from), slope), rest) in to.iter_mut().zip(from).zip(slope).zip(rest) {
-        let increment = h * slope + *rest;
-        let sum = from + increment;
-        let taken = sum - from;
-        *rest = (from - (sum - taken)) + (increment - taken);
-        *to = sum;
+        *to = compensated::add(*from, h * slope, rest);
     }
 }
 

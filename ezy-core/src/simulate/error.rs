@@ -41,6 +41,14 @@ pub enum SetupError {
         /// Name of the method.
         method: &'static str,
     },
+    /// The scene has laws that are not analytic.
+    #[error(
+        "scene `{scene}` has no Taylor series: one of its laws is not analytic; use another method, such as dop853"
+    )]
+    NoSeries {
+        /// Name of the scene.
+        scene: &'static str,
+    },
     /// More steps than anyone waits for.
     #[error(
         "{steps:.1e} steps of {step_s} s lie between the start and the end; at most {limit:.0e} are taken: give a larger step or an earlier end"

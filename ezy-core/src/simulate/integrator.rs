@@ -1,18 +1,18 @@
 //! A method at work: its storage and its step control.
 
+use super::SetupError;
+use super::instantaneous::Instantaneous;
+use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, Method, Rk4, StepControl, Tolerance, interpolate};
-use crate::model::{Scene, SceneInfo};
+use crate::integrate::{
+    DOP853_ERROR_ORDER, Dop853, Knot, Method, Rk4, StepControl, Taylor, Tolerance, interpolate, taylor_order,
+};
+use crate::model::Scene;
 
-/// A step shorter than this part of the time, or of a second, moves nothing any more.
-const SHORTEST: f64 = 1e-14;
-
-/// The last step may be longer by this part, so that no splinter of a step is left.
-const STRETCH: f64 = 1e-3;
-
-pub(super) enum Integrator {
+pub(super) enum Integrator<'s> {
     Rk4(Box<Rk4>),
     Dop853(Box<Adaptive>),
+    Taylor(Box<Taylor<'s>>, Tolerance),
 }
 
 /// DOP853 with the length of its next step.
@@ -27,10 +27,11 @@ pub(super) struct Adaptive {
     dense: bool,
 }
 
-impl Integrator {
-    pub fn new(method: Method, info: &SceneInfo, n_works: usize) -> Self {
+impl<'s> Integrator<'s> {
+    pub fn new<S: Scene + ?Sized>(method: Method, scene: &'s S, n_works: usize) -> Result<Self, SetupError> {
+        let info = scene.info();
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
-        match method {
+        Ok(match method {
             Method::Rk4 { .. } => Self::Rk4(Box::new(Rk4::new(n_q, n_c, n_works))),
             Method::Dop853(tolerance) => Self::Dop853(Box::new(Adaptive {
                 method: Dop853::new(n_q, n_c, n_works),
@@ -40,7 +41,11 @@ impl Integrator {
                 rejected: 0,
                 dense: false,
             })),
-        }
+            Method::Taylor(tolerance) => match Taylor::new(scene, taylor_order(tolerance), n_works) {
+                Some(taylor) => Self::Taylor(Box::new(taylor), tolerance),
+                None => return Err(SetupError::NoSeries { scene: info.name }),
+            },
+        })
     }
 
     /// Forgets the steps taken so far.
@@ -52,19 +57,44 @@ impl Integrator {
                 adaptive.control = StepControl::new(DOP853_ERROR_ORDER);
                 adaptive.step_s = None;
             }
+            Self::Taylor(taylor, _) => taylor.restart(),
         }
     }
 
     /// Whether it keeps to a tolerance by steps of its own length.
     pub const fn chooses_steps(&self) -> bool {
-        matches!(self, Self::Dop853(_))
+        matches!(self, Self::Dop853(_) | Self::Taylor(..))
     }
 
     /// Steps that were tried and not taken.
     pub fn n_rejected(&self) -> u64 {
         match self {
-            Self::Rk4(_) => 0,
+            Self::Rk4(_) | Self::Taylor(..) => 0,
             Self::Dop853(adaptive) => adaptive.rejected,
+        }
+    }
+
+    /// Accelerations, multipliers and powers at a state, and what the next step from there needs besides.
+    pub fn evaluate<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        at: &mut Instantaneous,
+    ) -> Result<(), MotionError> {
+        match self {
+            Self::Taylor(taylor, _) => {
+                let Instantaneous { state, a, lambda, power } = at;
+                taylor.expand(system, state, a, lambda)?;
+                system.power(state.t, &state.q, &state.v, lambda, power);
+                Ok(())
+            }
+            _ => at.evaluate(system),
+        }
+    }
+
+    /// The next step starts at the state that was evaluated last.
+    pub fn accept(&mut self) {
+        if let Self::Taylor(taylor, _) = self {
+            taylor.accept();
         }
     }
 
@@ -80,6 +110,16 @@ impl Integrator {
         match self {
             Self::Rk4(rk4) => rk4.step(system, from, h, t_next, to),
             Self::Dop853(adaptive) => adaptive.step(system, from, t_next, to),
+            Self::Taylor(taylor, tolerance) => {
+                let (t, length) = (from.state.t, taylor.longest_step(*tolerance));
+                if is_too_short(t, length) && length < t_next - t {
+                    return Err(MotionError::StepCollapsed { t, step_s: length });
+                }
+                let Reach { step_s, t_next } = reach(t, t_next, length);
+                taylor.advance(system, from.state, step_s, to);
+                to.t = t_next;
+                Ok(())
+            }
         }
     }
 
@@ -103,6 +143,10 @@ impl Integrator {
                 adaptive.method.dense_at(s, out);
                 out.t = t;
             }
+            Self::Taylor(taylor, _) => {
+                taylor.dense_at(system, from.state, t - from.state.t, out);
+                out.t = t;
+            }
         }
         Ok(())
     }
@@ -124,17 +168,8 @@ impl Adaptive {
             None => self.method.first_step(system, from, left, self.tolerance)?,
         };
         loop {
-            // the last two steps share what is left
-            let n_left = left / length;
-            let (h, t_next) = if n_left <= 1.0 + STRETCH {
-                (left, end)
-            } else {
-                let wanted = if n_left < 2.0 { 0.5 * left } else { length };
-                // the length that the clock can show, so that times carry no rounding
-                let t_next = t + wanted;
-                (t_next - t, t_next)
-            };
-            if h <= SHORTEST * t.abs().max(1.0) && h < left {
+            let Reach { step_s: h, t_next } = reach(t, end, length);
+            if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
             match self.method.attempt(system, from, h, self.tolerance, to) {
@@ -148,7 +183,7 @@ impl Adaptive {
                 // a stage may have left the region of the motion: a shorter step may not
                 Err(error) => {
                     length = h * self.control.reject(f64::NAN);
-                    if length <= SHORTEST * t.abs().max(1.0) {
+                    if is_too_short(t, length) {
                         return Err(error);
                     }
                 }

@@ -38,7 +38,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let pace = self.pace(start.t, control.is_idle())?;
         let plan = Plan { pace, every_s: self.every_s, wanted: self.wanted };
         let state = system.consistent_start(&start)?;
-        let mut motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work);
+        let mut motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work)?;
         motion.place(&state);
         RunLoop::new(motion, control, plan, self.recorder, self.on_progress)?.run()
     }
@@ -53,7 +53,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let step_s = self.fixed_step()?;
         let state = system.consistent_start(&start)?;
         let control = self.take_control(&mut system)?;
-        let motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work);
+        let motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work)?;
         Ok(Stepper::new(motion, control, step_s, start, state))
     }
 
@@ -85,7 +85,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         match self.method {
             Method::Rk4 { step_s } if step_s.is_finite() && step_s > 0.0 => Ok(step_s),
             Method::Rk4 { step_s } => Err(SetupError::Step { step_s }),
-            Method::Dop853(_) => Err(SetupError::NeedsFixedStep { method: self.method.name() }),
+            Method::Dop853(_) | Method::Taylor(_) => Err(SetupError::NeedsFixedStep { method: self.method.name() }),
         }
     }
 
@@ -111,7 +111,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             }
         }
         match self.method {
-            Method::Dop853(tolerance) if idle => {
+            Method::Dop853(tolerance) | Method::Taylor(tolerance) if idle => {
                 check_tolerance(tolerance)?;
                 Ok(Pace::Free { start: start_s, end: until_s })
             }

@@ -11,6 +11,7 @@ mod launch;
 mod motion;
 mod outcome;
 mod pace;
+mod reach;
 mod run_loop;
 mod simulation;
 mod stepper;

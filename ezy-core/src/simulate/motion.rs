@@ -1,5 +1,6 @@
 //! A scene in motion: where it is, and how it gets one step further. What runs and steppers share.
 
+use super::SetupError;
 use super::instantaneous::Instantaneous;
 use super::integrator::Integrator;
 use crate::dynamics::{Metric, MotionError, Projection, State, System};
@@ -9,7 +10,7 @@ use crate::model::Scene;
 /// The state `now`, and `next` where the step under way ends.
 pub(super) struct Motion<'s, S: Scene + ?Sized> {
     pub system: System<'s, S>,
-    integrator: Integrator,
+    integrator: Integrator<'s>,
     projection: Projection,
     metric: Metric,
     /// Whether works are integrated.
@@ -19,11 +20,17 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
 }
 
 impl<'s, S: Scene + ?Sized> Motion<'s, S> {
-    pub fn new(system: System<'s, S>, method: Method, projection: Projection, metric: Metric, work: bool) -> Self {
+    pub fn new(
+        system: System<'s, S>,
+        method: Method,
+        projection: Projection,
+        metric: Metric,
+        work: bool,
+    ) -> Result<Self, SetupError> {
         let info = system.info();
         let [now, next] = std::array::from_fn(|_| Instantaneous::zero(info, work));
-        let integrator = Integrator::new(method, info, now.power.len());
-        Self { system, integrator, projection, metric, work, now, next }
+        let integrator = Integrator::new(method, system.scene(), now.power.len())?;
+        Ok(Self { system, integrator, projection, metric, work, now, next })
     }
 
     /// Goes to a state without history; what belongs to it is not evaluated.
@@ -62,16 +69,19 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     pub fn evaluate_now(&mut self) -> Result<(), MotionError> {
-        self.now.evaluate(&mut self.system)
+        self.integrator.evaluate(&mut self.system, &mut self.now)?;
+        self.integrator.accept();
+        Ok(())
     }
 
     pub fn evaluate_next(&mut self) -> Result<(), MotionError> {
-        self.next.evaluate(&mut self.system)
+        self.integrator.evaluate(&mut self.system, &mut self.next)
     }
 
     /// `next` becomes `now`.
     pub fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);
+        self.integrator.accept();
     }
 }
 

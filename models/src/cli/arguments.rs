@@ -153,6 +153,8 @@ pub enum MethodName {
     Rk4,
     /// Method of Dormand and Prince of order 8 with steps that keep to a tolerance
     Dop853,
+    /// Taylor's method with order and steps that keep to a tolerance
+    Taylor,
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]

@@ -74,16 +74,20 @@ fn method(arguments: &RunArguments) -> Result<Method, Failure> {
             )),
             None => Ok(Method::rk4(step.unwrap_or(STEP_S))),
         },
-        MethodName::Dop853 => match step {
-            Some(_) => {
-                Err(Failure::wrong_use("dop853 chooses the length of its steps: give `--rtol` in place of `--step`"))
-            }
-            None => {
-                let relative = rtol.unwrap_or(RELATIVE_TOLERANCE);
-                Ok(Method::Dop853(Tolerance { relative, absolute: atol.unwrap_or(relative) }))
-            }
-        },
+        MethodName::Dop853 => Ok(Method::Dop853(tolerance("dop853", arguments)?)),
+        MethodName::Taylor => Ok(Method::Taylor(tolerance("taylor", arguments)?)),
     }
+}
+
+/// Tolerance of a method that chooses its steps.
+fn tolerance(method: &str, arguments: &RunArguments) -> Result<Tolerance, Failure> {
+    if arguments.step.is_some() {
+        return Err(Failure::wrong_use(format!(
+            "{method} chooses the length of its steps: give `--rtol` in place of `--step`"
+        )));
+    }
+    let relative = arguments.rtol.unwrap_or(RELATIVE_TOLERANCE);
+    Ok(Tolerance { relative, absolute: arguments.atol.unwrap_or(relative) })
 }
 
 /// Counts up to here are exact as numbers typed with a point or a power of ten.

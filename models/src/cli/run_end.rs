@@ -123,7 +123,9 @@ pub fn remark(energy: &EnergyState, method: Method) -> String {
     };
     let (what, better) = match method {
         Method::Rk4 { step_s } => (format!("the step of {step_s} s"), format!("--step {:.0e}", step_s / 10.0)),
-        Method::Dop853(tolerance) => ("the tolerance".to_owned(), format!("--rtol {:.0e}", tolerance.relative / 10.0)),
+        Method::Dop853(tolerance) | Method::Taylor(tolerance) => {
+            ("the tolerance".to_owned(), format!("--rtol {:.0e}", tolerance.relative / 10.0))
+        }
     };
     format!("remark: energy and work {difference}: {what} is too large for this motion; try {better}\n")
 }

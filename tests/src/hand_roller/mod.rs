@@ -6,8 +6,9 @@
 
 mod info;
 mod schur;
+mod series;
 
-use ezy_core::model::{DeficientRows, Equations, Scene, SceneInfo, Start};
+use ezy_core::model::{DeficientRows, Equations, Scene, SceneInfo, Series, Start};
 use schur::Schur;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -166,4 +167,8 @@ impl Scene for HandRoller {
     }
 
     fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
+
+    fn series(&self) -> Option<&dyn Series<f64>> {
+        Some(self)
+    }
 }

@@ -28,5 +28,6 @@ mod start;
 mod stepper;
 mod straight_and_locked;
 mod symmetries;
+mod taylor;
 mod trajectories;
 mod work;

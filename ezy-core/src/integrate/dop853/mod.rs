@@ -3,8 +3,8 @@
 mod dense;
 mod tableau;
 
-use super::Knot;
 use super::step_control::Tolerance;
+use super::{Knot, compensated};
 use crate::dynamics::{MotionError, State, System};
 use crate::model::Scene;
 use tableau::{ERROR_3, ERROR_5, N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, STAGES};
@@ -80,11 +80,8 @@ impl Dop853 {
         }
         self.increment(h, STAGES[N_STAGES - 1]);
         for i in 0..self.n {
-            let increment = self.stage[i] + self.rest[i];
-            let sum = self.start[i] + increment;
-            let taken = sum - self.start[i];
-            self.next_rest[i] = (self.start[i] - (sum - taken)) + (increment - taken);
-            self.stage[i] = sum;
+            self.next_rest[i] = self.rest[i];
+            self.stage[i] = compensated::add(self.start[i], self.stage[i], &mut self.next_rest[i]);
         }
         write(&self.stage, to);
         to.t = from.state.t + h;

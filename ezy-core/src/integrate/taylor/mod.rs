@@ -1,0 +1,149 @@
+//! Taylor's method: the motion as a power series about the start of each step.
+
+mod expansion;
+mod length;
+mod sums;
+mod work;
+
+use super::{Tolerance, compensated};
+use crate::dynamics::{MotionError, State, System};
+use crate::model::{Scene, Series, SeriesStore};
+use expansion::{OrderSolver, expand, expand_with, increment};
+use work::Quadrature;
+
+pub use length::order_for as taylor_order;
+
+/// Series of q, v and the multipliers, one a step, from one factorisation of K.
+///
+/// Nothing is tried and taken back: the coefficients say how long the step may be before it is taken, and between its ends
+/// they are the motion. What rounding cuts off a sum is added to the next one, as in [`Rk4`](super::Rk4). Works are
+/// integrated along the polynomials and do not choose the steps.
+///
+/// # Source
+/// Jorba, Zou, Exp. Math. 14 (2005); for constrained motion see [`Series`].
+pub struct Taylor<'s> {
+    series: &'s dyn Series<f64>,
+    order: usize,
+    n_q: usize,
+    /// About the start of the step.
+    now: SeriesStore<f64>,
+    /// About its end, where the next one starts.
+    next: SeriesStore<f64>,
+    /// Reciprocals of what is tolerated, q then v.
+    weights: Vec<f64>,
+    rest: State,
+    increment: State,
+    quadrature: Quadrature,
+}
+
+impl<'s> Taylor<'s> {
+    /// Storage for steps of an order, which is at least 4; none for a scene without a Taylor series.
+    pub fn new<S: Scene + ?Sized>(scene: &'s S, order: usize, n_works: usize) -> Option<Self> {
+        let series = scene.series()?;
+        let size = series.series_size();
+        let (n_q, n_c) = (size.n_coordinates, size.n_rows);
+        Some(Self {
+            series,
+            order,
+            n_q,
+            now: SeriesStore::new(size, order + 1),
+            next: SeriesStore::new(size, order + 1),
+            weights: vec![0.0; 2 * n_q],
+            rest: State::zero(n_q, n_works),
+            increment: State::zero(n_q, n_works),
+            quadrature: Quadrature::new(order, n_q, n_c, n_works),
+        })
+    }
+
+    /// Order of a step.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Forgets what rounding cut off, before another run.
+    pub fn restart(&mut self) {
+        [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));
+    }
+
+    /// The coefficients about the state where the next step starts, with accelerations `a` (`n_q`) and multipliers
+    /// `lambda` (`n_c`) there. The present step keeps its own until [`Taylor::accept`].
+    ///
+    /// # Errors
+    /// [`MotionError`] when K is singular.
+    /// # Cost
+    /// One factorisation, and as many solves and sums of products as the order; no allocation.
+    pub fn expand<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: &State,
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), MotionError> {
+        let Self { series, order, n_q, next: store, .. } = self;
+        store.q[..*n_q].copy_from_slice(&from.q);
+        store.q[*n_q..][..*n_q].copy_from_slice(&from.v);
+        if system.begin_series(*series, from.t, store)? {
+            expand(*series, system.fixed(), *order, store);
+        } else {
+            expand_with(*series, system, *order, store);
+        }
+        a.iter_mut().zip(&store.q[2 * *n_q..]).for_each(|(a, bend)| *a = 2.0 * bend);
+        lambda.copy_from_slice(&store.lambda[..lambda.len()]);
+        Ok(())
+    }
+
+    /// The next step begins: it starts at the state that was expanded last.
+    pub fn accept(&mut self) {
+        std::mem::swap(&mut self.now, &mut self.next);
+    }
+
+    /// The longest step that keeps to a tolerance, s; may be infinite.
+    pub fn longest_step(&mut self, tolerance: Tolerance) -> f64 {
+        length::write_weights(&self.now, tolerance, &mut self.weights);
+        length::longest_step(&self.now, self.order, &self.weights)
+    }
+
+    /// A step of length `h` from `from`; writes `to`, not yet projected.
+    pub fn advance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, h: f64, to: &mut State) {
+        let Self { order, now: store, increment: by, rest, quadrature, .. } = self;
+        increment(store, *order, h, &mut by.q, &mut by.v);
+        add(&mut to.q, &from.q, &by.q, &mut rest.q);
+        add(&mut to.v, &from.v, &by.v, &mut rest.v);
+        if !to.work.is_empty() {
+            by.work.fill(0.0);
+            quadrature.add_works(system, store, *order, from, h, &mut by.work);
+            add(&mut to.work, &from.work, &by.work, &mut rest.work);
+        }
+        to.t = from.t + h;
+    }
+
+    /// The state `s` after `from`, not projected, with works up to there.
+    pub fn dense_at<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, s: f64, out: &mut State) {
+        let Self { order, now: store, quadrature, .. } = self;
+        increment(store, *order, s, &mut out.q, &mut out.v);
+        out.q.iter_mut().zip(&from.q).for_each(|(q, start)| *q += start);
+        out.v.iter_mut().zip(&from.v).for_each(|(v, start)| *v += start);
+        out.work.copy_from_slice(&from.work);
+        quadrature.add_works(system, store, *order, from, s, &mut out.work);
+        out.t = from.t + s;
+    }
+}
+
+impl<S: Scene + ?Sized> OrderSolver<f64> for System<'_, S> {
+    fn fixed(&self) -> &[f64] {
+        self.fixed()
+    }
+
+    fn solve(&mut self, k: usize, store: &mut SeriesStore<f64>) {
+        let SeriesStore { lambda, force, row, a, .. } = store;
+        let n_c = row.len();
+        self.solve_factored(force, row, a, &mut lambda[k * n_c..][..n_c]);
+    }
+}
+
+/// `to = from + increment`, with what rounding cuts off in `rest`.
+fn add(to: &mut [f64], from: &[f64], increment: &[f64], rest: &mut [f64]) {
+    for (((to, from), increment), rest) in to.iter_mut().zip(from).zip(increment).zip(rest) {
+        *to = compensated::add(*from, *increment, rest);
+    }
+}

@@ -1,0 +1,40 @@
+//! The sums of all products of one order: where nearly all of a step's time goes.
+
+use crate::model::{PRODUCT_GROUP, SeriesStore};
+use crate::scalar::Scalar;
+
+/// `sums = Σ left_j right_{n−j}` over j = 1 … n − 1, for `n` ≥ 2.
+///
+/// # Cost
+/// n − 1 multiplications and additions for each product, eight products at a time in vector registers.
+pub fn sum_products<T: Scalar>(store: &mut SeriesStore<T>, n: usize) {
+    if size_of::<T>() == size_of::<f64>() {
+        sum_groups::<T, PRODUCT_GROUP>(store, n);
+    } else {
+        // a wider number fills the registers by itself
+        sum_groups::<T, 1>(store, n);
+    }
+}
+
+fn sum_groups<T: Scalar, const WIDTH: usize>(store: &mut SeriesStore<T>, n: usize) {
+    let SeriesStore { left, right, sums, .. } = store;
+    let (sums, _) = sums.as_chunks_mut::<WIDTH>();
+    let (left, right) = (left.as_chunks::<WIDTH>().0, right.as_chunks::<WIDTH>().0);
+    let n_groups = sums.len();
+    for (group, sum) in sums.iter_mut().enumerate() {
+        let mut total = [T::from_f64(0.0); WIDTH];
+        let mut add = |j: usize| {
+            let (left, right) = (&left[j * n_groups + group], &right[(n - j) * n_groups + group]);
+            for i in 0..WIDTH {
+                total[i] = left[i].fused(right[i], total[i]);
+            }
+        };
+        // the newest coefficients come last, so that the processor adds up the others while it still solves for these
+        (2..n - 1).for_each(&mut add);
+        add(1);
+        if n > 2 {
+            add(n - 1);
+        }
+        *sum = total;
+    }
+}

@@ -1,0 +1,80 @@
+//! Works over a step, from powers along its polynomials.
+
+use super::expansion::increment;
+use crate::dynamics::{State, System};
+use crate::model::{Scene, SeriesStore};
+
+/// Gauss's formula with nodes in (0, 1).
+///
+/// # Source
+/// Nodes by Newton's method from the estimate of Abramowitz, Stegun (1964), 22.16.6; weights: 25.4.29.
+#[derive(Debug)]
+pub struct Quadrature {
+    nodes: Vec<(f64, f64)>,
+    at: State,
+    lambda: Vec<f64>,
+}
+
+/// Newton passes to the last digit: each doubles the digits of an estimate that has three.
+const PASSES: usize = 5;
+
+impl Quadrature {
+    /// Exact for polynomials of degree `degree`.
+    pub fn new(degree: usize, n_q: usize, n_c: usize, n_works: usize) -> Self {
+        let n = degree / 2 + 1;
+        let nodes = if n_works == 0 { Vec::new() } else { (0..n).map(|i| node(n, i)).collect() };
+        Self { nodes, at: State::zero(n_q, n_works), lambda: vec![0.0; n_c] }
+    }
+
+    /// Adds to `work` what each power does over `h` from the state `from`.
+    pub fn add_works<S: Scene + ?Sized>(
+        &mut self,
+        system: &System<'_, S>,
+        store: &SeriesStore<f64>,
+        order: usize,
+        from: &State,
+        h: f64,
+        work: &mut [f64],
+    ) {
+        let Self { nodes, at, lambda } = self;
+        for (node, weight) in nodes {
+            let s = *node * h;
+            increment(store, order, s, &mut at.q, &mut at.v);
+            at.q.iter_mut().zip(&from.q).for_each(|(q, start)| *q += start);
+            at.v.iter_mut().zip(&from.v).for_each(|(v, start)| *v += start);
+            multipliers(store, order, s, lambda);
+            system.power(from.t + s, &at.q, &at.v, lambda, &mut at.work);
+            work.iter_mut().zip(&at.work).for_each(|(work, power)| *work += h * *weight * power);
+        }
+    }
+}
+
+fn multipliers(store: &SeriesStore<f64>, order: usize, s: f64, lambda: &mut [f64]) {
+    let n_c = lambda.len();
+    lambda.fill(0.0);
+    for k in (0..order).rev() {
+        lambda.iter_mut().zip(&store.lambda[k * n_c..]).for_each(|(sum, x)| *sum = *sum * s + x);
+    }
+}
+
+/// Node `i` of `n` and its weight.
+fn node(n: usize, i: usize) -> (f64, f64) {
+    let mut x = (std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
+    let mut slope = 1.0;
+    for _ in 0..PASSES {
+        let (value, previous) = legendre(n, x);
+        slope = n as f64 * (x * value - previous) / (x * x - 1.0);
+        x -= value / slope;
+    }
+    (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope))
+}
+
+/// P_n and P_{n−1}.
+fn legendre(n: usize, x: f64) -> (f64, f64) {
+    let (mut value, mut previous) = (1.0, 0.0);
+    for k in 0..n {
+        let k = k as f64;
+        (value, previous) = (((2.0 * k + 1.0) * x * value - k * previous) / (k + 1.0), value);
+    }
+    (value, previous)
+}

@@ -31,6 +31,24 @@ pub fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
+/// Row `i` of an array whose rows have `N` numbers.
+///
+/// # Panics
+/// When there is no such row.
+#[inline(always)]
+pub fn row<const N: usize, T>(x: &[T], i: usize) -> &[T; N] {
+    array(&x[i * N..(i + 1) * N])
+}
+
+/// Row `i` of an array whose rows have `N` numbers, to be written.
+///
+/// # Panics
+/// When there is no such row.
+#[inline(always)]
+pub fn row_mut<const N: usize, T>(x: &mut [T], i: usize) -> &mut [T; N] {
+    array_mut(&mut x[i * N..(i + 1) * N])
+}
+
 #[cold]
 #[inline(never)]
 fn wrong_length(expected: usize, found: usize) -> ! {

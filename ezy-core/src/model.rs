@@ -15,7 +15,7 @@ mod series;
 
 pub use equations::{Equations, PreciseScene};
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
-pub use series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
+pub use series::{PRODUCT_GROUP, Series, SeriesInfo, SeriesSize, SeriesStore};
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -247,6 +247,8 @@ pub struct SceneInfo {
     pub acceleration_operations: Operations,
     /// Operations of [`Scene::correction`].
     pub correction_operations: Operations,
+    /// Whether there is a Taylor series ([`Scene::series`]).
+    pub series: SeriesInfo,
     /// What a scene with counts knows besides; `None` for one whose sizes are known when it is compiled. A scene with
     /// counts has no generated elimination, its formulas are those of [`Repeats::templates`], and the lists of
     /// entries (Jacobian, masses, forces) are empty.

@@ -102,6 +102,7 @@ static FIXED: SceneInfo = SceneInfo {
     elimination: &[],
     acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
     correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+    series: ezy_core::model::SeriesInfo::Absent,
     repeats: Some(Repeats {
         counts: &[CountInfo { name: "n", default: 100, documentation: "rods" }],
         values: &[100],

@@ -87,6 +87,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         elimination: &[],
         acceleration_operations: Operations::default(),
         correction_operations: Operations::default(),
+        series: ezy_core::model::SeriesInfo::Absent,
         repeats: None,
     }))
 }

@@ -14,11 +14,30 @@
 //! Jorba, Zou, Exp. Math. 14 (2005); constraints by their own coefficients: Pryce, Numer. Algorithms 19 (1998), Nedialkov,
 //! Pryce, BIT 45 (2005).
 
-use super::DeficientRows;
+use super::{DeficientRows, Operations};
 use crate::scalar::Scalar;
 
 /// Products come in groups of so many, so that their sums fill vector registers.
 pub const PRODUCT_GROUP: usize = 8;
+
+/// Whether a scene has a Taylor series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SeriesInfo {
+    /// Every law is analytic.
+    Analytic {
+        /// Sums of products at each order.
+        n_products: usize,
+        /// Operations of each order besides those sums.
+        operations: Operations,
+    },
+    /// A law calls a function that has no Taylor series.
+    NotAnalytic {
+        /// Name of the function.
+        function: &'static str,
+    },
+    /// A scene with counts, or one written by hand: nothing was derived.
+    Absent,
+}
 
 /// Sizes of the storage of a scene's series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

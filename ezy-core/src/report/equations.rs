@@ -250,6 +250,7 @@ mod tests {
         elimination: &[],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+        series: crate::model::SeriesInfo::Absent,
         repeats: None,
     };
 

@@ -65,7 +65,7 @@ pub fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, C
 }
 
 /// Whether K is far enough from rank loss at a state. A correction would not tell: its multipliers do not show.
-fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &RandomState) -> bool {
+pub fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &RandomState) -> bool {
     let q = state.q.iter().enumerate().map(|(i, q)| if i % 2 == 0 { q + NUDGE } else { q - NUDGE }).collect();
     let nudged = RandomState { t: state.t, q, v: state.v.clone() };
     let (Some(x), Some(y)) = (solve_motion(dense, state), solve_motion(dense, &nudged)) else { return false };
@@ -108,7 +108,8 @@ fn check<S: Scene + ?Sized>(
     Check { name, n_compared, n_left_out, largest_error: error, tolerance: TOLERANCE, reason: REASON }
 }
 
-fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
+/// Accelerations, then multipliers.
+pub fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
     let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
     let mut x = vec![0.0; n_q + n_c];
     let (a, lambda) = x.split_at_mut(n_q);

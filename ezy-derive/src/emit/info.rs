@@ -4,6 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::abbreviations::Abbreviations;
+use crate::function::Function;
+use crate::mechanics::series::Series;
 use crate::mechanics::solve::Solver;
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Equations, Group};
@@ -16,6 +18,8 @@ use crate::symbolic::program::Count;
 pub struct Emitted<'a> {
     pub accelerations: &'a Solver,
     pub correction: &'a Solver,
+    /// Or the function that has none.
+    pub series: &'a Result<Series, Function>,
     pub n_constants: usize,
     pub names: &'a Abbreviations<'a>,
 }
@@ -60,6 +64,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     });
     let acceleration_operations = operations(emitted.accelerations.program.count());
     let correction_operations = operations(emitted.correction.program.count());
+    let series = series(emitted.series);
     quote! {
         ::ezy_core::model::SceneInfo {
             model: #model_name,
@@ -85,7 +90,21 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             elimination: &[#(#elimination),*],
             acceleration_operations: #acceleration_operations,
             correction_operations: #correction_operations,
+            series: #series,
             repeats: ::core::option::Option::None,
+        }
+    }
+}
+
+fn series(series: &Result<Series, Function>) -> TokenStream {
+    match series {
+        Ok(series) => {
+            let (n_products, operations) = (series.n_products, operations(series.operations()));
+            quote!(::ezy_core::model::SeriesInfo::Analytic { n_products: #n_products, operations: #operations })
+        }
+        Err(function) => {
+            let function = function.name();
+            quote!(::ezy_core::model::SeriesInfo::NotAnalytic { function: #function })
         }
     }
 }

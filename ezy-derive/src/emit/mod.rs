@@ -7,6 +7,7 @@ mod kernel;
 mod page;
 mod repeated;
 mod scene;
+mod series;
 mod templates;
 
 use proc_macro2::{Ident, TokenStream};

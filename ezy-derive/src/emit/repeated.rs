@@ -154,6 +154,7 @@ fn fixed(model: &Model, scene: &Scene, templates: &Templates<'_>, n_constants: u
             elimination: &[],
             acceleration_operations: ::ezy_core::model::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             correction_operations: ::ezy_core::model::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+            series: ::ezy_core::model::SeriesInfo::Absent,
             repeats: ::core::option::Option::Some(::ezy_core::model::Repeats {
                 counts: &[#(#counts),*],
                 values: &[#(#defaults),*],

@@ -6,8 +6,9 @@ use quote::quote;
 use super::abbreviations::Abbreviations;
 use super::constants::Constants;
 use super::kernel::{self, Body, Numbers};
-use super::{info, page, scene_type};
+use super::{info, page, scene_type, series};
 use crate::mechanics::Equations;
+use crate::mechanics::series::Series;
 use crate::mechanics::solve::{self, Correction, Solver};
 use crate::model::{Model, Parameter, Scene};
 use crate::symbolic::lower::{ConstantPool, Lowering};
@@ -18,6 +19,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let mut pool = ConstantPool::default();
     let accelerations = solve::accelerations(&mut equations, &mut pool);
     let Correction { solver: correction, residuals } = solve::correction(&mut equations, &mut pool);
+    let series = Series::derive(&mut equations, &mut pool);
     let Methods { equations: kernels, scene: methods } =
         methods(&equations, &mut pool, &accelerations, &correction, &residuals);
 
@@ -26,13 +28,24 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let coefficients = &equations.algebra.coefficients;
     let constants = Constants { model, parameters: &equations.parameters, coefficients }.method(&pool, n_inputs);
     let names = &Abbreviations::new(&equations);
-    let emitted = info::Emitted { accelerations: &accelerations, correction: &correction, n_constants, names };
+    let (accelerations, correction) = (&accelerations, &correction);
+    let emitted = info::Emitted { accelerations, correction, series: &series, n_constants, names };
     let info = info::scene(model, scene, &equations, &emitted);
     let type_name = scene_type(scene);
     let structure = structure(model, scene, &equations, &type_name, &emitted);
     let parameters: Vec<&Ident> = equations.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
     let summary = page::Summary::new(model, scene, type_name.to_string(), &equations, &emitted);
+    let recurrences = series.as_ref().ok();
+    let recurrences =
+        recurrences.map(|series| series::implementation(&type_name, &equations, series, n_inputs + n_constants));
+    let access_to_series = series.is_ok().then(|| {
+        quote! {
+            fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+                ::core::option::Option::Some(self)
+            }
+        }
+    });
     let items = quote! {
         #structure
 
@@ -60,7 +73,10 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
                 #set_parameter
             }
             #methods
+            #access_to_series
         }
+
+        #recurrences
     };
     (items, summary)
 }
@@ -296,11 +312,7 @@ impl Emitter<'_> {
             let name = argument(name);
             (0..length).map(move |i| quote!(#name[#i]))
         });
-        let marks = solver.pivots.iter().zip(pivots.chunks(2)).flat_map(|(rows, pair)| {
-            let (pivot, threshold) = (&pair[0], &pair[1]);
-            // written so that a pivot that is not a number counts as vanished
-            rows.iter().map(move |row| quote!(.mark(#row, !T::is_above(#pivot, #threshold))))
-        });
+        let marks = kernel::marks(&solver.pivots, pivots);
         quote! {
             #statements
             #(#targets = #solution;)*

@@ -13,6 +13,7 @@ mod forces;
 mod kinematics;
 mod rows;
 pub mod scene;
+pub mod series;
 pub mod solve;
 pub mod symbols;
 mod templates;

@@ -55,7 +55,8 @@ pub fn accelerations(equations: &mut Equations, constants: &mut ConstantPool) ->
         })
         .collect::<Vec<_>>();
     let named = forces.iter().filter_map(|force| force.named).collect::<Vec<_>>();
-    lower(equations, constants, &named, &reduced, &solution, true)
+    let elimination = Elimination::new(equations, named, reduced, solution);
+    lower(equations, constants, &elimination, true)
 }
 
 /// `delta = −M⁻¹ Gᵀ ν` with `A ν = residual`: outputs delta.
@@ -69,7 +70,8 @@ pub fn correction(equations: &mut Equations, constants: &mut ConstantPool) -> Co
         .enumerate()
         .map(|(i, reaction)| divide_by_mass(equations, reaction, i))
         .collect::<Vec<_>>();
-    Correction { solver: lower(equations, constants, &[], &reduced, &solution, false), residuals }
+    let elimination = Elimination::new(equations, Vec::new(), reduced, solution);
+    Correction { solver: lower(equations, constants, &elimination, false), residuals }
 }
 
 /// An applied force as it enters the equations: itself, or a symbol when it has several terms.
@@ -112,73 +114,128 @@ fn divide_by_mass(equations: &mut Equations, force: SumId, i: usize) -> SumId {
     algebra.scale(force, inverse)
 }
 
+/// A solution ready to be written into a program: everything that needs new expressions is done.
+pub struct Elimination {
+    named: Vec<(Symbol, SumId)>,
+    reduced: Reduced,
+    solution: Vec<SumId>,
+    blocks: Vec<Vec<usize>>,
+    thresholds: Thresholds,
+}
+
+/// A solution in a program.
+pub struct Written {
+    /// What was solved for.
+    pub solution: Vec<Value>,
+    /// By row.
+    pub multipliers: Vec<Value>,
+    /// Rows, pivot and threshold of each watched pivot, in the order of elimination.
+    pub pivots: Vec<(Vec<usize>, Value, Value)>,
+    /// Blocks in the order of elimination, with whether the pivot is constant.
+    pub order: Vec<(Vec<usize>, bool)>,
+}
+
+impl Elimination {
+    fn new(equations: &mut Equations, named: Vec<(Symbol, SumId)>, reduced: Reduced, solution: Vec<SumId>) -> Self {
+        let blocks = blocks(equations, &reduced);
+        let thresholds = thresholds(equations, &reduced, &blocks);
+        Self { named, reduced, solution, blocks, thresholds }
+    }
+
+    /// `M a + Gᵀ λ = f`, `G a = r` with symbols for f and r.
+    pub fn of_right_side(equations: &mut Equations, force: &[Symbol], row: &[Symbol]) -> Self {
+        let force: Vec<SumId> = force.iter().map(|&symbol| equations.algebra.symbol(symbol)).collect();
+        let mut right_side = Vec::new();
+        for (i, &symbol) in row.iter().enumerate() {
+            let algebra = &mut equations.algebra;
+            let value = algebra.symbol(symbol);
+            let mut entry = algebra.neg(value);
+            for &(k, g) in &equations.constraints.jacobian[i] {
+                let inverse = algebra.coefficients.div(Coefficient::ONE, equations.mass[k]);
+                let product = algebra.mul(g, force[k]);
+                let product = algebra.scale(product, inverse);
+                entry = algebra.add(entry, product);
+            }
+            right_side.push(entry);
+        }
+        let reduced = Reduced::new(equations, right_side);
+        let reactions = reactions(equations, &reduced.multipliers);
+        let solution = reactions.into_iter().enumerate().map(|(i, reaction)| {
+            let total = equations.algebra.add(force[i], reaction);
+            divide_by_mass(equations, total, i)
+        });
+        let solution = solution.collect();
+        Self::new(equations, Vec::new(), reduced, solution)
+    }
+
+    /// Writes the solution; `name_of` names the temporaries.
+    pub fn write(&self, lowering: &mut Lowering<'_>, name_of: &dyn Fn(Symbol) -> String) -> Written {
+        let Self { named, reduced, solution, blocks, thresholds } = self;
+        for &(symbol, force) in named {
+            let value = lowering.lower(force);
+            lowering.program.set_name(value, &name_of(symbol));
+            lowering.bind(symbol, value);
+        }
+        for step in &reduced.steps {
+            let value = lowering.lower(step.right_side);
+            lowering.program.set_name(value, &name_of(step.symbol));
+            lowering.bind(step.symbol, value);
+        }
+        let matrix = reduced.matrix.iter().map(|row| row.iter().map(|&a| lowering.lower(a)).collect()).collect();
+        let right_side = reduced.right_side.iter().map(|&r| lowering.lower(r)).collect();
+        let system = System { program: &mut lowering.program, matrix, right_side };
+        let Solved { solution: found, pivots } = system.solve(blocks.clone());
+
+        let zero = lowering.program.literal(0.0);
+        let mut multipliers = vec![zero; reduced.multipliers.len()];
+        for (&row, &value) in reduced.rest.iter().zip(&found) {
+            multipliers[row] = value;
+            lowering.program.set_name(value, &name_of(reduced.multipliers[row]));
+            lowering.bind(reduced.multipliers[row], value);
+        }
+        for &(row, sum) in &reduced.back_substitution {
+            let value = lowering.lower(sum);
+            multipliers[row] = value;
+            lowering.program.set_name(value, &name_of(reduced.multipliers[row]));
+            lowering.bind(reduced.multipliers[row], value);
+        }
+        let solution = solution.iter().map(|&sum| lowering.lower(sum)).collect();
+        let (mut watched, mut order) = (Vec::new(), Vec::new());
+        for (step, threshold) in reduced.steps.iter().zip(&thresholds.constant) {
+            let (pivot, threshold) = (lowering.coefficient(step.pivot), lowering.lower(*threshold));
+            watched.push((vec![step.row], pivot, threshold));
+            order.push((vec![step.row], true));
+        }
+        for (block, pivot) in &pivots {
+            let i = blocks.iter().position(|other| other == block).unwrap_or(0);
+            let rows: Vec<usize> = block.iter().map(|&i| reduced.rest[i]).collect();
+            watched.push((rows.clone(), *pivot, lowering.lower(thresholds.moving[i])));
+            order.push((rows, false));
+        }
+        Written { solution, multipliers, pivots: watched, order }
+    }
+}
+
 fn lower(
-    equations: &mut Equations,
+    equations: &Equations,
     constants: &mut ConstantPool,
-    named: &[(Symbol, SumId)],
-    reduced: &Reduced,
-    solution: &[SumId],
+    elimination: &Elimination,
     with_multipliers: bool,
 ) -> Solver {
-    let blocks = blocks(equations, reduced);
-    let thresholds = thresholds(equations, reduced, &blocks);
-    let symbols = &equations.symbols;
-    let name_of = |symbol: Symbol| symbols.code_name(symbol);
     let mut lowering = Lowering::new(&equations.algebra, constants);
-    for &(symbol, force) in named {
-        let value = lowering.lower(force);
-        lowering.program.set_name(value, &name_of(symbol));
-        lowering.bind(symbol, value);
-    }
-    for step in &reduced.steps {
-        let value = lowering.lower(step.right_side);
-        lowering.program.set_name(value, &name_of(step.symbol));
-        lowering.bind(step.symbol, value);
-    }
-    let matrix = reduced.matrix.iter().map(|row| row.iter().map(|&a| lowering.lower(a)).collect()).collect();
-    let right_side = reduced.right_side.iter().map(|&r| lowering.lower(r)).collect();
-    let system = System { program: &mut lowering.program, matrix, right_side };
-    let Solved { solution: found, pivots } = system.solve(blocks.clone());
-
-    let zero = lowering.program.literal(0.0);
-    let mut lambda = vec![zero; reduced.multipliers.len()];
-    for (&row, &value) in reduced.rest.iter().zip(&found) {
-        lambda[row] = value;
-        lowering.program.set_name(value, &name_of(reduced.multipliers[row]));
-        lowering.bind(reduced.multipliers[row], value);
-    }
-    for &(row, sum) in &reduced.back_substitution {
-        let value = lowering.lower(sum);
-        lambda[row] = value;
-        lowering.program.set_name(value, &name_of(reduced.multipliers[row]));
-        lowering.bind(reduced.multipliers[row], value);
-    }
-    let mut outputs: Vec<Value> = solution.iter().map(|&sum| lowering.lower(sum)).collect();
+    let Written { solution: mut outputs, multipliers, pivots, order } =
+        elimination.write(&mut lowering, &|symbol| equations.symbols.code_name(symbol));
     if with_multipliers {
-        outputs.extend(lambda);
+        outputs.extend(multipliers);
     }
     let n_outputs = outputs.len();
-    let (mut watched, mut order) = (Vec::new(), Vec::new());
-    for (step, threshold) in reduced.steps.iter().zip(&thresholds.constant) {
-        outputs.push(lowering.coefficient(step.pivot));
-        outputs.push(lowering.lower(*threshold));
-        watched.push(vec![step.row]);
-        order.push((vec![step.row], true));
-    }
-    for (block, pivot) in &pivots {
-        let i = blocks.iter().position(|other| other == block).unwrap_or(0);
-        outputs.push(*pivot);
-        outputs.push(lowering.lower(thresholds.moving[i]));
-        let rows: Vec<usize> = block.iter().map(|&i| reduced.rest[i]).collect();
-        watched.push(rows.clone());
-        order.push((rows, false));
-    }
+    outputs.extend(pivots.iter().flat_map(|&(_, pivot, threshold)| [pivot, threshold]));
     let mut program = lowering.program;
     for output in outputs {
         program.push_output(output);
     }
     program.settle_signs();
-    Solver { program, n_outputs, pivots: watched, order }
+    Solver { program, n_outputs, pivots: pivots.into_iter().map(|(rows, ..)| rows).collect(), order }
 }
 
 /// Rows of one declaration in pairs; indices into `reduced.rest`.

@@ -10,7 +10,7 @@ use super::sum::{Algebra, Atom, AtomId, Monomial, SumId, Symbol};
 use crate::function::Function;
 
 /// The coefficients that kernels read, in order of first use: the vector of constants of a scene.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct ConstantPool {
     order: Vec<CoefficientId>,
     ids: HashMap<CoefficientId, usize>,

@@ -42,7 +42,7 @@ impl Value {
 }
 
 /// Nodes in order, shared: the same operation on the same operands is one node.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Program {
     nodes: Vec<Node>,
     ids: HashMap<Node, NodeId>,
@@ -60,7 +60,24 @@ pub struct Count {
     pub calls: usize,
 }
 
+impl std::iter::Sum for Count {
+    fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
+        counts.fold(Self::default(), |a, b| Self {
+            add: a.add + b.add,
+            mul: a.mul + b.mul,
+            div: a.div + b.div,
+            trig: a.trig + b.trig,
+            calls: a.calls + b.calls,
+        })
+    }
+}
+
 impl Program {
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.0]
     }
@@ -187,6 +204,20 @@ impl Program {
             }
         }
         uses
+    }
+
+    /// The symbols that the outputs need.
+    pub fn inputs(&self) -> Vec<Symbol> {
+        let symbol = |id| match self.node(id) {
+            Node::Input(symbol) => Some(*symbol),
+            _ => None,
+        };
+        self.live().into_iter().filter_map(symbol).collect()
+    }
+
+    /// Whether the outputs need the vector of constants.
+    pub fn reads_constants(&self) -> bool {
+        self.live().into_iter().any(|id| matches!(self.node(id), Node::Constant(_)))
     }
 
     pub fn count(&self) -> Count {

@@ -140,6 +140,7 @@ pub mod chain {
                 trig: 0,
                 calls: 0,
             },
+            series: ::ezy_core::model::SeriesInfo::Absent,
             repeats: ::core::option::Option::Some(::ezy_core::model::Repeats {
                 counts: &[
                     ::ezy_core::model::CountInfo {
@@ -1163,6 +1164,7 @@ pub mod chain {
                 trig: 0,
                 calls: 0,
             },
+            series: ::ezy_core::model::SeriesInfo::Absent,
             repeats: ::core::option::Option::Some(::ezy_core::model::Repeats {
                 counts: &[
                     ::ezy_core::model::CountInfo {

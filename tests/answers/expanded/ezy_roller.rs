@@ -419,7 +419,7 @@ pub mod ezy_roller {
             outputs: &[],
             effects: &[],
             until_s: 1f64,
-            n_constants: 28usize,
+            n_constants: 30usize,
             jacobian: ::ezy_core::model::SparsityPattern {
                 starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
                 columns: &[
@@ -597,6 +597,16 @@ pub mod ezy_roller {
                 trig: 2usize,
                 calls: 0usize,
             },
+            series: ::ezy_core::model::SeriesInfo::Analytic {
+                n_products: 16usize,
+                operations: ::ezy_core::model::Operations {
+                    add: 49usize,
+                    mul: 86usize,
+                    div: 0usize,
+                    trig: 0usize,
+                    calls: 0usize,
+                },
+            },
             repeats: ::core::option::Option::None,
         };
     }
@@ -604,7 +614,7 @@ pub mod ezy_roller {
     impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Coast {
         fn constants(&self, parameters: &[T], c: &mut [T]) {
             let parameters = ::ezy_core::kernel::array::<8usize, T>(parameters);
-            let c = ::ezy_core::kernel::array_mut::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array_mut::<30usize, T>(c);
             let k1 = T::from_f64(1f64);
             let parameter_m1 = parameters[4usize];
             let parameter_i1 = parameters[5usize];
@@ -682,26 +692,28 @@ pub mod ezy_roller {
             c[18usize] = k37;
             c[19usize] = k54;
             c[20usize] = k57;
-            c[21usize] = parameter_m1;
-            c[22usize] = parameter_i1;
-            c[23usize] = parameter_m2;
-            c[24usize] = parameter_i2;
-            c[25usize] = parameter_a;
-            c[26usize] = parameter_c;
-            c[27usize] = k13;
+            c[21usize] = k15;
+            c[22usize] = k17;
+            c[23usize] = parameter_m1;
+            c[24usize] = parameter_i1;
+            c[25usize] = parameter_m2;
+            c[26usize] = parameter_i2;
+            c[27usize] = parameter_a;
+            c[28usize] = parameter_c;
+            c[29usize] = k13;
         }
         fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
-            out[0usize] = c[21usize];
-            out[1usize] = c[21usize];
-            out[2usize] = c[22usize];
-            out[3usize] = c[23usize];
-            out[4usize] = c[23usize];
-            out[5usize] = c[24usize];
+            out[0usize] = c[23usize];
+            out[1usize] = c[23usize];
+            out[2usize] = c[24usize];
+            out[3usize] = c[25usize];
+            out[4usize] = c[25usize];
+            out[5usize] = c[26usize];
         }
         fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
             let seat_x = q[0usize];
@@ -722,7 +734,7 @@ pub mod ezy_roller {
             out[1usize] = sum_23;
         }
         fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -744,10 +756,10 @@ pub mod ezy_roller {
             let difference_21 = seat_vy - bar_vy;
             let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
             let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
-            let product_29 = seat_omega * c[25usize];
+            let product_29 = seat_omega * c[27usize];
             let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
             let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
-            let product_35 = bar_omega * c[26usize];
+            let product_35 = bar_omega * c[28usize];
             let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
             let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
             out[0usize] = difference_18;
@@ -756,7 +768,7 @@ pub mod ezy_roller {
             out[3usize] = sum_39;
         }
         fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
             let seat_phi = q[2usize];
@@ -771,7 +783,7 @@ pub mod ezy_roller {
             let value_16 = -T::from_f64(1f64);
             let value_17 = -product_8;
             let value_18 = -sin_seat_phi;
-            let value_19 = -c[25usize];
+            let value_19 = -c[27usize];
             let value_20 = -sin_bar_phi;
             out[0usize] = T::from_f64(1f64);
             out[1usize] = value_15;
@@ -786,10 +798,10 @@ pub mod ezy_roller {
             out[10usize] = value_19;
             out[11usize] = value_20;
             out[12usize] = cos_bar_phi;
-            out[13usize] = c[26usize];
+            out[13usize] = c[28usize];
         }
         fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -827,7 +839,7 @@ pub mod ezy_roller {
             out[3usize] = value_37;
         }
         fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
@@ -848,7 +860,7 @@ pub mod ezy_roller {
             a: &mut [T],
             lambda: &mut [T],
         ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -963,7 +975,7 @@ pub mod ezy_roller {
             residual: &[T],
             delta: &mut [T],
         ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<28usize, T>(c);
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
             let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
@@ -1076,31 +1088,31 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<28usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<30usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
             let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<28usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<30usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[25usize] * cos_seat_phi;
+            let product_6 = c[27usize] * cos_seat_phi;
             let difference_7 = seat_x - product_6;
             let seat_y = q[1usize];
-            let product_10 = c[25usize] * sin_seat_phi;
+            let product_10 = c[27usize] * sin_seat_phi;
             let difference_11 = seat_y - product_10;
             let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_16 = c[26usize] * cos_bar_phi;
+            let product_16 = c[28usize] * cos_bar_phi;
             let sum_17 = bar_x + product_16;
             let bar_y = q[4usize];
-            let product_20 = c[26usize] * sin_bar_phi;
+            let product_20 = c[28usize] * sin_bar_phi;
             let sum_21 = bar_y + product_20;
             let product_23 = cos_seat_phi * c[4usize];
             let sum_24 = seat_x + product_23;
@@ -1114,7 +1126,7 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<28usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<30usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
@@ -1123,13 +1135,423 @@ pub mod ezy_roller {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<28usize, f64>(c);
-            start.give_position(0usize, c[25usize]);
+            let c = ::ezy_core::kernel::array::<30usize, f64>(c);
+            start.give_position(0usize, c[27usize]);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
-            start.give_position(5usize, c[27usize]);
+            start.give_position(5usize, c[29usize]);
             start.give_velocity(0usize, 1f64);
             start.give_velocity(2usize, 0f64);
+        }
+        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
+        fn series_size(&self) -> ::ezy_core::model::SeriesSize {
+            ::ezy_core::model::SeriesSize {
+                n_coordinates: 6usize,
+                n_rows: 4usize,
+                n_products: 16usize,
+                n_base: 8usize,
+                n_kept: 0usize,
+            }
+        }
+        fn begin(
+            &self,
+            c: &[T],
+            t: T,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
+            let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
+            let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let seat_omega = v[2usize];
+            let product_25 = c[4usize] * seat_omega;
+            let product_26 = seat_omega * product_25;
+            let product_27 = cos_seat_phi * product_26;
+            let bar_omega = v[5usize];
+            let product_29 = c[5usize] * bar_omega;
+            let product_30 = bar_omega * product_29;
+            let sum_32 = T::fused(cos_bar_phi, product_30, product_27);
+            let product_33 = sin_seat_phi * product_26;
+            let sum_35 = T::fused(sin_bar_phi, product_30, product_33);
+            let seat_vx = v[0usize];
+            let product_37 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let sum_40 = T::fused(sin_seat_phi, seat_vy, product_37);
+            let product_41 = seat_omega * sum_40;
+            let bar_vx = v[3usize];
+            let product_43 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_46 = T::fused(sin_bar_phi, bar_vy, product_43);
+            let product_47 = bar_omega * sum_46;
+            let product_75 = cos_seat_phi * c[0usize];
+            let product_76 = cos_seat_phi * product_75;
+            let product_78 = cos_bar_phi * c[1usize];
+            let sum_80 = T::fused(cos_bar_phi, product_78, product_76);
+            let sum_82 = sum_80 + c[2usize];
+            let product_83 = sin_seat_phi * c[0usize];
+            let product_84 = cos_seat_phi * product_83;
+            let product_85 = sin_bar_phi * c[1usize];
+            let sum_87 = T::fused(cos_bar_phi, product_85, product_84);
+            let difference_89 = c[3usize] - sum_80;
+            let product_118 = sum_82 * difference_89;
+            let difference_120 = T::fused(-sum_87, sum_87, product_118);
+            let quotient_121 = T::from_f64(1f64) / difference_120;
+            let product_177 = cos_seat_phi * seat_omega;
+            let product_178 = sin_seat_phi * seat_omega;
+            let product_179 = cos_bar_phi * bar_omega;
+            let product_180 = sin_bar_phi * bar_omega;
+            let value_181 = -product_178;
+            let value_182 = -product_180;
+            let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
+            target[0usize] = cos_seat_phi;
+            target[1usize] = sin_seat_phi;
+            target[2usize] = cos_bar_phi;
+            target[3usize] = sin_bar_phi;
+            target[4usize] = quotient_121;
+            target[5usize] = difference_89;
+            target[6usize] = sum_87;
+            target[7usize] = sum_82;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.left, 1usize);
+            target[0usize] = product_177;
+            target[1usize] = value_181;
+            target[2usize] = product_177;
+            target[3usize] = value_181;
+            target[4usize] = product_179;
+            target[5usize] = value_182;
+            target[6usize] = product_179;
+            target[7usize] = value_182;
+            target[8usize] = seat_omega;
+            target[9usize] = bar_omega;
+            target[10usize] = seat_omega;
+            target[11usize] = bar_omega;
+            target[12usize] = product_177;
+            target[13usize] = value_181;
+            target[14usize] = product_179;
+            target[15usize] = value_182;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.right, 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            target[6usize] = T::from_f64(0f64);
+            target[7usize] = T::from_f64(0f64);
+            target[8usize] = product_177;
+            target[9usize] = product_179;
+            target[10usize] = value_181;
+            target[11usize] = value_182;
+            target[12usize] = seat_vx;
+            target[13usize] = seat_vy;
+            target[14usize] = bar_vx;
+            target[15usize] = bar_vy;
+            let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+            target[0usize] = sum_32;
+            target[1usize] = sum_35;
+            target[2usize] = product_41;
+            target[3usize] = product_47;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[16usize], c[17usize]))
+                .mark(3usize, !T::is_above(c[18usize], c[19usize]))
+                .mark(0usize, !T::is_above(difference_120, c[20usize]))
+                .mark(1usize, !T::is_above(difference_120, c[20usize]))
+        }
+        #[inline]
+        fn right_side(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
+            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+            let convolved_0 = sums[0usize];
+            let convolved_1 = sums[1usize];
+            let convolved_2 = sums[2usize];
+            let product_6 = c[4usize] * convolved_2;
+            let convolved_3 = sums[3usize];
+            let difference_9 = T::fused(-c[4usize], convolved_3, product_6);
+            let convolved_4 = sums[4usize];
+            let convolved_5 = sums[5usize];
+            let convolved_6 = sums[6usize];
+            let product_14 = c[5usize] * convolved_6;
+            let convolved_7 = sums[7usize];
+            let difference_17 = T::fused(-c[5usize], convolved_7, product_14);
+            let convolved_8 = sums[8usize];
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_20 = convolved_8 * inverse_order_ahead;
+            let product_21 = c[4usize] * product_20;
+            let convolved_9 = sums[9usize];
+            let product_23 = inverse_order_ahead * convolved_9;
+            let sum_25 = T::fused(c[5usize], product_23, product_21);
+            let order_next = T::from_f64((k + 1usize) as f64);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_28 = order_next * order_ahead;
+            let product_29 = sum_25 * product_28;
+            let convolved_10 = sums[10usize];
+            let product_31 = inverse_order_ahead * convolved_10;
+            let product_32 = c[4usize] * product_31;
+            let convolved_11 = sums[11usize];
+            let product_34 = inverse_order_ahead * convolved_11;
+            let sum_36 = T::fused(c[5usize], product_34, product_32);
+            let product_37 = product_28 * sum_36;
+            let convolved_12 = sums[12usize];
+            let convolved_13 = sums[13usize];
+            let difference_40 = convolved_12 - convolved_13;
+            let product_41 = order_next * difference_40;
+            let convolved_14 = sums[14usize];
+            let convolved_15 = sums[15usize];
+            let difference_44 = convolved_14 - convolved_15;
+            let product_45 = order_next * difference_44;
+            let value_46 = -convolved_1;
+            let value_47 = -convolved_5;
+            let value_48 = -product_37;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = convolved_0;
+            target[1usize] = value_46;
+            target[2usize] = difference_9;
+            target[3usize] = convolved_4;
+            target[4usize] = value_47;
+            target[5usize] = difference_17;
+            let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+            target[0usize] = product_29;
+            target[1usize] = value_48;
+            target[2usize] = product_41;
+            target[3usize] = product_45;
+        }
+        #[inline]
+        fn solve(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<30usize, T>(c);
+            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
+            let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
+            let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);
+            let force_0 = force[0usize];
+            let base_4 = base[4usize];
+            let base_5 = base[5usize];
+            let base_1 = base[1usize];
+            let force_2 = force[2usize];
+            let product_8 = force_2 * c[11usize];
+            let base_0 = base[0usize];
+            let force_1 = force[1usize];
+            let product_11 = base_0 * force_1;
+            let difference_13 = T::fused(-force_0, base_1, product_11);
+            let product_14 = c[10usize] * difference_13;
+            let difference_17 = T::fused(-force_2, c[12usize], product_14);
+            let row_2 = row[2usize];
+            let right_side_rear = difference_17 - row_2;
+            let sum_22 = T::fused(right_side_rear, c[6usize], product_8);
+            let product_23 = base_1 * sum_22;
+            let base_3 = base[3usize];
+            let force_5 = force[5usize];
+            let product_27 = force_5 * c[14usize];
+            let base_2 = base[2usize];
+            let force_4 = force[4usize];
+            let product_30 = base_2 * force_4;
+            let force_3 = force[3usize];
+            let difference_33 = T::fused(-base_3, force_3, product_30);
+            let product_35 = difference_33 * c[13usize];
+            let sum_38 = T::fused(force_5, c[15usize], product_35);
+            let row_3 = row[3usize];
+            let right_side_front = sum_38 - row_3;
+            let sum_43 = T::fused(right_side_front, c[7usize], product_27);
+            let sum_45 = T::fused(base_3, sum_43, product_23);
+            let difference_46 = T::fused(c[10usize], force_0, -sum_45);
+            let difference_48 = T::fused(-force_3, c[13usize], difference_46);
+            let row_0 = row[0usize];
+            let difference_50 = difference_48 - row_0;
+            let product_51 = base_5 * difference_50;
+            let base_6 = base[6usize];
+            let product_53 = base_0 * sum_22;
+            let sum_55 = T::fused(base_2, sum_43, product_53);
+            let sum_57 = T::fused(c[10usize], force_1, sum_55);
+            let difference_59 = T::fused(-force_4, c[13usize], sum_57);
+            let row_1 = row[1usize];
+            let difference_61 = difference_59 - row_1;
+            let difference_63 = T::fused(-base_6, difference_61, product_51);
+            let lambda_B_x = base_4 * difference_63;
+            let difference_65 = force_0 - lambda_B_x;
+            let base_7 = base[7usize];
+            let product_67 = difference_61 * base_7;
+            let difference_69 = T::fused(-difference_50, base_6, product_67);
+            let lambda_B_y = base_4 * difference_69;
+            let product_71 = base_0 * lambda_B_y;
+            let difference_73 = T::fused(-base_1, lambda_B_x, product_71);
+            let product_74 = c[6usize] * difference_73;
+            let lambda_rear = T::fused(right_side_rear, c[9usize], product_74);
+            let sum_79 = T::fused(base_1, lambda_rear, difference_65);
+            let product_80 = c[10usize] * sum_79;
+            let difference_81 = force_1 - lambda_B_y;
+            let difference_83 = T::fused(-base_0, lambda_rear, difference_81);
+            let product_84 = c[10usize] * difference_83;
+            let product_86 = force_2 * c[21usize];
+            let difference_88 = T::fused(-c[11usize], difference_73, product_86);
+            let sum_90 = T::fused(c[12usize], lambda_rear, difference_88);
+            let sum_91 = force_3 + lambda_B_x;
+            let product_92 = base_2 * lambda_B_y;
+            let difference_94 = T::fused(-base_3, lambda_B_x, product_92);
+            let product_95 = c[7usize] * difference_94;
+            let lambda_front = T::fused(right_side_front, c[8usize], product_95);
+            let sum_100 = T::fused(base_3, lambda_front, sum_91);
+            let product_101 = c[13usize] * sum_100;
+            let sum_102 = force_4 + lambda_B_y;
+            let difference_104 = T::fused(-base_2, lambda_front, sum_102);
+            let product_105 = c[13usize] * difference_104;
+            let product_107 = force_5 * c[22usize];
+            let difference_109 = T::fused(-c[14usize], difference_94, product_107);
+            let difference_111 = T::fused(-c[15usize], lambda_front, difference_109);
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+            target[0usize] = product_80;
+            target[1usize] = product_84;
+            target[2usize] = sum_90;
+            target[3usize] = product_101;
+            target[4usize] = product_105;
+            target[5usize] = difference_111;
+            let target = ::ezy_core::kernel::row_mut::<
+                4usize,
+                T,
+            >(&mut store.lambda, k + 0usize);
+            target[0usize] = lambda_B_x;
+            target[1usize] = lambda_B_y;
+            target[2usize] = lambda_rear;
+            target[3usize] = lambda_front;
+        }
+        #[inline]
+        fn finish(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
+            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
+            let lambda_0 = ::ezy_core::kernel::row::<
+                4usize,
+                T,
+            >(&store.lambda, k + 0usize);
+            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+            let a_0 = a[0usize];
+            let inverse_order_next = T::from_f64(1f64)
+                / T::from_f64((k + 1usize) as f64);
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_3 = inverse_order_next * inverse_order_ahead;
+            let product_4 = a_0 * product_3;
+            let a_1 = a[1usize];
+            let product_6 = product_3 * a_1;
+            let a_2 = a[2usize];
+            let product_8 = product_3 * a_2;
+            let a_3 = a[3usize];
+            let product_10 = product_3 * a_3;
+            let a_4 = a[4usize];
+            let product_12 = product_3 * a_4;
+            let a_5 = a[5usize];
+            let product_14 = product_3 * a_5;
+            let lambda_2 = lambda_0[2usize];
+            let convolved_10 = sums[10usize];
+            let product_19 = inverse_order_ahead * convolved_10;
+            let base_0 = base[0usize];
+            let sum_22 = T::fused(product_8, base_0, product_19);
+            let convolved_8 = sums[8usize];
+            let product_24 = inverse_order_ahead * convolved_8;
+            let base_1 = base[1usize];
+            let sum_27 = T::fused(product_8, base_1, product_24);
+            let lambda_0 = lambda_0[0usize];
+            let lambda_1 = lambda_0[1usize];
+            let lambda_3 = lambda_0[3usize];
+            let convolved_11 = sums[11usize];
+            let product_32 = inverse_order_ahead * convolved_11;
+            let base_2 = base[2usize];
+            let sum_35 = T::fused(product_14, base_2, product_32);
+            let convolved_9 = sums[9usize];
+            let product_37 = inverse_order_ahead * convolved_9;
+            let base_3 = base[3usize];
+            let sum_40 = T::fused(product_14, base_3, product_37);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_42 = product_8 * order_ahead;
+            let product_43 = product_14 * order_ahead;
+            let product_44 = product_4 * order_ahead;
+            let product_45 = product_6 * order_ahead;
+            let product_46 = product_10 * order_ahead;
+            let product_47 = product_12 * order_ahead;
+            let value_48 = -sum_27;
+            let value_49 = -sum_40;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.left, k + 2usize);
+            target[0usize] = sum_22;
+            target[1usize] = value_48;
+            target[2usize] = sum_22;
+            target[3usize] = value_48;
+            target[4usize] = sum_35;
+            target[5usize] = value_49;
+            target[6usize] = sum_35;
+            target[7usize] = value_49;
+            target[8usize] = product_42;
+            target[9usize] = product_43;
+            target[10usize] = product_42;
+            target[11usize] = product_43;
+            target[12usize] = sum_22;
+            target[13usize] = value_48;
+            target[14usize] = sum_35;
+            target[15usize] = value_49;
+            let target = ::ezy_core::kernel::row_mut::<
+                6usize,
+                T,
+            >(&mut store.q, k + 2usize);
+            target[0usize] = product_4;
+            target[1usize] = product_6;
+            target[2usize] = product_8;
+            target[3usize] = product_10;
+            target[4usize] = product_12;
+            target[5usize] = product_14;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.right, k + 2usize);
+            target[0usize] = lambda_2;
+            target[1usize] = lambda_2;
+            target[2usize] = lambda_0;
+            target[3usize] = lambda_1;
+            target[4usize] = lambda_3;
+            target[5usize] = lambda_3;
+            target[6usize] = lambda_0;
+            target[7usize] = lambda_1;
+            target[8usize] = sum_22;
+            target[9usize] = sum_35;
+            target[10usize] = value_48;
+            target[11usize] = value_49;
+            target[12usize] = product_44;
+            target[13usize] = product_45;
+            target[14usize] = product_46;
+            target[15usize] = product_47;
         }
     }
     ///From rest, folded, driven by the rider's torque.
@@ -1527,7 +1949,7 @@ pub mod ezy_roller {
                 },
             ],
             until_s: 60f64,
-            n_constants: 36usize,
+            n_constants: 38usize,
             jacobian: ::ezy_core::model::SparsityPattern {
                 starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
                 columns: &[
@@ -1705,6 +2127,16 @@ pub mod ezy_roller {
                 trig: 2usize,
                 calls: 0usize,
             },
+            series: ::ezy_core::model::SeriesInfo::Analytic {
+                n_products: 16usize,
+                operations: ::ezy_core::model::Operations {
+                    add: 54usize,
+                    mul: 90usize,
+                    div: 0usize,
+                    trig: 0usize,
+                    calls: 0usize,
+                },
+            },
             repeats: ::core::option::Option::None,
         };
     }
@@ -1713,7 +2145,7 @@ pub mod ezy_roller {
     for self::Driven {
         fn constants(&self, parameters: &[T], c: &mut [T]) {
             let parameters = ::ezy_core::kernel::array::<10usize, T>(parameters);
-            let c = ::ezy_core::kernel::array_mut::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array_mut::<38usize, T>(c);
             let k1 = T::from_f64(1f64);
             let parameter_m1 = parameters[4usize];
             let parameter_i1 = parameters[5usize];
@@ -1808,27 +2240,29 @@ pub mod ezy_roller {
             c[25usize] = k45;
             c[26usize] = k64;
             c[27usize] = k67;
-            c[28usize] = parameter_m1;
-            c[29usize] = parameter_i1;
-            c[30usize] = parameter_m2;
-            c[31usize] = parameter_i2;
-            c[32usize] = parameter_a;
-            c[33usize] = parameter_c;
-            c[34usize] = parameter_m0;
-            c[35usize] = k13;
+            c[28usize] = parameter_m0;
+            c[29usize] = k15;
+            c[30usize] = k19;
+            c[31usize] = parameter_m1;
+            c[32usize] = parameter_i1;
+            c[33usize] = parameter_m2;
+            c[34usize] = parameter_i2;
+            c[35usize] = parameter_a;
+            c[36usize] = parameter_c;
+            c[37usize] = k13;
         }
         fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
-            out[0usize] = c[28usize];
-            out[1usize] = c[28usize];
-            out[2usize] = c[29usize];
-            out[3usize] = c[30usize];
-            out[4usize] = c[30usize];
-            out[5usize] = c[31usize];
+            out[0usize] = c[31usize];
+            out[1usize] = c[31usize];
+            out[2usize] = c[32usize];
+            out[3usize] = c[33usize];
+            out[4usize] = c[33usize];
+            out[5usize] = c[34usize];
         }
         fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
             let seat_x = q[0usize];
@@ -1849,7 +2283,7 @@ pub mod ezy_roller {
             out[1usize] = sum_23;
         }
         fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -1871,10 +2305,10 @@ pub mod ezy_roller {
             let difference_21 = seat_vy - bar_vy;
             let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
             let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
-            let product_29 = seat_omega * c[32usize];
+            let product_29 = seat_omega * c[35usize];
             let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
             let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
-            let product_35 = bar_omega * c[33usize];
+            let product_35 = bar_omega * c[36usize];
             let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
             let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
             out[0usize] = difference_18;
@@ -1883,7 +2317,7 @@ pub mod ezy_roller {
             out[3usize] = sum_39;
         }
         fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
             let seat_phi = q[2usize];
@@ -1898,7 +2332,7 @@ pub mod ezy_roller {
             let value_16 = -T::from_f64(1f64);
             let value_17 = -product_8;
             let value_18 = -sin_seat_phi;
-            let value_19 = -c[32usize];
+            let value_19 = -c[35usize];
             let value_20 = -sin_bar_phi;
             out[0usize] = T::from_f64(1f64);
             out[1usize] = value_15;
@@ -1913,10 +2347,10 @@ pub mod ezy_roller {
             out[10usize] = value_19;
             out[11usize] = value_20;
             out[12usize] = cos_bar_phi;
-            out[13usize] = c[33usize];
+            out[13usize] = c[36usize];
         }
         fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -1954,13 +2388,13 @@ pub mod ezy_roller {
             out[3usize] = value_37;
         }
         fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
             let product_4 = c[1usize] * t;
             let cos_4 = T::cos(product_4);
-            let product_6 = c[34usize] * cos_4;
+            let product_6 = c[28usize] * cos_4;
             let value_7 = -product_6;
             out[0usize] = T::from_f64(0f64);
             out[1usize] = T::from_f64(0f64);
@@ -1979,7 +2413,7 @@ pub mod ezy_roller {
             a: &mut [T],
             lambda: &mut [T],
         ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -2102,7 +2536,7 @@ pub mod ezy_roller {
             residual: &[T],
             delta: &mut [T],
         ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
             let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
@@ -2219,7 +2653,7 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
@@ -2230,28 +2664,28 @@ pub mod ezy_roller {
             let product_7 = c[1usize] * t;
             let cos_7 = f64::cos(product_7);
             let product_9 = difference_4 * cos_7;
-            let product_11 = product_9 * c[34usize];
+            let product_11 = product_9 * c[28usize];
             out[0usize] = product_11;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[32usize] * cos_seat_phi;
+            let product_6 = c[35usize] * cos_seat_phi;
             let difference_7 = seat_x - product_6;
             let seat_y = q[1usize];
-            let product_10 = c[32usize] * sin_seat_phi;
+            let product_10 = c[35usize] * sin_seat_phi;
             let difference_11 = seat_y - product_10;
             let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_16 = c[33usize] * cos_bar_phi;
+            let product_16 = c[36usize] * cos_bar_phi;
             let sum_17 = bar_x + product_16;
             let bar_y = q[4usize];
-            let product_20 = c[33usize] * sin_bar_phi;
+            let product_20 = c[36usize] * sin_bar_phi;
             let sum_21 = bar_y + product_20;
             let product_23 = cos_seat_phi * c[11usize];
             let sum_24 = seat_x + product_23;
@@ -2265,7 +2699,7 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
@@ -2274,11 +2708,466 @@ pub mod ezy_roller {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
             start.give_position(0usize, 0f64);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
-            start.give_position(5usize, c[35usize]);
+            start.give_position(5usize, c[37usize]);
+        }
+        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Driven {
+        fn series_size(&self) -> ::ezy_core::model::SeriesSize {
+            ::ezy_core::model::SeriesSize {
+                n_coordinates: 6usize,
+                n_rows: 4usize,
+                n_products: 16usize,
+                n_base: 8usize,
+                n_kept: 3usize,
+            }
+        }
+        fn begin(
+            &self,
+            c: &[T],
+            t: T,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
+            let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let product_27 = c[1usize] * t;
+            let (sin_27, cos_27) = T::sin_cos(product_27);
+            let product_29 = c[28usize] * cos_27;
+            let seat_omega = v[2usize];
+            let product_31 = c[11usize] * seat_omega;
+            let product_32 = seat_omega * product_31;
+            let product_33 = cos_seat_phi * product_32;
+            let bar_omega = v[5usize];
+            let product_35 = c[12usize] * bar_omega;
+            let product_36 = bar_omega * product_35;
+            let sum_38 = T::fused(cos_bar_phi, product_36, product_33);
+            let product_39 = sin_seat_phi * product_32;
+            let sum_41 = T::fused(sin_bar_phi, product_36, product_39);
+            let seat_vx = v[0usize];
+            let product_43 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let sum_46 = T::fused(sin_seat_phi, seat_vy, product_43);
+            let product_47 = seat_omega * sum_46;
+            let bar_vx = v[3usize];
+            let product_49 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_52 = T::fused(sin_bar_phi, bar_vy, product_49);
+            let product_53 = bar_omega * sum_52;
+            let product_81 = cos_seat_phi * c[3usize];
+            let product_82 = cos_seat_phi * product_81;
+            let product_84 = cos_bar_phi * c[4usize];
+            let sum_86 = T::fused(cos_bar_phi, product_84, product_82);
+            let sum_88 = sum_86 + c[5usize];
+            let product_89 = sin_seat_phi * c[3usize];
+            let product_90 = cos_seat_phi * product_89;
+            let product_91 = sin_bar_phi * c[4usize];
+            let sum_93 = T::fused(cos_bar_phi, product_91, product_90);
+            let difference_95 = c[6usize] - sum_86;
+            let product_124 = sum_88 * difference_95;
+            let difference_126 = T::fused(-sum_93, sum_93, product_124);
+            let quotient_127 = T::from_f64(1f64) / difference_126;
+            let product_184 = cos_seat_phi * seat_omega;
+            let product_185 = sin_seat_phi * seat_omega;
+            let product_186 = cos_bar_phi * bar_omega;
+            let product_187 = sin_bar_phi * bar_omega;
+            let product_188 = c[1usize] * sin_27;
+            let product_189 = c[28usize] * product_188;
+            let product_190 = c[1usize] * cos_27;
+            let value_191 = -product_29;
+            let value_192 = -product_185;
+            let value_193 = -product_187;
+            let value_194 = -product_189;
+            let value_195 = -product_188;
+            let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
+            target[0usize] = cos_seat_phi;
+            target[1usize] = sin_seat_phi;
+            target[2usize] = cos_bar_phi;
+            target[3usize] = sin_bar_phi;
+            target[4usize] = quotient_127;
+            target[5usize] = difference_95;
+            target[6usize] = sum_93;
+            target[7usize] = sum_88;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = product_29;
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = value_191;
+            let target = ::ezy_core::kernel::row_mut::<
+                3usize,
+                T,
+            >(&mut store.kept, 0usize);
+            target[0usize] = product_29;
+            target[1usize] = sin_27;
+            target[2usize] = cos_27;
+            let target = ::ezy_core::kernel::row_mut::<
+                3usize,
+                T,
+            >(&mut store.kept, 1usize);
+            target[0usize] = value_194;
+            target[1usize] = product_190;
+            target[2usize] = value_195;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.left, 1usize);
+            target[0usize] = product_184;
+            target[1usize] = value_192;
+            target[2usize] = product_184;
+            target[3usize] = value_192;
+            target[4usize] = product_186;
+            target[5usize] = value_193;
+            target[6usize] = product_186;
+            target[7usize] = value_193;
+            target[8usize] = seat_omega;
+            target[9usize] = bar_omega;
+            target[10usize] = seat_omega;
+            target[11usize] = bar_omega;
+            target[12usize] = product_184;
+            target[13usize] = value_192;
+            target[14usize] = product_186;
+            target[15usize] = value_193;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.right, 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            target[6usize] = T::from_f64(0f64);
+            target[7usize] = T::from_f64(0f64);
+            target[8usize] = product_184;
+            target[9usize] = product_186;
+            target[10usize] = value_192;
+            target[11usize] = value_193;
+            target[12usize] = seat_vx;
+            target[13usize] = seat_vy;
+            target[14usize] = bar_vx;
+            target[15usize] = bar_vy;
+            let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+            target[0usize] = sum_38;
+            target[1usize] = sum_41;
+            target[2usize] = product_47;
+            target[3usize] = product_53;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[23usize], c[24usize]))
+                .mark(3usize, !T::is_above(c[25usize], c[26usize]))
+                .mark(0usize, !T::is_above(difference_126, c[27usize]))
+                .mark(1usize, !T::is_above(difference_126, c[27usize]))
+        }
+        #[inline]
+        fn right_side(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let kept_0 = ::ezy_core::kernel::row::<3usize, T>(&store.kept, k + 0usize);
+            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+            let convolved_0 = sums[0usize];
+            let convolved_1 = sums[1usize];
+            let kept_0 = kept_0[0usize];
+            let convolved_2 = sums[2usize];
+            let convolved_3 = sums[3usize];
+            let product_9 = c[11usize] * convolved_3;
+            let difference_10 = T::fused(-c[11usize], convolved_2, product_9);
+            let difference_11 = kept_0 - difference_10;
+            let convolved_4 = sums[4usize];
+            let convolved_5 = sums[5usize];
+            let convolved_6 = sums[6usize];
+            let convolved_7 = sums[7usize];
+            let product_18 = c[12usize] * convolved_7;
+            let difference_19 = T::fused(-c[12usize], convolved_6, product_18);
+            let sum_20 = kept_0 + difference_19;
+            let convolved_8 = sums[8usize];
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_23 = convolved_8 * inverse_order_ahead;
+            let product_24 = c[11usize] * product_23;
+            let convolved_9 = sums[9usize];
+            let product_26 = inverse_order_ahead * convolved_9;
+            let sum_28 = T::fused(c[12usize], product_26, product_24);
+            let order_next = T::from_f64((k + 1usize) as f64);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_31 = order_next * order_ahead;
+            let product_32 = sum_28 * product_31;
+            let convolved_10 = sums[10usize];
+            let product_34 = inverse_order_ahead * convolved_10;
+            let product_35 = c[11usize] * product_34;
+            let convolved_11 = sums[11usize];
+            let product_37 = inverse_order_ahead * convolved_11;
+            let sum_39 = T::fused(c[12usize], product_37, product_35);
+            let product_40 = product_31 * sum_39;
+            let convolved_12 = sums[12usize];
+            let convolved_13 = sums[13usize];
+            let difference_43 = convolved_12 - convolved_13;
+            let product_44 = order_next * difference_43;
+            let convolved_14 = sums[14usize];
+            let convolved_15 = sums[15usize];
+            let difference_47 = convolved_14 - convolved_15;
+            let product_48 = order_next * difference_47;
+            let value_49 = -convolved_1;
+            let value_50 = -convolved_5;
+            let value_51 = -sum_20;
+            let value_52 = -product_40;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = convolved_0;
+            target[1usize] = value_49;
+            target[2usize] = difference_11;
+            target[3usize] = convolved_4;
+            target[4usize] = value_50;
+            target[5usize] = value_51;
+            let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+            target[0usize] = product_32;
+            target[1usize] = value_52;
+            target[2usize] = product_44;
+            target[3usize] = product_48;
+        }
+        #[inline]
+        fn solve(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
+            let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
+            let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);
+            let force_0 = force[0usize];
+            let base_4 = base[4usize];
+            let base_5 = base[5usize];
+            let base_1 = base[1usize];
+            let force_2 = force[2usize];
+            let product_8 = force_2 * c[16usize];
+            let base_0 = base[0usize];
+            let force_1 = force[1usize];
+            let product_11 = base_0 * force_1;
+            let difference_13 = T::fused(-force_0, base_1, product_11);
+            let product_14 = c[15usize] * difference_13;
+            let difference_17 = T::fused(-force_2, c[18usize], product_14);
+            let row_2 = row[2usize];
+            let right_side_rear = difference_17 - row_2;
+            let sum_22 = T::fused(right_side_rear, c[8usize], product_8);
+            let product_23 = base_1 * sum_22;
+            let base_3 = base[3usize];
+            let force_5 = force[5usize];
+            let product_27 = force_5 * c[20usize];
+            let base_2 = base[2usize];
+            let force_4 = force[4usize];
+            let product_30 = base_2 * force_4;
+            let force_3 = force[3usize];
+            let difference_33 = T::fused(-base_3, force_3, product_30);
+            let product_35 = difference_33 * c[19usize];
+            let sum_38 = T::fused(force_5, c[22usize], product_35);
+            let row_3 = row[3usize];
+            let right_side_front = sum_38 - row_3;
+            let sum_43 = T::fused(right_side_front, c[10usize], product_27);
+            let sum_45 = T::fused(base_3, sum_43, product_23);
+            let difference_46 = T::fused(c[15usize], force_0, -sum_45);
+            let difference_48 = T::fused(-force_3, c[19usize], difference_46);
+            let row_0 = row[0usize];
+            let difference_50 = difference_48 - row_0;
+            let product_51 = base_5 * difference_50;
+            let base_6 = base[6usize];
+            let product_53 = base_0 * sum_22;
+            let sum_55 = T::fused(base_2, sum_43, product_53);
+            let sum_57 = T::fused(c[15usize], force_1, sum_55);
+            let difference_59 = T::fused(-force_4, c[19usize], sum_57);
+            let row_1 = row[1usize];
+            let difference_61 = difference_59 - row_1;
+            let difference_63 = T::fused(-base_6, difference_61, product_51);
+            let lambda_B_x = base_4 * difference_63;
+            let difference_65 = force_0 - lambda_B_x;
+            let base_7 = base[7usize];
+            let product_67 = difference_61 * base_7;
+            let difference_69 = T::fused(-difference_50, base_6, product_67);
+            let lambda_B_y = base_4 * difference_69;
+            let product_71 = base_0 * lambda_B_y;
+            let difference_73 = T::fused(-base_1, lambda_B_x, product_71);
+            let product_74 = c[8usize] * difference_73;
+            let lambda_rear = T::fused(right_side_rear, c[14usize], product_74);
+            let sum_79 = T::fused(base_1, lambda_rear, difference_65);
+            let product_80 = c[15usize] * sum_79;
+            let difference_81 = force_1 - lambda_B_y;
+            let difference_83 = T::fused(-base_0, lambda_rear, difference_81);
+            let product_84 = c[15usize] * difference_83;
+            let product_86 = force_2 * c[29usize];
+            let difference_88 = T::fused(-c[16usize], difference_73, product_86);
+            let sum_90 = T::fused(c[18usize], lambda_rear, difference_88);
+            let sum_91 = force_3 + lambda_B_x;
+            let product_92 = base_2 * lambda_B_y;
+            let difference_94 = T::fused(-base_3, lambda_B_x, product_92);
+            let product_95 = c[10usize] * difference_94;
+            let lambda_front = T::fused(right_side_front, c[13usize], product_95);
+            let sum_100 = T::fused(base_3, lambda_front, sum_91);
+            let product_101 = c[19usize] * sum_100;
+            let sum_102 = force_4 + lambda_B_y;
+            let difference_104 = T::fused(-base_2, lambda_front, sum_102);
+            let product_105 = c[19usize] * difference_104;
+            let product_107 = force_5 * c[30usize];
+            let difference_109 = T::fused(-c[20usize], difference_94, product_107);
+            let difference_111 = T::fused(-c[22usize], lambda_front, difference_109);
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+            target[0usize] = product_80;
+            target[1usize] = product_84;
+            target[2usize] = sum_90;
+            target[3usize] = product_101;
+            target[4usize] = product_105;
+            target[5usize] = difference_111;
+            let target = ::ezy_core::kernel::row_mut::<
+                4usize,
+                T,
+            >(&mut store.lambda, k + 0usize);
+            target[0usize] = lambda_B_x;
+            target[1usize] = lambda_B_y;
+            target[2usize] = lambda_rear;
+            target[3usize] = lambda_front;
+        }
+        #[inline]
+        fn finish(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
+            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
+            let kept_1 = ::ezy_core::kernel::row::<3usize, T>(&store.kept, k + 1usize);
+            let lambda_0 = ::ezy_core::kernel::row::<
+                4usize,
+                T,
+            >(&store.lambda, k + 0usize);
+            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+            let a_0 = a[0usize];
+            let inverse_order_next = T::from_f64(1f64)
+                / T::from_f64((k + 1usize) as f64);
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_3 = inverse_order_next * inverse_order_ahead;
+            let product_4 = a_0 * product_3;
+            let a_1 = a[1usize];
+            let product_6 = product_3 * a_1;
+            let a_2 = a[2usize];
+            let product_8 = product_3 * a_2;
+            let a_3 = a[3usize];
+            let product_10 = product_3 * a_3;
+            let a_4 = a[4usize];
+            let product_12 = product_3 * a_4;
+            let a_5 = a[5usize];
+            let product_14 = product_3 * a_5;
+            let lambda_2 = lambda_0[2usize];
+            let convolved_10 = sums[10usize];
+            let product_19 = inverse_order_ahead * convolved_10;
+            let base_0 = base[0usize];
+            let sum_22 = T::fused(product_8, base_0, product_19);
+            let convolved_8 = sums[8usize];
+            let product_24 = inverse_order_ahead * convolved_8;
+            let base_1 = base[1usize];
+            let sum_27 = T::fused(product_8, base_1, product_24);
+            let lambda_0 = lambda_0[0usize];
+            let lambda_1 = lambda_0[1usize];
+            let lambda_3 = lambda_0[3usize];
+            let convolved_11 = sums[11usize];
+            let product_32 = inverse_order_ahead * convolved_11;
+            let base_2 = base[2usize];
+            let sum_35 = T::fused(product_14, base_2, product_32);
+            let convolved_9 = sums[9usize];
+            let product_37 = inverse_order_ahead * convolved_9;
+            let base_3 = base[3usize];
+            let sum_40 = T::fused(product_14, base_3, product_37);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_42 = product_8 * order_ahead;
+            let product_43 = product_14 * order_ahead;
+            let product_44 = product_4 * order_ahead;
+            let product_45 = product_6 * order_ahead;
+            let product_46 = product_10 * order_ahead;
+            let product_47 = product_12 * order_ahead;
+            let kept_1_next = kept_1[1usize];
+            let product_51 = inverse_order_ahead * c[1usize];
+            let product_52 = kept_1_next * product_51;
+            let product_53 = c[28usize] * product_52;
+            let kept_2_next = kept_1[2usize];
+            let product_55 = product_51 * kept_2_next;
+            let value_56 = -sum_27;
+            let value_57 = -sum_40;
+            let value_58 = -product_53;
+            let value_59 = -product_52;
+            let target = ::ezy_core::kernel::row_mut::<
+                3usize,
+                T,
+            >(&mut store.kept, k + 2usize);
+            target[0usize] = value_58;
+            target[1usize] = product_55;
+            target[2usize] = value_59;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.left, k + 2usize);
+            target[0usize] = sum_22;
+            target[1usize] = value_56;
+            target[2usize] = sum_22;
+            target[3usize] = value_56;
+            target[4usize] = sum_35;
+            target[5usize] = value_57;
+            target[6usize] = sum_35;
+            target[7usize] = value_57;
+            target[8usize] = product_42;
+            target[9usize] = product_43;
+            target[10usize] = product_42;
+            target[11usize] = product_43;
+            target[12usize] = sum_22;
+            target[13usize] = value_56;
+            target[14usize] = sum_35;
+            target[15usize] = value_57;
+            let target = ::ezy_core::kernel::row_mut::<
+                6usize,
+                T,
+            >(&mut store.q, k + 2usize);
+            target[0usize] = product_4;
+            target[1usize] = product_6;
+            target[2usize] = product_8;
+            target[3usize] = product_10;
+            target[4usize] = product_12;
+            target[5usize] = product_14;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.right, k + 2usize);
+            target[0usize] = lambda_2;
+            target[1usize] = lambda_2;
+            target[2usize] = lambda_0;
+            target[3usize] = lambda_1;
+            target[4usize] = lambda_3;
+            target[5usize] = lambda_3;
+            target[6usize] = lambda_0;
+            target[7usize] = lambda_1;
+            target[8usize] = sum_22;
+            target[9usize] = sum_35;
+            target[10usize] = value_56;
+            target[11usize] = value_57;
+            target[12usize] = product_44;
+            target[13usize] = product_45;
+            target[14usize] = product_46;
+            target[15usize] = product_47;
         }
     }
     ///Driven, with rolling resistance.
@@ -2696,7 +3585,7 @@ pub mod ezy_roller {
                 },
             ],
             until_s: 60f64,
-            n_constants: 38usize,
+            n_constants: 39usize,
             jacobian: ::ezy_core::model::SparsityPattern {
                 starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
                 columns: &[
@@ -2874,6 +3763,16 @@ pub mod ezy_roller {
                 trig: 2usize,
                 calls: 0usize,
             },
+            series: ::ezy_core::model::SeriesInfo::Analytic {
+                n_products: 20usize,
+                operations: ::ezy_core::model::Operations {
+                    add: 68usize,
+                    mul: 106usize,
+                    div: 0usize,
+                    trig: 0usize,
+                    calls: 0usize,
+                },
+            },
             repeats: ::core::option::Option::None,
         };
     }
@@ -2882,7 +3781,7 @@ pub mod ezy_roller {
     for self::DrivenOnTarmac {
         fn constants(&self, parameters: &[T], c: &mut [T]) {
             let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
-            let c = ::ezy_core::kernel::array_mut::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array_mut::<39usize, T>(c);
             let k1 = T::from_f64(1f64);
             let parameter_m1 = parameters[4usize];
             let parameter_i1 = parameters[5usize];
@@ -2978,27 +3877,28 @@ pub mod ezy_roller {
             c[27usize] = k47;
             c[28usize] = k63;
             c[29usize] = k66;
-            c[30usize] = parameter_m1;
-            c[31usize] = parameter_i1;
-            c[32usize] = parameter_m2;
-            c[33usize] = parameter_i2;
-            c[34usize] = parameter_a;
-            c[35usize] = parameter_c;
-            c[36usize] = k16;
-            c[37usize] = k17;
+            c[30usize] = k22;
+            c[31usize] = parameter_m1;
+            c[32usize] = parameter_i1;
+            c[33usize] = parameter_m2;
+            c[34usize] = parameter_i2;
+            c[35usize] = parameter_a;
+            c[36usize] = parameter_c;
+            c[37usize] = k16;
+            c[38usize] = k17;
         }
         fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
-            out[0usize] = c[30usize];
-            out[1usize] = c[30usize];
-            out[2usize] = c[31usize];
-            out[3usize] = c[32usize];
-            out[4usize] = c[32usize];
-            out[5usize] = c[33usize];
+            out[0usize] = c[31usize];
+            out[1usize] = c[31usize];
+            out[2usize] = c[32usize];
+            out[3usize] = c[33usize];
+            out[4usize] = c[33usize];
+            out[5usize] = c[34usize];
         }
         fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
             let seat_x = q[0usize];
@@ -3019,7 +3919,7 @@ pub mod ezy_roller {
             out[1usize] = sum_23;
         }
         fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -3041,10 +3941,10 @@ pub mod ezy_roller {
             let difference_21 = seat_vy - bar_vy;
             let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
             let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
-            let product_29 = seat_omega * c[34usize];
+            let product_29 = seat_omega * c[35usize];
             let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
             let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
-            let product_35 = bar_omega * c[35usize];
+            let product_35 = bar_omega * c[36usize];
             let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
             let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
             out[0usize] = difference_18;
@@ -3053,7 +3953,7 @@ pub mod ezy_roller {
             out[3usize] = sum_39;
         }
         fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
             let seat_phi = q[2usize];
@@ -3068,7 +3968,7 @@ pub mod ezy_roller {
             let value_16 = -T::from_f64(1f64);
             let value_17 = -product_8;
             let value_18 = -sin_seat_phi;
-            let value_19 = -c[34usize];
+            let value_19 = -c[35usize];
             let value_20 = -sin_bar_phi;
             out[0usize] = T::from_f64(1f64);
             out[1usize] = value_15;
@@ -3083,10 +3983,10 @@ pub mod ezy_roller {
             out[10usize] = value_19;
             out[11usize] = value_20;
             out[12usize] = cos_bar_phi;
-            out[13usize] = c[35usize];
+            out[13usize] = c[36usize];
         }
         fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -3124,7 +4024,7 @@ pub mod ezy_roller {
             out[3usize] = value_37;
         }
         fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
@@ -3165,7 +4065,7 @@ pub mod ezy_roller {
             a: &mut [T],
             lambda: &mut [T],
         ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -3294,7 +4194,7 @@ pub mod ezy_roller {
             residual: &[T],
             delta: &mut [T],
         ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<38usize, T>(c);
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
             let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
@@ -3413,7 +4313,7 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<39usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
@@ -3436,7 +4336,7 @@ pub mod ezy_roller {
             let product_21 = seat_vx * sin_seat_phi;
             let product_23 = seat_vy * cos_seat_phi;
             let difference_24 = product_21 - product_23;
-            let product_26 = difference_24 * c[36usize];
+            let product_26 = difference_24 * c[37usize];
             let product_28 = seat_omega * c[2usize];
             let difference_29 = product_26 - product_28;
             let product_30 = seat_omega * difference_29;
@@ -3445,24 +4345,24 @@ pub mod ezy_roller {
             out[1usize] = difference_31;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<39usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[34usize] * cos_seat_phi;
+            let product_6 = c[35usize] * cos_seat_phi;
             let difference_7 = seat_x - product_6;
             let seat_y = q[1usize];
-            let product_10 = c[34usize] * sin_seat_phi;
+            let product_10 = c[35usize] * sin_seat_phi;
             let difference_11 = seat_y - product_10;
             let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_16 = c[35usize] * cos_bar_phi;
+            let product_16 = c[36usize] * cos_bar_phi;
             let sum_17 = bar_x + product_16;
             let bar_y = q[4usize];
-            let product_20 = c[35usize] * sin_bar_phi;
+            let product_20 = c[36usize] * sin_bar_phi;
             let sum_21 = bar_y + product_20;
             let product_23 = cos_seat_phi * c[16usize];
             let sum_24 = seat_x + product_23;
@@ -3476,7 +4376,7 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<39usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
@@ -3485,11 +4385,565 @@ pub mod ezy_roller {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<38usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<39usize, f64>(c);
             start.give_position(0usize, 0f64);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
-            start.give_position(5usize, c[37usize]);
+            start.give_position(5usize, c[38usize]);
+        }
+        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTarmac {
+        fn series_size(&self) -> ::ezy_core::model::SeriesSize {
+            ::ezy_core::model::SeriesSize {
+                n_coordinates: 6usize,
+                n_rows: 4usize,
+                n_products: 24usize,
+                n_base: 11usize,
+                n_kept: 5usize,
+            }
+        }
+        fn begin(
+            &self,
+            c: &[T],
+            t: T,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
+            let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
+            let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let seat_vx = v[0usize];
+            let product_26 = c[0usize] * seat_vx;
+            let seat_omega = v[2usize];
+            let product_29 = c[1usize] * seat_omega;
+            let sum_31 = T::fused(sin_seat_phi, product_29, product_26);
+            let seat_vy = v[1usize];
+            let product_34 = cos_seat_phi * product_29;
+            let difference_35 = T::fused(-c[0usize], seat_vy, product_34);
+            let product_37 = cos_seat_phi * seat_vy;
+            let difference_38 = T::fused(-sin_seat_phi, seat_vx, product_37);
+            let product_39 = c[1usize] * difference_38;
+            let difference_42 = T::fused(-seat_omega, c[2usize], product_39);
+            let product_46 = c[4usize] * t;
+            let (sin_46, cos_46) = T::sin_cos(product_46);
+            let product_48 = c[3usize] * cos_46;
+            let sum_49 = difference_42 + product_48;
+            let product_50 = c[16usize] * seat_omega;
+            let product_51 = seat_omega * product_50;
+            let product_52 = cos_seat_phi * product_51;
+            let bar_omega = v[5usize];
+            let product_54 = c[17usize] * bar_omega;
+            let product_55 = bar_omega * product_54;
+            let sum_57 = T::fused(cos_bar_phi, product_55, product_52);
+            let product_58 = sin_seat_phi * product_51;
+            let sum_60 = T::fused(sin_bar_phi, product_55, product_58);
+            let product_61 = cos_seat_phi * seat_vx;
+            let sum_63 = T::fused(sin_seat_phi, seat_vy, product_61);
+            let product_64 = seat_omega * sum_63;
+            let bar_vx = v[3usize];
+            let product_66 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_69 = T::fused(sin_bar_phi, bar_vy, product_66);
+            let product_70 = bar_omega * sum_69;
+            let product_98 = cos_seat_phi * c[8usize];
+            let product_99 = cos_seat_phi * product_98;
+            let product_101 = cos_bar_phi * c[9usize];
+            let sum_103 = T::fused(cos_bar_phi, product_101, product_99);
+            let sum_105 = sum_103 + c[10usize];
+            let product_106 = sin_seat_phi * c[8usize];
+            let product_107 = cos_seat_phi * product_106;
+            let product_108 = sin_bar_phi * c[9usize];
+            let sum_110 = T::fused(cos_bar_phi, product_108, product_107);
+            let difference_112 = c[11usize] - sum_103;
+            let product_141 = sum_105 * difference_112;
+            let difference_143 = T::fused(-sum_110, sum_110, product_141);
+            let quotient_144 = T::from_f64(1f64) / difference_143;
+            let product_201 = cos_seat_phi * seat_omega;
+            let product_202 = sin_seat_phi * seat_omega;
+            let product_203 = cos_bar_phi * bar_omega;
+            let product_204 = sin_bar_phi * bar_omega;
+            let product_205 = c[4usize] * sin_46;
+            let product_206 = c[3usize] * product_205;
+            let product_207 = c[4usize] * cos_46;
+            let value_208 = -sum_31;
+            let value_209 = -product_48;
+            let value_210 = -product_202;
+            let value_211 = -product_204;
+            let value_212 = -product_206;
+            let value_213 = -product_205;
+            let target = ::ezy_core::kernel::array_mut::<11usize, T>(&mut store.base);
+            target[0usize] = sin_seat_phi;
+            target[1usize] = product_29;
+            target[2usize] = cos_seat_phi;
+            target[3usize] = seat_vy;
+            target[4usize] = seat_vx;
+            target[5usize] = cos_bar_phi;
+            target[6usize] = sin_bar_phi;
+            target[7usize] = quotient_144;
+            target[8usize] = difference_112;
+            target[9usize] = sum_110;
+            target[10usize] = sum_105;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = value_208;
+            target[1usize] = difference_35;
+            target[2usize] = sum_49;
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = value_209;
+            let target = ::ezy_core::kernel::row_mut::<
+                5usize,
+                T,
+            >(&mut store.kept, 0usize);
+            target[0usize] = sin_seat_phi;
+            target[1usize] = cos_seat_phi;
+            target[2usize] = product_48;
+            target[3usize] = sin_46;
+            target[4usize] = cos_46;
+            let target = ::ezy_core::kernel::row_mut::<
+                5usize,
+                T,
+            >(&mut store.kept, 1usize);
+            target[0usize] = product_201;
+            target[1usize] = value_210;
+            target[2usize] = value_212;
+            target[3usize] = product_207;
+            target[4usize] = value_213;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.left, 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = product_201;
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = value_210;
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            target[6usize] = product_201;
+            target[7usize] = value_210;
+            target[8usize] = product_203;
+            target[9usize] = value_211;
+            target[10usize] = product_203;
+            target[11usize] = value_211;
+            target[12usize] = seat_omega;
+            target[13usize] = bar_omega;
+            target[14usize] = seat_omega;
+            target[15usize] = bar_omega;
+            target[16usize] = product_201;
+            target[17usize] = value_210;
+            target[18usize] = product_203;
+            target[19usize] = value_211;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.right, 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            target[6usize] = T::from_f64(0f64);
+            target[7usize] = T::from_f64(0f64);
+            target[8usize] = T::from_f64(0f64);
+            target[9usize] = T::from_f64(0f64);
+            target[10usize] = T::from_f64(0f64);
+            target[11usize] = T::from_f64(0f64);
+            target[12usize] = product_201;
+            target[13usize] = product_203;
+            target[14usize] = value_210;
+            target[15usize] = value_211;
+            target[16usize] = seat_vx;
+            target[17usize] = seat_vy;
+            target[18usize] = bar_vx;
+            target[19usize] = bar_vy;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.right, 2usize);
+            target[0usize] = product_29;
+            target[2usize] = product_29;
+            target[4usize] = seat_vy;
+            target[5usize] = seat_vx;
+            let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+            target[0usize] = sum_57;
+            target[1usize] = sum_60;
+            target[2usize] = product_64;
+            target[3usize] = product_70;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[25usize], c[26usize]))
+                .mark(3usize, !T::is_above(c[27usize], c[28usize]))
+                .mark(0usize, !T::is_above(difference_143, c[29usize]))
+                .mark(1usize, !T::is_above(difference_143, c[29usize]))
+        }
+        #[inline]
+        fn right_side(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
+            let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
+            let kept_0 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 0usize);
+            let q_1 = ::ezy_core::kernel::row::<6usize, T>(&store.q, k + 1usize);
+            let sums = ::ezy_core::kernel::array::<24usize, T>(&store.sums);
+            let order_next = T::from_f64((k + 1usize) as f64);
+            let q_0_next = q_1[0usize];
+            let product_3 = order_next * q_0_next;
+            let convolved_0 = sums[0usize];
+            let q_2_next = q_1[2usize];
+            let product_8 = order_next * q_2_next;
+            let product_9 = c[1usize] * product_8;
+            let base_0 = base[0usize];
+            let product_11 = product_9 * base_0;
+            let kept_0 = kept_0[0usize];
+            let base_1 = base[1usize];
+            let sum_15 = T::fused(kept_0, base_1, product_11);
+            let sum_16 = convolved_0 + sum_15;
+            let sum_17 = T::fused(c[0usize], product_3, sum_16);
+            let convolved_1 = sums[1usize];
+            let difference_21 = convolved_1 - sum_17;
+            let convolved_2 = sums[2usize];
+            let base_2 = base[2usize];
+            let product_24 = product_9 * base_2;
+            let kept_1 = kept_0[1usize];
+            let sum_27 = T::fused(base_1, kept_1, product_24);
+            let sum_28 = convolved_2 + sum_27;
+            let q_1_next = q_1[1usize];
+            let product_30 = order_next * q_1_next;
+            let difference_32 = T::fused(-c[0usize], product_30, sum_28);
+            let convolved_3 = sums[3usize];
+            let difference_34 = difference_32 - convolved_3;
+            let convolved_4 = sums[4usize];
+            let product_36 = base_2 * product_30;
+            let base_3 = base[3usize];
+            let sum_39 = T::fused(kept_1, base_3, product_36);
+            let sum_40 = convolved_4 + sum_39;
+            let convolved_5 = sums[5usize];
+            let product_42 = product_3 * base_0;
+            let base_4 = base[4usize];
+            let sum_45 = T::fused(kept_0, base_4, product_42);
+            let sum_46 = convolved_5 + sum_45;
+            let difference_47 = sum_40 - sum_46;
+            let product_48 = c[1usize] * difference_47;
+            let difference_51 = T::fused(-product_8, c[2usize], product_48);
+            let kept_2 = kept_0[2usize];
+            let sum_53 = difference_51 + kept_2;
+            let convolved_6 = sums[6usize];
+            let convolved_7 = sums[7usize];
+            let product_58 = c[16usize] * convolved_7;
+            let difference_59 = T::fused(-c[16usize], convolved_6, product_58);
+            let difference_60 = sum_53 - difference_59;
+            let convolved_8 = sums[8usize];
+            let convolved_9 = sums[9usize];
+            let convolved_10 = sums[10usize];
+            let convolved_11 = sums[11usize];
+            let product_67 = c[17usize] * convolved_11;
+            let difference_68 = T::fused(-c[17usize], convolved_10, product_67);
+            let sum_69 = kept_2 + difference_68;
+            let convolved_12 = sums[12usize];
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_72 = convolved_12 * inverse_order_ahead;
+            let product_73 = c[16usize] * product_72;
+            let convolved_13 = sums[13usize];
+            let product_75 = inverse_order_ahead * convolved_13;
+            let sum_77 = T::fused(c[17usize], product_75, product_73);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_79 = order_next * order_ahead;
+            let product_80 = sum_77 * product_79;
+            let convolved_14 = sums[14usize];
+            let product_82 = inverse_order_ahead * convolved_14;
+            let product_83 = c[16usize] * product_82;
+            let convolved_15 = sums[15usize];
+            let product_85 = inverse_order_ahead * convolved_15;
+            let sum_87 = T::fused(c[17usize], product_85, product_83);
+            let product_88 = product_79 * sum_87;
+            let convolved_16 = sums[16usize];
+            let convolved_17 = sums[17usize];
+            let difference_91 = convolved_16 - convolved_17;
+            let product_92 = order_next * difference_91;
+            let convolved_18 = sums[18usize];
+            let convolved_19 = sums[19usize];
+            let difference_95 = convolved_18 - convolved_19;
+            let product_96 = order_next * difference_95;
+            let value_97 = -convolved_9;
+            let value_98 = -sum_69;
+            let value_99 = -product_88;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = difference_21;
+            target[1usize] = difference_34;
+            target[2usize] = difference_60;
+            target[3usize] = convolved_8;
+            target[4usize] = value_97;
+            target[5usize] = value_98;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.left, k + 0usize);
+            target[0usize] = kept_0;
+            target[2usize] = kept_1;
+            target[4usize] = kept_1;
+            target[5usize] = kept_0;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.left, k + 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.right, k + 2usize);
+            target[0usize] = product_9;
+            target[2usize] = product_9;
+            target[4usize] = product_30;
+            target[5usize] = product_3;
+            let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+            target[0usize] = product_80;
+            target[1usize] = value_99;
+            target[2usize] = product_92;
+            target[3usize] = product_96;
+        }
+        #[inline]
+        fn solve(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
+            let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
+            let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
+            let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);
+            let force_0 = force[0usize];
+            let base_7 = base[7usize];
+            let base_8 = base[8usize];
+            let base_0 = base[0usize];
+            let force_2 = force[2usize];
+            let product_8 = force_2 * c[12usize];
+            let base_2 = base[2usize];
+            let force_1 = force[1usize];
+            let product_11 = base_2 * force_1;
+            let difference_13 = T::fused(-force_0, base_0, product_11);
+            let product_14 = c[5usize] * difference_13;
+            let difference_17 = T::fused(-force_2, c[6usize], product_14);
+            let row_2 = row[2usize];
+            let right_side_rear = difference_17 - row_2;
+            let sum_22 = T::fused(right_side_rear, c[13usize], product_8);
+            let product_23 = base_0 * sum_22;
+            let base_6 = base[6usize];
+            let force_5 = force[5usize];
+            let product_27 = force_5 * c[22usize];
+            let base_5 = base[5usize];
+            let force_4 = force[4usize];
+            let product_30 = base_5 * force_4;
+            let force_3 = force[3usize];
+            let difference_33 = T::fused(-base_6, force_3, product_30);
+            let product_35 = difference_33 * c[21usize];
+            let sum_38 = T::fused(force_5, c[24usize], product_35);
+            let row_3 = row[3usize];
+            let right_side_front = sum_38 - row_3;
+            let sum_43 = T::fused(right_side_front, c[15usize], product_27);
+            let sum_45 = T::fused(base_6, sum_43, product_23);
+            let difference_46 = T::fused(c[5usize], force_0, -sum_45);
+            let difference_48 = T::fused(-force_3, c[21usize], difference_46);
+            let row_0 = row[0usize];
+            let difference_50 = difference_48 - row_0;
+            let product_51 = base_8 * difference_50;
+            let base_9 = base[9usize];
+            let product_53 = base_2 * sum_22;
+            let sum_55 = T::fused(base_5, sum_43, product_53);
+            let sum_57 = T::fused(c[5usize], force_1, sum_55);
+            let difference_59 = T::fused(-force_4, c[21usize], sum_57);
+            let row_1 = row[1usize];
+            let difference_61 = difference_59 - row_1;
+            let difference_63 = T::fused(-base_9, difference_61, product_51);
+            let lambda_B_x = base_7 * difference_63;
+            let difference_65 = force_0 - lambda_B_x;
+            let base_10 = base[10usize];
+            let product_67 = difference_61 * base_10;
+            let difference_69 = T::fused(-difference_50, base_9, product_67);
+            let lambda_B_y = base_7 * difference_69;
+            let product_71 = base_2 * lambda_B_y;
+            let difference_73 = T::fused(-base_0, lambda_B_x, product_71);
+            let product_74 = c[13usize] * difference_73;
+            let lambda_rear = T::fused(right_side_rear, c[19usize], product_74);
+            let sum_79 = T::fused(base_0, lambda_rear, difference_65);
+            let product_80 = c[5usize] * sum_79;
+            let difference_81 = force_1 - lambda_B_y;
+            let difference_83 = T::fused(-base_2, lambda_rear, difference_81);
+            let product_84 = c[5usize] * difference_83;
+            let product_86 = force_2 * c[20usize];
+            let difference_88 = T::fused(-c[12usize], difference_73, product_86);
+            let sum_90 = T::fused(c[6usize], lambda_rear, difference_88);
+            let sum_91 = force_3 + lambda_B_x;
+            let product_92 = base_5 * lambda_B_y;
+            let difference_94 = T::fused(-base_6, lambda_B_x, product_92);
+            let product_95 = c[15usize] * difference_94;
+            let lambda_front = T::fused(right_side_front, c[18usize], product_95);
+            let sum_100 = T::fused(base_6, lambda_front, sum_91);
+            let product_101 = c[21usize] * sum_100;
+            let sum_102 = force_4 + lambda_B_y;
+            let difference_104 = T::fused(-base_5, lambda_front, sum_102);
+            let product_105 = c[21usize] * difference_104;
+            let product_107 = force_5 * c[30usize];
+            let difference_109 = T::fused(-c[22usize], difference_94, product_107);
+            let difference_111 = T::fused(-c[24usize], lambda_front, difference_109);
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+            target[0usize] = product_80;
+            target[1usize] = product_84;
+            target[2usize] = sum_90;
+            target[3usize] = product_101;
+            target[4usize] = product_105;
+            target[5usize] = difference_111;
+            let target = ::ezy_core::kernel::row_mut::<
+                4usize,
+                T,
+            >(&mut store.lambda, k + 0usize);
+            target[0usize] = lambda_B_x;
+            target[1usize] = lambda_B_y;
+            target[2usize] = lambda_rear;
+            target[3usize] = lambda_front;
+        }
+        #[inline]
+        fn finish(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<39usize, T>(c);
+            let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
+            let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
+            let kept_1 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 1usize);
+            let lambda_0 = ::ezy_core::kernel::row::<
+                4usize,
+                T,
+            >(&store.lambda, k + 0usize);
+            let sums = ::ezy_core::kernel::array::<24usize, T>(&store.sums);
+            let a_0 = a[0usize];
+            let inverse_order_next = T::from_f64(1f64)
+                / T::from_f64((k + 1usize) as f64);
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_3 = inverse_order_next * inverse_order_ahead;
+            let product_4 = a_0 * product_3;
+            let a_1 = a[1usize];
+            let product_6 = product_3 * a_1;
+            let a_2 = a[2usize];
+            let product_8 = product_3 * a_2;
+            let a_3 = a[3usize];
+            let product_10 = product_3 * a_3;
+            let a_4 = a[4usize];
+            let product_12 = product_3 * a_4;
+            let a_5 = a[5usize];
+            let product_14 = product_3 * a_5;
+            let lambda_2 = lambda_0[2usize];
+            let convolved_14 = sums[14usize];
+            let product_19 = inverse_order_ahead * convolved_14;
+            let base_2 = base[2usize];
+            let sum_22 = T::fused(product_8, base_2, product_19);
+            let convolved_12 = sums[12usize];
+            let product_24 = inverse_order_ahead * convolved_12;
+            let base_0 = base[0usize];
+            let sum_27 = T::fused(product_8, base_0, product_24);
+            let lambda_0 = lambda_0[0usize];
+            let lambda_1 = lambda_0[1usize];
+            let lambda_3 = lambda_0[3usize];
+            let convolved_15 = sums[15usize];
+            let product_32 = inverse_order_ahead * convolved_15;
+            let base_5 = base[5usize];
+            let sum_35 = T::fused(product_14, base_5, product_32);
+            let convolved_13 = sums[13usize];
+            let product_37 = inverse_order_ahead * convolved_13;
+            let base_6 = base[6usize];
+            let sum_40 = T::fused(product_14, base_6, product_37);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_42 = product_8 * order_ahead;
+            let product_43 = product_14 * order_ahead;
+            let product_44 = product_4 * order_ahead;
+            let product_45 = product_6 * order_ahead;
+            let product_46 = product_10 * order_ahead;
+            let product_47 = product_12 * order_ahead;
+            let kept_3_next = kept_1[3usize];
+            let product_51 = inverse_order_ahead * c[4usize];
+            let product_52 = kept_3_next * product_51;
+            let product_53 = c[3usize] * product_52;
+            let kept_4_next = kept_1[4usize];
+            let product_55 = product_51 * kept_4_next;
+            let value_56 = -sum_27;
+            let value_57 = -sum_40;
+            let value_58 = -product_53;
+            let value_59 = -product_52;
+            let target = ::ezy_core::kernel::row_mut::<
+                5usize,
+                T,
+            >(&mut store.kept, k + 2usize);
+            target[0usize] = sum_22;
+            target[1usize] = value_56;
+            target[2usize] = value_58;
+            target[3usize] = product_55;
+            target[4usize] = value_59;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.left, k + 2usize);
+            target[1usize] = sum_22;
+            target[3usize] = value_56;
+            target[6usize] = sum_22;
+            target[7usize] = value_56;
+            target[8usize] = sum_35;
+            target[9usize] = value_57;
+            target[10usize] = sum_35;
+            target[11usize] = value_57;
+            target[12usize] = product_42;
+            target[13usize] = product_43;
+            target[14usize] = product_42;
+            target[15usize] = product_43;
+            target[16usize] = sum_22;
+            target[17usize] = value_56;
+            target[18usize] = sum_35;
+            target[19usize] = value_57;
+            let target = ::ezy_core::kernel::row_mut::<
+                6usize,
+                T,
+            >(&mut store.q, k + 2usize);
+            target[0usize] = product_4;
+            target[1usize] = product_6;
+            target[2usize] = product_8;
+            target[3usize] = product_10;
+            target[4usize] = product_12;
+            target[5usize] = product_14;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.right, k + 2usize);
+            target[1usize] = lambda_2;
+            target[3usize] = lambda_2;
+            target[6usize] = lambda_0;
+            target[7usize] = lambda_1;
+            target[8usize] = lambda_3;
+            target[9usize] = lambda_3;
+            target[10usize] = lambda_0;
+            target[11usize] = lambda_1;
+            target[12usize] = sum_22;
+            target[13usize] = sum_35;
+            target[14usize] = value_56;
+            target[15usize] = value_57;
+            target[16usize] = product_44;
+            target[17usize] = product_45;
+            target[18usize] = product_46;
+            target[19usize] = product_47;
         }
     }
     ///Driven, with a rear wheel that slips and rolls with resistance.
@@ -3928,7 +5382,7 @@ pub mod ezy_roller {
                 },
             ],
             until_s: 60f64,
-            n_constants: 36usize,
+            n_constants: 37usize,
             jacobian: ::ezy_core::model::SparsityPattern {
                 starts: &[0usize, 4usize, 8usize, 11usize],
                 columns: &[
@@ -4112,6 +5566,16 @@ pub mod ezy_roller {
                 trig: 2usize,
                 calls: 0usize,
             },
+            series: ::ezy_core::model::SeriesInfo::Analytic {
+                n_products: 24usize,
+                operations: ::ezy_core::model::Operations {
+                    add: 79usize,
+                    mul: 113usize,
+                    div: 0usize,
+                    trig: 0usize,
+                    calls: 0usize,
+                },
+            },
             repeats: ::core::option::Option::None,
         };
     }
@@ -4119,7 +5583,7 @@ pub mod ezy_roller {
     impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Drift {
         fn constants(&self, parameters: &[T], c: &mut [T]) {
             let parameters = ::ezy_core::kernel::array::<13usize, T>(parameters);
-            let c = ::ezy_core::kernel::array_mut::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array_mut::<37usize, T>(c);
             let k1 = T::from_f64(1f64);
             let parameter_m1 = parameters[4usize];
             let parameter_i1 = parameters[5usize];
@@ -4205,26 +5669,27 @@ pub mod ezy_roller {
             c[26usize] = k44;
             c[27usize] = k54;
             c[28usize] = k57;
-            c[29usize] = parameter_m1;
-            c[30usize] = parameter_i1;
-            c[31usize] = parameter_m2;
-            c[32usize] = parameter_i2;
-            c[33usize] = parameter_c;
-            c[34usize] = k16;
-            c[35usize] = k21;
+            c[29usize] = k26;
+            c[30usize] = parameter_m1;
+            c[31usize] = parameter_i1;
+            c[32usize] = parameter_m2;
+            c[33usize] = parameter_i2;
+            c[34usize] = parameter_c;
+            c[35usize] = k16;
+            c[36usize] = k21;
         }
         fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
-            out[0usize] = c[29usize];
-            out[1usize] = c[29usize];
-            out[2usize] = c[30usize];
-            out[3usize] = c[31usize];
-            out[4usize] = c[31usize];
-            out[5usize] = c[32usize];
+            out[0usize] = c[30usize];
+            out[1usize] = c[30usize];
+            out[2usize] = c[31usize];
+            out[3usize] = c[32usize];
+            out[4usize] = c[32usize];
+            out[5usize] = c[33usize];
         }
         fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
             let seat_x = q[0usize];
@@ -4245,7 +5710,7 @@ pub mod ezy_roller {
             out[1usize] = sum_23;
         }
         fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
@@ -4267,7 +5732,7 @@ pub mod ezy_roller {
             let difference_21 = seat_vy - bar_vy;
             let sum_24 = T::fused(product_7, cos_bar_phi, difference_21);
             let sum_27 = T::fused(product_14, cos_seat_phi, sum_24);
-            let product_29 = bar_omega * c[33usize];
+            let product_29 = bar_omega * c[34usize];
             let difference_31 = T::fused(-bar_vx, sin_bar_phi, product_29);
             let sum_33 = T::fused(bar_vy, cos_bar_phi, difference_31);
             out[0usize] = difference_18;
@@ -4275,7 +5740,7 @@ pub mod ezy_roller {
             out[2usize] = sum_33;
         }
         fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
             let seat_phi = q[2usize];
@@ -4300,10 +5765,10 @@ pub mod ezy_roller {
             out[7usize] = product_12;
             out[8usize] = value_17;
             out[9usize] = cos_bar_phi;
-            out[10usize] = c[33usize];
+            out[10usize] = c[34usize];
         }
         fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
@@ -4334,7 +5799,7 @@ pub mod ezy_roller {
             out[2usize] = value_30;
         }
         fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
@@ -4385,7 +5850,7 @@ pub mod ezy_roller {
             a: &mut [T],
             lambda: &mut [T],
         ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -4510,7 +5975,7 @@ pub mod ezy_roller {
             residual: &[T],
             delta: &mut [T],
         ) -> ::ezy_core::model::DeficientRows {
-            let c = ::ezy_core::kernel::array::<36usize, T>(c);
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
             let q = ::ezy_core::kernel::array::<6usize, T>(q);
             let residual = ::ezy_core::kernel::array::<3usize, T>(residual);
             let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
@@ -4624,7 +6089,7 @@ pub mod ezy_roller {
             lambda: &[f64],
             out: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<37usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let lambda = ::ezy_core::kernel::array::<3usize, f64>(lambda);
@@ -4647,7 +6112,7 @@ pub mod ezy_roller {
             let product_21 = seat_vx * sin_seat_phi;
             let product_23 = seat_vy * cos_seat_phi;
             let difference_24 = product_21 - product_23;
-            let product_26 = difference_24 * c[34usize];
+            let product_26 = difference_24 * c[35usize];
             let product_28 = seat_omega * c[5usize];
             let difference_29 = product_26 - product_28;
             let product_30 = seat_omega * difference_29;
@@ -4671,7 +6136,7 @@ pub mod ezy_roller {
             out[2usize] = product_49;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<37usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
             let seat_x = q[0usize];
@@ -4685,10 +6150,10 @@ pub mod ezy_roller {
             let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_16 = c[33usize] * cos_bar_phi;
+            let product_16 = c[34usize] * cos_bar_phi;
             let sum_17 = bar_x + product_16;
             let bar_y = q[4usize];
-            let product_20 = c[33usize] * sin_bar_phi;
+            let product_20 = c[34usize] * sin_bar_phi;
             let sum_21 = bar_y + product_20;
             let product_23 = cos_seat_phi * c[16usize];
             let sum_24 = seat_x + product_23;
@@ -4702,7 +6167,7 @@ pub mod ezy_roller {
             out[5usize] = sum_26;
         }
         fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<37usize, f64>(c);
             let q = ::ezy_core::kernel::array::<6usize, f64>(q);
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
@@ -4711,11 +6176,635 @@ pub mod ezy_roller {
             0f64
         }
         fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<36usize, f64>(c);
+            let c = ::ezy_core::kernel::array::<37usize, f64>(c);
             start.give_position(0usize, 0f64);
             start.give_position(1usize, 0f64);
             start.give_position(2usize, 0f64);
-            start.give_position(5usize, c[35usize]);
+            start.give_position(5usize, c[36usize]);
+        }
+        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
+        fn series_size(&self) -> ::ezy_core::model::SeriesSize {
+            ::ezy_core::model::SeriesSize {
+                n_coordinates: 6usize,
+                n_rows: 3usize,
+                n_products: 24usize,
+                n_base: 16usize,
+                n_kept: 5usize,
+            }
+        }
+        fn begin(
+            &self,
+            c: &[T],
+            t: T,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
+            let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
+            let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let seat_omega = v[2usize];
+            let seat_vx = v[0usize];
+            let product_31 = sin_seat_phi * seat_vx;
+            let sum_32 = T::fused(seat_omega, c[2usize], product_31);
+            let seat_vy = v[1usize];
+            let product_34 = cos_seat_phi * seat_vy;
+            let difference_35 = product_34 - sum_32;
+            let product_36 = cos_seat_phi * seat_vx;
+            let sum_38 = T::fused(sin_seat_phi, seat_vy, product_36);
+            let sum_41 = T::fused(sum_38, sum_38, c[3usize]);
+            let value_42 = T::sqrt(sum_41);
+            let value_43 = T::atan2(difference_35, value_42);
+            let product_44 = c[1usize] * value_43;
+            let difference_45 = T::fused(-c[0usize], seat_omega, product_44);
+            let product_46 = sin_seat_phi * difference_45;
+            let difference_49 = T::fused(-seat_vx, c[4usize], product_46);
+            let product_50 = cos_seat_phi * difference_45;
+            let sum_52 = T::fused(seat_vy, c[4usize], product_50);
+            let difference_53 = product_34 - product_31;
+            let product_54 = c[0usize] * difference_53;
+            let difference_57 = T::fused(-seat_omega, c[5usize], product_54);
+            let product_61 = c[7usize] * t;
+            let (sin_61, cos_61) = T::sin_cos(product_61);
+            let product_63 = c[6usize] * cos_61;
+            let sum_64 = difference_57 + product_63;
+            let sum_67 = T::fused(value_43, c[8usize], sum_64);
+            let product_68 = c[16usize] * seat_omega;
+            let product_69 = seat_omega * product_68;
+            let product_70 = cos_seat_phi * product_69;
+            let bar_omega = v[5usize];
+            let product_72 = c[17usize] * bar_omega;
+            let product_73 = bar_omega * product_72;
+            let sum_75 = T::fused(cos_bar_phi, product_73, product_70);
+            let product_76 = sin_seat_phi * product_69;
+            let sum_78 = T::fused(sin_bar_phi, product_73, product_76);
+            let bar_vx = v[3usize];
+            let product_80 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_83 = T::fused(sin_bar_phi, bar_vy, product_80);
+            let product_84 = bar_omega * sum_83;
+            let product_99 = cos_seat_phi * c[10usize];
+            let product_102 = cos_bar_phi * c[11usize];
+            let product_103 = cos_bar_phi * product_102;
+            let difference_104 = T::fused(-cos_seat_phi, product_99, product_103);
+            let sum_106 = difference_104 + c[12usize];
+            let product_107 = sin_seat_phi * c[10usize];
+            let product_109 = sin_bar_phi * c[11usize];
+            let product_110 = cos_bar_phi * product_109;
+            let difference_111 = T::fused(-cos_seat_phi, product_107, product_110);
+            let difference_113 = c[13usize] - difference_104;
+            let product_143 = sum_106 * difference_113;
+            let difference_145 = T::fused(-difference_111, difference_111, product_143);
+            let quotient_146 = T::from_f64(1f64) / difference_145;
+            let product_191 = difference_35 * difference_35;
+            let sum_193 = T::fused(value_42, value_42, product_191);
+            let quotient_194 = T::from_f64(1f64) / sum_193;
+            let sum_195 = value_42 + value_42;
+            let quotient_196 = T::from_f64(1f64) / sum_195;
+            let product_197 = cos_seat_phi * seat_omega;
+            let product_198 = sin_seat_phi * seat_omega;
+            let product_199 = cos_bar_phi * bar_omega;
+            let product_200 = sin_bar_phi * bar_omega;
+            let product_201 = c[7usize] * sin_61;
+            let product_202 = c[6usize] * product_201;
+            let product_203 = c[7usize] * cos_61;
+            let value_204 = -sum_52;
+            let value_205 = -product_63;
+            let value_206 = -product_198;
+            let value_207 = -product_200;
+            let value_208 = -product_202;
+            let value_209 = -product_201;
+            let target = ::ezy_core::kernel::array_mut::<16usize, T>(&mut store.base);
+            target[0usize] = cos_seat_phi;
+            target[1usize] = seat_vy;
+            target[2usize] = sin_seat_phi;
+            target[3usize] = seat_vx;
+            target[4usize] = value_42;
+            target[5usize] = sum_38;
+            target[6usize] = quotient_196;
+            target[7usize] = difference_35;
+            target[8usize] = quotient_194;
+            target[9usize] = difference_45;
+            target[10usize] = cos_bar_phi;
+            target[11usize] = sin_bar_phi;
+            target[12usize] = quotient_146;
+            target[13usize] = difference_113;
+            target[14usize] = difference_111;
+            target[15usize] = sum_106;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = difference_49;
+            target[1usize] = value_204;
+            target[2usize] = sum_67;
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = value_205;
+            let target = ::ezy_core::kernel::row_mut::<
+                5usize,
+                T,
+            >(&mut store.kept, 0usize);
+            target[0usize] = cos_seat_phi;
+            target[1usize] = sin_seat_phi;
+            target[2usize] = product_63;
+            target[3usize] = sin_61;
+            target[4usize] = cos_61;
+            let target = ::ezy_core::kernel::row_mut::<
+                5usize,
+                T,
+            >(&mut store.kept, 1usize);
+            target[0usize] = value_206;
+            target[1usize] = product_197;
+            target[2usize] = value_208;
+            target[3usize] = product_203;
+            target[4usize] = value_209;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.left, 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            target[6usize] = T::from_f64(0f64);
+            target[7usize] = T::from_f64(0f64);
+            target[8usize] = T::from_f64(0f64);
+            target[9usize] = T::from_f64(0f64);
+            target[10usize] = T::from_f64(0f64);
+            target[11usize] = product_197;
+            target[12usize] = value_206;
+            target[13usize] = product_199;
+            target[14usize] = value_207;
+            target[15usize] = product_199;
+            target[16usize] = value_207;
+            target[17usize] = seat_omega;
+            target[18usize] = bar_omega;
+            target[19usize] = seat_omega;
+            target[20usize] = bar_omega;
+            target[21usize] = product_199;
+            target[22usize] = value_207;
+            target[23usize] = T::from_f64(0f64);
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.right, 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            target[6usize] = T::from_f64(0f64);
+            target[7usize] = T::from_f64(0f64);
+            target[8usize] = T::from_f64(0f64);
+            target[9usize] = T::from_f64(0f64);
+            target[10usize] = T::from_f64(0f64);
+            target[11usize] = T::from_f64(0f64);
+            target[12usize] = T::from_f64(0f64);
+            target[13usize] = T::from_f64(0f64);
+            target[14usize] = T::from_f64(0f64);
+            target[15usize] = T::from_f64(0f64);
+            target[16usize] = T::from_f64(0f64);
+            target[17usize] = product_197;
+            target[18usize] = product_199;
+            target[19usize] = value_206;
+            target[20usize] = value_207;
+            target[21usize] = bar_vx;
+            target[22usize] = bar_vy;
+            target[23usize] = T::from_f64(0f64);
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.right, 2usize);
+            target[0usize] = difference_45;
+            target[1usize] = value_42;
+            target[2usize] = difference_35;
+            target[3usize] = sum_193;
+            target[4usize] = seat_vy;
+            target[5usize] = seat_vx;
+            target[6usize] = sum_38;
+            target[7usize] = seat_vx;
+            target[8usize] = seat_vy;
+            target[9usize] = value_42;
+            target[10usize] = difference_45;
+            target[23usize] = difference_35;
+            let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
+            target[0usize] = sum_75;
+            target[1usize] = sum_78;
+            target[2usize] = product_84;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[26usize], c[27usize]))
+                .mark(0usize, !T::is_above(difference_145, c[28usize]))
+                .mark(1usize, !T::is_above(difference_145, c[28usize]))
+        }
+        #[inline]
+        fn right_side(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
+            let base = ::ezy_core::kernel::array::<16usize, T>(&store.base);
+            let kept_0 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 0usize);
+            let q_1 = ::ezy_core::kernel::row::<6usize, T>(&store.q, k + 1usize);
+            let sums = ::ezy_core::kernel::array::<24usize, T>(&store.sums);
+            let convolved_0 = sums[0usize];
+            let convolved_1 = sums[1usize];
+            let inverse_order = T::from_f64(1f64) / T::from_f64((k + 0usize) as f64);
+            let product_4 = convolved_1 * inverse_order;
+            let convolved_2 = sums[2usize];
+            let convolved_3 = sums[3usize];
+            let convolved_4 = sums[4usize];
+            let order_next = T::from_f64((k + 1usize) as f64);
+            let q_1_next = q_1[1usize];
+            let product_12 = order_next * q_1_next;
+            let base_0 = base[0usize];
+            let product_14 = product_12 * base_0;
+            let kept_0 = kept_0[0usize];
+            let base_1 = base[1usize];
+            let sum_18 = T::fused(kept_0, base_1, product_14);
+            let sum_19 = convolved_4 + sum_18;
+            let q_2_next = q_1[2usize];
+            let product_22 = order_next * q_2_next;
+            let convolved_5 = sums[5usize];
+            let q_0_next = q_1[0usize];
+            let product_26 = order_next * q_0_next;
+            let base_2 = base[2usize];
+            let product_28 = product_26 * base_2;
+            let kept_1 = kept_0[1usize];
+            let base_3 = base[3usize];
+            let sum_32 = T::fused(kept_1, base_3, product_28);
+            let sum_33 = convolved_5 + sum_32;
+            let sum_34 = T::fused(c[2usize], product_22, sum_33);
+            let difference_35 = sum_19 - sum_34;
+            let base_4 = base[4usize];
+            let convolved_6 = sums[6usize];
+            let convolved_7 = sums[7usize];
+            let product_40 = base_0 * product_26;
+            let sum_42 = T::fused(kept_0, base_3, product_40);
+            let sum_43 = convolved_7 + sum_42;
+            let convolved_8 = sums[8usize];
+            let product_45 = product_12 * base_2;
+            let sum_47 = T::fused(base_1, kept_1, product_45);
+            let sum_48 = convolved_8 + sum_47;
+            let sum_49 = sum_43 + sum_48;
+            let base_5 = base[5usize];
+            let product_51 = sum_49 * base_5;
+            let sum_52 = product_51 + product_51;
+            let sum_53 = convolved_6 + sum_52;
+            let convolved_9 = sums[9usize];
+            let difference_56 = sum_53 - convolved_9;
+            let base_6 = base[6usize];
+            let product_58 = difference_56 * base_6;
+            let base_7 = base[7usize];
+            let difference_61 = T::fused(-inverse_order, convolved_2, product_4);
+            let difference_62 = T::fused(-inverse_order, convolved_3, difference_61);
+            let sum_63 = T::fused(difference_35, base_4, difference_62);
+            let difference_64 = T::fused(-product_58, base_7, sum_63);
+            let base_8 = base[8usize];
+            let product_66 = difference_64 * base_8;
+            let product_67 = c[1usize] * product_66;
+            let difference_70 = T::fused(-product_22, c[0usize], product_67);
+            let product_71 = base_2 * difference_70;
+            let base_9 = base[9usize];
+            let sum_74 = T::fused(kept_1, base_9, product_71);
+            let sum_75 = convolved_0 + sum_74;
+            let difference_78 = T::fused(-product_26, c[4usize], sum_75);
+            let convolved_10 = sums[10usize];
+            let product_80 = base_0 * difference_70;
+            let sum_82 = T::fused(kept_0, base_9, product_80);
+            let sum_83 = convolved_10 + sum_82;
+            let sum_85 = T::fused(product_12, c[4usize], sum_83);
+            let difference_86 = sum_19 - sum_33;
+            let product_87 = c[0usize] * difference_86;
+            let difference_90 = T::fused(-product_22, c[5usize], product_87);
+            let kept_2 = kept_0[2usize];
+            let sum_92 = difference_90 + kept_2;
+            let sum_95 = T::fused(product_66, c[8usize], sum_92);
+            let convolved_11 = sums[11usize];
+            let convolved_12 = sums[12usize];
+            let product_100 = c[16usize] * convolved_12;
+            let difference_101 = T::fused(-c[16usize], convolved_11, product_100);
+            let difference_102 = sum_95 - difference_101;
+            let convolved_13 = sums[13usize];
+            let convolved_14 = sums[14usize];
+            let convolved_15 = sums[15usize];
+            let convolved_16 = sums[16usize];
+            let product_110 = c[17usize] * convolved_16;
+            let difference_111 = T::fused(-c[17usize], convolved_15, product_110);
+            let sum_112 = kept_2 + difference_111;
+            let convolved_17 = sums[17usize];
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_115 = convolved_17 * inverse_order_ahead;
+            let product_116 = c[16usize] * product_115;
+            let convolved_18 = sums[18usize];
+            let product_118 = inverse_order_ahead * convolved_18;
+            let sum_120 = T::fused(c[17usize], product_118, product_116);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_122 = order_next * order_ahead;
+            let product_123 = sum_120 * product_122;
+            let convolved_19 = sums[19usize];
+            let product_125 = inverse_order_ahead * convolved_19;
+            let product_126 = c[16usize] * product_125;
+            let convolved_20 = sums[20usize];
+            let product_128 = inverse_order_ahead * convolved_20;
+            let sum_130 = T::fused(c[17usize], product_128, product_126);
+            let product_131 = product_122 * sum_130;
+            let convolved_21 = sums[21usize];
+            let convolved_22 = sums[22usize];
+            let difference_134 = convolved_21 - convolved_22;
+            let product_135 = order_next * difference_134;
+            let order = T::from_f64((k + 0usize) as f64);
+            let product_137 = difference_35 * order;
+            let product_138 = product_58 * order;
+            let product_139 = product_66 * order;
+            let convolved_23 = sums[23usize];
+            let product_141 = difference_35 * base_7;
+            let sum_142 = product_141 + product_141;
+            let sum_143 = convolved_23 + sum_142;
+            let product_144 = base_4 * product_58;
+            let sum_145 = product_144 + product_144;
+            let sum_146 = convolved_9 + sum_145;
+            let sum_147 = sum_143 + sum_146;
+            let value_148 = -sum_85;
+            let value_149 = -convolved_14;
+            let value_150 = -sum_112;
+            let value_151 = -product_131;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = difference_78;
+            target[1usize] = value_148;
+            target[2usize] = difference_102;
+            target[3usize] = convolved_13;
+            target[4usize] = value_149;
+            target[5usize] = value_150;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.left, k + 0usize);
+            target[0usize] = kept_1;
+            target[1usize] = product_137;
+            target[2usize] = product_138;
+            target[3usize] = product_139;
+            target[4usize] = kept_0;
+            target[5usize] = kept_1;
+            target[6usize] = sum_49;
+            target[7usize] = kept_0;
+            target[8usize] = kept_1;
+            target[9usize] = product_58;
+            target[10usize] = kept_0;
+            target[23usize] = difference_35;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.left, k + 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            target[6usize] = T::from_f64(0f64);
+            target[7usize] = T::from_f64(0f64);
+            target[8usize] = T::from_f64(0f64);
+            target[9usize] = T::from_f64(0f64);
+            target[10usize] = T::from_f64(0f64);
+            target[23usize] = T::from_f64(0f64);
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.right, k + 2usize);
+            target[0usize] = difference_70;
+            target[1usize] = product_58;
+            target[2usize] = difference_35;
+            target[3usize] = sum_147;
+            target[4usize] = product_12;
+            target[5usize] = product_26;
+            target[6usize] = sum_49;
+            target[7usize] = product_26;
+            target[8usize] = product_12;
+            target[9usize] = product_58;
+            target[10usize] = difference_70;
+            target[23usize] = difference_35;
+            let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
+            target[0usize] = product_123;
+            target[1usize] = value_151;
+            target[2usize] = product_135;
+        }
+        #[inline]
+        fn solve(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
+            let base = ::ezy_core::kernel::array::<16usize, T>(&store.base);
+            let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
+            let row = ::ezy_core::kernel::array::<3usize, T>(&store.row);
+            let force_0 = force[0usize];
+            let base_12 = base[12usize];
+            let base_13 = base[13usize];
+            let product_4 = c[18usize] * force_0;
+            let base_11 = base[11usize];
+            let force_5 = force[5usize];
+            let product_8 = force_5 * c[23usize];
+            let base_10 = base[10usize];
+            let force_4 = force[4usize];
+            let product_11 = base_10 * force_4;
+            let force_3 = force[3usize];
+            let difference_14 = T::fused(-base_11, force_3, product_11);
+            let product_16 = difference_14 * c[22usize];
+            let sum_19 = T::fused(force_5, c[25usize], product_16);
+            let row_2 = row[2usize];
+            let right_side_front = sum_19 - row_2;
+            let sum_24 = T::fused(right_side_front, c[15usize], product_8);
+            let difference_26 = T::fused(-base_11, sum_24, product_4);
+            let difference_28 = T::fused(-force_3, c[22usize], difference_26);
+            let row_0 = row[0usize];
+            let difference_30 = difference_28 - row_0;
+            let base_2 = base[2usize];
+            let force_2 = force[2usize];
+            let product_34 = c[19usize] * force_2;
+            let difference_36 = T::fused(-base_2, product_34, difference_30);
+            let product_37 = base_13 * difference_36;
+            let base_14 = base[14usize];
+            let product_39 = base_10 * sum_24;
+            let force_1 = force[1usize];
+            let sum_42 = T::fused(c[18usize], force_1, product_39);
+            let difference_44 = T::fused(-force_4, c[22usize], sum_42);
+            let row_1 = row[1usize];
+            let difference_46 = difference_44 - row_1;
+            let base_0 = base[0usize];
+            let sum_49 = T::fused(product_34, base_0, difference_46);
+            let difference_51 = T::fused(-base_14, sum_49, product_37);
+            let lambda_B_x = base_12 * difference_51;
+            let difference_53 = force_0 - lambda_B_x;
+            let product_54 = c[18usize] * difference_53;
+            let base_15 = base[15usize];
+            let product_56 = sum_49 * base_15;
+            let difference_58 = T::fused(-difference_36, base_14, product_56);
+            let lambda_B_y = base_12 * difference_58;
+            let difference_60 = force_1 - lambda_B_y;
+            let product_61 = c[18usize] * difference_60;
+            let product_62 = base_2 * lambda_B_x;
+            let difference_64 = T::fused(-base_0, lambda_B_y, product_62);
+            let product_65 = c[19usize] * difference_64;
+            let sum_68 = T::fused(force_2, c[21usize], product_65);
+            let sum_69 = force_3 + lambda_B_x;
+            let product_70 = base_10 * lambda_B_y;
+            let difference_72 = T::fused(-base_11, lambda_B_x, product_70);
+            let product_73 = c[15usize] * difference_72;
+            let lambda_front = T::fused(right_side_front, c[20usize], product_73);
+            let sum_78 = T::fused(base_11, lambda_front, sum_69);
+            let product_79 = c[22usize] * sum_78;
+            let sum_80 = force_4 + lambda_B_y;
+            let difference_82 = T::fused(-base_10, lambda_front, sum_80);
+            let product_83 = c[22usize] * difference_82;
+            let product_85 = force_5 * c[29usize];
+            let difference_87 = T::fused(-c[23usize], difference_72, product_85);
+            let difference_89 = T::fused(-c[25usize], lambda_front, difference_87);
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+            target[0usize] = product_54;
+            target[1usize] = product_61;
+            target[2usize] = sum_68;
+            target[3usize] = product_79;
+            target[4usize] = product_83;
+            target[5usize] = difference_89;
+            let target = ::ezy_core::kernel::row_mut::<
+                3usize,
+                T,
+            >(&mut store.lambda, k + 0usize);
+            target[0usize] = lambda_B_x;
+            target[1usize] = lambda_B_y;
+            target[2usize] = lambda_front;
+        }
+        #[inline]
+        fn finish(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<37usize, T>(c);
+            let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
+            let base = ::ezy_core::kernel::array::<16usize, T>(&store.base);
+            let kept_1 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 1usize);
+            let lambda_0 = ::ezy_core::kernel::row::<
+                3usize,
+                T,
+            >(&store.lambda, k + 0usize);
+            let sums = ::ezy_core::kernel::array::<24usize, T>(&store.sums);
+            let a_0 = a[0usize];
+            let inverse_order_next = T::from_f64(1f64)
+                / T::from_f64((k + 1usize) as f64);
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_3 = inverse_order_next * inverse_order_ahead;
+            let product_4 = a_0 * product_3;
+            let a_1 = a[1usize];
+            let product_6 = product_3 * a_1;
+            let a_2 = a[2usize];
+            let product_8 = product_3 * a_2;
+            let a_3 = a[3usize];
+            let product_10 = product_3 * a_3;
+            let a_4 = a[4usize];
+            let product_12 = product_3 * a_4;
+            let a_5 = a[5usize];
+            let product_14 = product_3 * a_5;
+            let lambda_0 = lambda_0[0usize];
+            let convolved_19 = sums[19usize];
+            let product_19 = inverse_order_ahead * convolved_19;
+            let base_0 = base[0usize];
+            let sum_22 = T::fused(product_8, base_0, product_19);
+            let lambda_1 = lambda_0[1usize];
+            let convolved_17 = sums[17usize];
+            let product_25 = inverse_order_ahead * convolved_17;
+            let base_2 = base[2usize];
+            let sum_28 = T::fused(product_8, base_2, product_25);
+            let lambda_2 = lambda_0[2usize];
+            let convolved_20 = sums[20usize];
+            let product_31 = inverse_order_ahead * convolved_20;
+            let base_10 = base[10usize];
+            let sum_34 = T::fused(product_14, base_10, product_31);
+            let convolved_18 = sums[18usize];
+            let product_36 = inverse_order_ahead * convolved_18;
+            let base_11 = base[11usize];
+            let sum_39 = T::fused(product_14, base_11, product_36);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_41 = product_8 * order_ahead;
+            let product_42 = product_14 * order_ahead;
+            let product_43 = product_10 * order_ahead;
+            let product_44 = product_12 * order_ahead;
+            let kept_3_next = kept_1[3usize];
+            let product_48 = inverse_order_ahead * c[7usize];
+            let product_49 = kept_3_next * product_48;
+            let product_50 = c[6usize] * product_49;
+            let kept_4_next = kept_1[4usize];
+            let product_52 = product_48 * kept_4_next;
+            let value_53 = -sum_28;
+            let value_54 = -sum_39;
+            let value_55 = -product_50;
+            let value_56 = -product_49;
+            let target = ::ezy_core::kernel::row_mut::<
+                5usize,
+                T,
+            >(&mut store.kept, k + 2usize);
+            target[0usize] = value_53;
+            target[1usize] = sum_22;
+            target[2usize] = value_55;
+            target[3usize] = product_52;
+            target[4usize] = value_56;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.left, k + 2usize);
+            target[11usize] = sum_22;
+            target[12usize] = value_53;
+            target[13usize] = sum_34;
+            target[14usize] = value_54;
+            target[15usize] = sum_34;
+            target[16usize] = value_54;
+            target[17usize] = product_41;
+            target[18usize] = product_42;
+            target[19usize] = product_41;
+            target[20usize] = product_42;
+            target[21usize] = sum_34;
+            target[22usize] = value_54;
+            let target = ::ezy_core::kernel::row_mut::<
+                6usize,
+                T,
+            >(&mut store.q, k + 2usize);
+            target[0usize] = product_4;
+            target[1usize] = product_6;
+            target[2usize] = product_8;
+            target[3usize] = product_10;
+            target[4usize] = product_12;
+            target[5usize] = product_14;
+            let target = ::ezy_core::kernel::row_mut::<
+                24usize,
+                T,
+            >(&mut store.right, k + 2usize);
+            target[11usize] = lambda_0;
+            target[12usize] = lambda_1;
+            target[13usize] = lambda_2;
+            target[14usize] = lambda_2;
+            target[15usize] = lambda_0;
+            target[16usize] = lambda_1;
+            target[17usize] = sum_22;
+            target[18usize] = sum_34;
+            target[19usize] = value_53;
+            target[20usize] = value_54;
+            target[21usize] = product_43;
+            target[22usize] = product_44;
         }
     }
     ///At 1 m/s with the bar across, in the hands of a rider: set `torque`.
@@ -5294,6 +7383,16 @@ pub mod ezy_roller {
                 trig: 2usize,
                 calls: 0usize,
             },
+            series: ::ezy_core::model::SeriesInfo::Analytic {
+                n_products: 16usize,
+                operations: ::ezy_core::model::Operations {
+                    add: 49usize,
+                    mul: 86usize,
+                    div: 0usize,
+                    trig: 0usize,
+                    calls: 0usize,
+                },
+            },
             repeats: ::core::option::Option::None,
         };
     }
@@ -5845,6 +7944,418 @@ pub mod ezy_roller {
             start.give_position(5usize, c[31usize]);
             start.give_velocity(0usize, 1f64);
             start.give_velocity(2usize, 0f64);
+        }
+        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+    }
+    #[automatically_derived]
+    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
+        fn series_size(&self) -> ::ezy_core::model::SeriesSize {
+            ::ezy_core::model::SeriesSize {
+                n_coordinates: 6usize,
+                n_rows: 4usize,
+                n_products: 16usize,
+                n_base: 8usize,
+                n_kept: 0usize,
+            }
+        }
+        fn begin(
+            &self,
+            c: &[T],
+            t: T,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) -> ::ezy_core::model::DeficientRows {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
+            let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+            let torque = c[0usize];
+            let seat_omega = v[2usize];
+            let product_26 = c[11usize] * seat_omega;
+            let product_27 = seat_omega * product_26;
+            let product_28 = cos_seat_phi * product_27;
+            let bar_omega = v[5usize];
+            let product_30 = c[12usize] * bar_omega;
+            let product_31 = bar_omega * product_30;
+            let sum_33 = T::fused(cos_bar_phi, product_31, product_28);
+            let product_34 = sin_seat_phi * product_27;
+            let sum_36 = T::fused(sin_bar_phi, product_31, product_34);
+            let seat_vx = v[0usize];
+            let product_38 = cos_seat_phi * seat_vx;
+            let seat_vy = v[1usize];
+            let sum_41 = T::fused(sin_seat_phi, seat_vy, product_38);
+            let product_42 = seat_omega * sum_41;
+            let bar_vx = v[3usize];
+            let product_44 = cos_bar_phi * bar_vx;
+            let bar_vy = v[4usize];
+            let sum_47 = T::fused(sin_bar_phi, bar_vy, product_44);
+            let product_48 = bar_omega * sum_47;
+            let product_76 = cos_seat_phi * c[3usize];
+            let product_77 = cos_seat_phi * product_76;
+            let product_79 = cos_bar_phi * c[4usize];
+            let sum_81 = T::fused(cos_bar_phi, product_79, product_77);
+            let sum_83 = sum_81 + c[5usize];
+            let product_84 = sin_seat_phi * c[3usize];
+            let product_85 = cos_seat_phi * product_84;
+            let product_86 = sin_bar_phi * c[4usize];
+            let sum_88 = T::fused(cos_bar_phi, product_86, product_85);
+            let difference_90 = c[6usize] - sum_81;
+            let product_119 = sum_83 * difference_90;
+            let difference_121 = T::fused(-sum_88, sum_88, product_119);
+            let quotient_122 = T::from_f64(1f64) / difference_121;
+            let product_178 = cos_seat_phi * seat_omega;
+            let product_179 = sin_seat_phi * seat_omega;
+            let product_180 = cos_bar_phi * bar_omega;
+            let product_181 = sin_bar_phi * bar_omega;
+            let value_182 = -torque;
+            let value_183 = -product_179;
+            let value_184 = -product_181;
+            let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
+            target[0usize] = cos_seat_phi;
+            target[1usize] = sin_seat_phi;
+            target[2usize] = cos_bar_phi;
+            target[3usize] = sin_bar_phi;
+            target[4usize] = quotient_122;
+            target[5usize] = difference_90;
+            target[6usize] = sum_88;
+            target[7usize] = sum_83;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = value_182;
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = torque;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.left, 1usize);
+            target[0usize] = product_178;
+            target[1usize] = value_183;
+            target[2usize] = product_178;
+            target[3usize] = value_183;
+            target[4usize] = product_180;
+            target[5usize] = value_184;
+            target[6usize] = product_180;
+            target[7usize] = value_184;
+            target[8usize] = seat_omega;
+            target[9usize] = bar_omega;
+            target[10usize] = seat_omega;
+            target[11usize] = bar_omega;
+            target[12usize] = product_178;
+            target[13usize] = value_183;
+            target[14usize] = product_180;
+            target[15usize] = value_184;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.right, 1usize);
+            target[0usize] = T::from_f64(0f64);
+            target[1usize] = T::from_f64(0f64);
+            target[2usize] = T::from_f64(0f64);
+            target[3usize] = T::from_f64(0f64);
+            target[4usize] = T::from_f64(0f64);
+            target[5usize] = T::from_f64(0f64);
+            target[6usize] = T::from_f64(0f64);
+            target[7usize] = T::from_f64(0f64);
+            target[8usize] = product_178;
+            target[9usize] = product_180;
+            target[10usize] = value_183;
+            target[11usize] = value_184;
+            target[12usize] = seat_vx;
+            target[13usize] = seat_vy;
+            target[14usize] = bar_vx;
+            target[15usize] = bar_vy;
+            let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+            target[0usize] = sum_33;
+            target[1usize] = sum_36;
+            target[2usize] = product_42;
+            target[3usize] = product_48;
+            ::ezy_core::model::DeficientRows(0)
+                .mark(2usize, !T::is_above(c[19usize], c[20usize]))
+                .mark(3usize, !T::is_above(c[21usize], c[22usize]))
+                .mark(0usize, !T::is_above(difference_121, c[23usize]))
+                .mark(1usize, !T::is_above(difference_121, c[23usize]))
+        }
+        #[inline]
+        fn right_side(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+            let convolved_0 = sums[0usize];
+            let convolved_1 = sums[1usize];
+            let convolved_2 = sums[2usize];
+            let product_6 = c[11usize] * convolved_2;
+            let convolved_3 = sums[3usize];
+            let difference_9 = T::fused(-c[11usize], convolved_3, product_6);
+            let convolved_4 = sums[4usize];
+            let convolved_5 = sums[5usize];
+            let convolved_6 = sums[6usize];
+            let product_14 = c[12usize] * convolved_6;
+            let convolved_7 = sums[7usize];
+            let difference_17 = T::fused(-c[12usize], convolved_7, product_14);
+            let convolved_8 = sums[8usize];
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_20 = convolved_8 * inverse_order_ahead;
+            let product_21 = c[11usize] * product_20;
+            let convolved_9 = sums[9usize];
+            let product_23 = inverse_order_ahead * convolved_9;
+            let sum_25 = T::fused(c[12usize], product_23, product_21);
+            let order_next = T::from_f64((k + 1usize) as f64);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_28 = order_next * order_ahead;
+            let product_29 = sum_25 * product_28;
+            let convolved_10 = sums[10usize];
+            let product_31 = inverse_order_ahead * convolved_10;
+            let product_32 = c[11usize] * product_31;
+            let convolved_11 = sums[11usize];
+            let product_34 = inverse_order_ahead * convolved_11;
+            let sum_36 = T::fused(c[12usize], product_34, product_32);
+            let product_37 = product_28 * sum_36;
+            let convolved_12 = sums[12usize];
+            let convolved_13 = sums[13usize];
+            let difference_40 = convolved_12 - convolved_13;
+            let product_41 = order_next * difference_40;
+            let convolved_14 = sums[14usize];
+            let convolved_15 = sums[15usize];
+            let difference_44 = convolved_14 - convolved_15;
+            let product_45 = order_next * difference_44;
+            let value_46 = -convolved_1;
+            let value_47 = -convolved_5;
+            let value_48 = -product_37;
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            target[0usize] = convolved_0;
+            target[1usize] = value_46;
+            target[2usize] = difference_9;
+            target[3usize] = convolved_4;
+            target[4usize] = value_47;
+            target[5usize] = difference_17;
+            let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+            target[0usize] = product_29;
+            target[1usize] = value_48;
+            target[2usize] = product_41;
+            target[3usize] = product_45;
+        }
+        #[inline]
+        fn solve(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let c = ::ezy_core::kernel::array::<32usize, T>(c);
+            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
+            let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
+            let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);
+            let force_0 = force[0usize];
+            let base_4 = base[4usize];
+            let base_5 = base[5usize];
+            let base_1 = base[1usize];
+            let force_2 = force[2usize];
+            let product_8 = force_2 * c[7usize];
+            let base_0 = base[0usize];
+            let force_1 = force[1usize];
+            let product_11 = base_0 * force_1;
+            let difference_13 = T::fused(-force_0, base_1, product_11);
+            let product_14 = c[15usize] * difference_13;
+            let difference_17 = T::fused(-force_2, c[1usize], product_14);
+            let row_2 = row[2usize];
+            let right_side_rear = difference_17 - row_2;
+            let sum_22 = T::fused(right_side_rear, c[8usize], product_8);
+            let product_23 = base_1 * sum_22;
+            let base_3 = base[3usize];
+            let force_5 = force[5usize];
+            let product_27 = force_5 * c[9usize];
+            let base_2 = base[2usize];
+            let force_4 = force[4usize];
+            let product_30 = base_2 * force_4;
+            let force_3 = force[3usize];
+            let difference_33 = T::fused(-base_3, force_3, product_30);
+            let product_35 = difference_33 * c[17usize];
+            let sum_38 = T::fused(force_5, c[2usize], product_35);
+            let row_3 = row[3usize];
+            let right_side_front = sum_38 - row_3;
+            let sum_43 = T::fused(right_side_front, c[10usize], product_27);
+            let sum_45 = T::fused(base_3, sum_43, product_23);
+            let difference_46 = T::fused(c[15usize], force_0, -sum_45);
+            let difference_48 = T::fused(-force_3, c[17usize], difference_46);
+            let row_0 = row[0usize];
+            let difference_50 = difference_48 - row_0;
+            let product_51 = base_5 * difference_50;
+            let base_6 = base[6usize];
+            let product_53 = base_0 * sum_22;
+            let sum_55 = T::fused(base_2, sum_43, product_53);
+            let sum_57 = T::fused(c[15usize], force_1, sum_55);
+            let difference_59 = T::fused(-force_4, c[17usize], sum_57);
+            let row_1 = row[1usize];
+            let difference_61 = difference_59 - row_1;
+            let difference_63 = T::fused(-base_6, difference_61, product_51);
+            let lambda_B_x = base_4 * difference_63;
+            let difference_65 = force_0 - lambda_B_x;
+            let base_7 = base[7usize];
+            let product_67 = difference_61 * base_7;
+            let difference_69 = T::fused(-difference_50, base_6, product_67);
+            let lambda_B_y = base_4 * difference_69;
+            let product_71 = base_0 * lambda_B_y;
+            let difference_73 = T::fused(-base_1, lambda_B_x, product_71);
+            let product_74 = c[8usize] * difference_73;
+            let lambda_rear = T::fused(right_side_rear, c[14usize], product_74);
+            let sum_79 = T::fused(base_1, lambda_rear, difference_65);
+            let product_80 = c[15usize] * sum_79;
+            let difference_81 = force_1 - lambda_B_y;
+            let difference_83 = T::fused(-base_0, lambda_rear, difference_81);
+            let product_84 = c[15usize] * difference_83;
+            let product_86 = force_2 * c[16usize];
+            let difference_88 = T::fused(-c[7usize], difference_73, product_86);
+            let sum_90 = T::fused(c[1usize], lambda_rear, difference_88);
+            let sum_91 = force_3 + lambda_B_x;
+            let product_92 = base_2 * lambda_B_y;
+            let difference_94 = T::fused(-base_3, lambda_B_x, product_92);
+            let product_95 = c[10usize] * difference_94;
+            let lambda_front = T::fused(right_side_front, c[13usize], product_95);
+            let sum_100 = T::fused(base_3, lambda_front, sum_91);
+            let product_101 = c[17usize] * sum_100;
+            let sum_102 = force_4 + lambda_B_y;
+            let difference_104 = T::fused(-base_2, lambda_front, sum_102);
+            let product_105 = c[17usize] * difference_104;
+            let product_107 = force_5 * c[18usize];
+            let difference_109 = T::fused(-c[9usize], difference_94, product_107);
+            let difference_111 = T::fused(-c[2usize], lambda_front, difference_109);
+            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+            target[0usize] = product_80;
+            target[1usize] = product_84;
+            target[2usize] = sum_90;
+            target[3usize] = product_101;
+            target[4usize] = product_105;
+            target[5usize] = difference_111;
+            let target = ::ezy_core::kernel::row_mut::<
+                4usize,
+                T,
+            >(&mut store.lambda, k + 0usize);
+            target[0usize] = lambda_B_x;
+            target[1usize] = lambda_B_y;
+            target[2usize] = lambda_rear;
+            target[3usize] = lambda_front;
+        }
+        #[inline]
+        fn finish(
+            &self,
+            c: &[T],
+            k: usize,
+            store: &mut ::ezy_core::model::SeriesStore<T>,
+        ) {
+            let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
+            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
+            let lambda_0 = ::ezy_core::kernel::row::<
+                4usize,
+                T,
+            >(&store.lambda, k + 0usize);
+            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+            let a_0 = a[0usize];
+            let inverse_order_next = T::from_f64(1f64)
+                / T::from_f64((k + 1usize) as f64);
+            let inverse_order_ahead = T::from_f64(1f64)
+                / T::from_f64((k + 2usize) as f64);
+            let product_3 = inverse_order_next * inverse_order_ahead;
+            let product_4 = a_0 * product_3;
+            let a_1 = a[1usize];
+            let product_6 = product_3 * a_1;
+            let a_2 = a[2usize];
+            let product_8 = product_3 * a_2;
+            let a_3 = a[3usize];
+            let product_10 = product_3 * a_3;
+            let a_4 = a[4usize];
+            let product_12 = product_3 * a_4;
+            let a_5 = a[5usize];
+            let product_14 = product_3 * a_5;
+            let lambda_2 = lambda_0[2usize];
+            let convolved_10 = sums[10usize];
+            let product_19 = inverse_order_ahead * convolved_10;
+            let base_0 = base[0usize];
+            let sum_22 = T::fused(product_8, base_0, product_19);
+            let convolved_8 = sums[8usize];
+            let product_24 = inverse_order_ahead * convolved_8;
+            let base_1 = base[1usize];
+            let sum_27 = T::fused(product_8, base_1, product_24);
+            let lambda_0 = lambda_0[0usize];
+            let lambda_1 = lambda_0[1usize];
+            let lambda_3 = lambda_0[3usize];
+            let convolved_11 = sums[11usize];
+            let product_32 = inverse_order_ahead * convolved_11;
+            let base_2 = base[2usize];
+            let sum_35 = T::fused(product_14, base_2, product_32);
+            let convolved_9 = sums[9usize];
+            let product_37 = inverse_order_ahead * convolved_9;
+            let base_3 = base[3usize];
+            let sum_40 = T::fused(product_14, base_3, product_37);
+            let order_ahead = T::from_f64((k + 2usize) as f64);
+            let product_42 = product_8 * order_ahead;
+            let product_43 = product_14 * order_ahead;
+            let product_44 = product_4 * order_ahead;
+            let product_45 = product_6 * order_ahead;
+            let product_46 = product_10 * order_ahead;
+            let product_47 = product_12 * order_ahead;
+            let value_48 = -sum_27;
+            let value_49 = -sum_40;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.left, k + 2usize);
+            target[0usize] = sum_22;
+            target[1usize] = value_48;
+            target[2usize] = sum_22;
+            target[3usize] = value_48;
+            target[4usize] = sum_35;
+            target[5usize] = value_49;
+            target[6usize] = sum_35;
+            target[7usize] = value_49;
+            target[8usize] = product_42;
+            target[9usize] = product_43;
+            target[10usize] = product_42;
+            target[11usize] = product_43;
+            target[12usize] = sum_22;
+            target[13usize] = value_48;
+            target[14usize] = sum_35;
+            target[15usize] = value_49;
+            let target = ::ezy_core::kernel::row_mut::<
+                6usize,
+                T,
+            >(&mut store.q, k + 2usize);
+            target[0usize] = product_4;
+            target[1usize] = product_6;
+            target[2usize] = product_8;
+            target[3usize] = product_10;
+            target[4usize] = product_12;
+            target[5usize] = product_14;
+            let target = ::ezy_core::kernel::row_mut::<
+                16usize,
+                T,
+            >(&mut store.right, k + 2usize);
+            target[0usize] = lambda_2;
+            target[1usize] = lambda_2;
+            target[2usize] = lambda_0;
+            target[3usize] = lambda_1;
+            target[4usize] = lambda_3;
+            target[5usize] = lambda_3;
+            target[6usize] = lambda_0;
+            target[7usize] = lambda_1;
+            target[8usize] = sum_22;
+            target[9usize] = sum_35;
+            target[10usize] = value_48;
+            target[11usize] = value_49;
+            target[12usize] = product_44;
+            target[13usize] = product_45;
+            target[14usize] = product_46;
+            target[15usize] = product_47;
         }
     }
 }

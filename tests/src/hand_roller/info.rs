@@ -140,6 +140,7 @@ const fn scene(
         elimination: &[],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+        series: ezy_core::model::SeriesInfo::Absent,
         repeats: None,
     }
 }

@@ -8,14 +8,18 @@ mod models;
 mod oracle;
 mod random;
 mod run;
+mod series;
 mod solutions;
 
 use std::sync::OnceLock;
 
+use super::series::Series;
 use super::solve::{self, Correction, Solver};
 use super::symbols::Meaning;
 use super::{Equations, check};
 use crate::diag::Diagnostics;
+use crate::function::Function;
+use crate::symbolic::coefficient::unsigned;
 use crate::symbolic::evaluate::Point;
 use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::{SumId, Symbol};
@@ -37,9 +41,12 @@ struct Trial {
     made: Mechanism,
     parameters: Vec<f64>,
     equations: Equations,
-    constants: ConstantPool,
+    /// Of the vector of constants.
+    numbers: Vec<f64>,
     accelerations: Solver,
     correction: Correction,
+    /// Or the function that has none.
+    series: Result<Series, Function>,
 }
 
 /// Every mechanism that the macro accepts.
@@ -66,8 +73,14 @@ impl Trial {
         let mut constants = ConstantPool::default();
         let accelerations = solve::accelerations(&mut equations, &mut constants);
         let correction = solve::correction(&mut equations, &mut constants);
+        let series = Series::derive(&mut equations, &mut constants);
         let parameters = model.parameters.iter().map(|parameter| parameter.default).collect();
-        let trial = Self { seed, made, parameters, equations, constants, accelerations, correction };
+        let mut trial =
+            Self { seed, made, parameters, equations, numbers: Vec::new(), accelerations, correction, series };
+        let state = &trial.states()[0];
+        let at = At { trial: &trial, state, lambda: &[] };
+        let number = |&id| trial.equations.algebra.evaluate_coefficient(unsigned(id), &at);
+        trial.numbers = constants.coefficients().iter().map(number).collect();
         let independent = trial.states().iter().any(|state| trial.is_regular(state));
         assert_eq!(accepted, independent, "seed {seed}: {}\n{text}", diag.into_compile_errors());
         accepted.then_some(trial)

@@ -5,16 +5,17 @@ use super::oracle::State;
 use crate::mechanics::solve::Solver;
 use crate::mechanics::symbols::Meaning;
 use crate::symbolic::Symbol;
-use crate::symbolic::program::Node;
+use crate::symbolic::program::{Node, Program};
 
-/// The solution that a program computes at a state; `other` gives what it reads besides.
+/// The solution that a solver computes at a state; `other` gives what it reads besides.
 pub fn solution(trial: &Trial, solver: &Solver, state: &State, other: &dyn Fn(Symbol) -> f64) -> Vec<f64> {
-    let at = super::At { trial, state, lambda: &[] };
-    let coefficient = |i: usize| {
-        let id = trial.constants.coefficients()[i];
-        trial.equations.algebra.evaluate_coefficient(crate::symbolic::coefficient::unsigned(id), &at)
-    };
-    let program = &solver.program;
+    let mut outputs = outputs(trial, &solver.program, state, other);
+    outputs.truncate(solver.n_outputs);
+    outputs
+}
+
+/// All that a program computes at a state.
+pub fn outputs(trial: &Trial, program: &Program, state: &State, other: &dyn Fn(Symbol) -> f64) -> Vec<f64> {
     let n_nodes = program.live().last().map_or(0, |id| id.0 + 1);
     let mut values = vec![f64::NAN; n_nodes];
     for id in program.live() {
@@ -26,7 +27,7 @@ pub fn solution(trial: &Trial, solver: &Solver, state: &State, other: &dyn Fn(Sy
                 Meaning::Velocity(i) => state.v[i],
                 _ => other(*symbol),
             },
-            Node::Constant(i) => coefficient(*i),
+            Node::Constant(i) => trial.numbers[*i],
             Node::Literal(bits) => f64::from_bits(*bits),
             Node::Add(a, b) => of(a) + of(b),
             Node::Sub(a, b) => of(a) - of(b),
@@ -38,5 +39,5 @@ pub fn solution(trial: &Trial, solver: &Solver, state: &State, other: &dyn Fn(Sy
             Node::Call(function, arguments) => function.evaluate(&arguments.iter().map(of).collect::<Vec<_>>()),
         };
     }
-    program.outputs()[..solver.n_outputs].iter().map(|output| values[output.node.0]).collect()
+    program.outputs().iter().map(|output| values[output.node.0]).collect()
 }

@@ -91,7 +91,8 @@ const MAX_ROWS: usize = 5;
 impl<'s, S: Scene> Generated<'s, S> {
     pub fn new(scene: &'s S) -> Self {
         let mut constants = vec![0.0; scene.info().n_fixed()];
-        scene.constants(&mut constants);
+        let parameters: Vec<f64> = (0..scene.info().parameters.len()).map(|i| scene.parameter(i)).collect();
+        scene.constants(&parameters, &mut constants);
         Self { scene, constants, n_rows: scene.info().n_rows() }
     }
 }

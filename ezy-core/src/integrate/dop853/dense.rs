@@ -1,5 +1,6 @@
 //! Values between the ends of a step.
 
+use super::sums::WIDTH;
 use super::tableau::{DENSE, N_STAGES, N_STAGES_OF_DENSE_OUTPUT};
 use super::{Dop853, read, write};
 use crate::dynamics::{MotionError, State, System};
@@ -24,15 +25,17 @@ impl Dop853 {
     ) -> Result<(), MotionError> {
         let (n, h) = (self.n, to.state.t - from.state.t);
         self.begin(from);
-        read(&mut self.slopes[N_STAGES * n..][..n], [&to.state.v, to.a, to.power]);
+        read(self.slopes[N_STAGES * n..][..n].as_flattened_mut(), [&to.state.v, to.a, to.power]);
         for stage in N_STAGES + 1..N_STAGES_OF_DENSE_OUTPUT {
             self.evaluate(system, from.state.t, h, stage)?;
         }
-        read(&mut self.stage, [&to.state.q, &to.state.v, &to.state.work]);
-        for i in 0..n {
-            let slope = |stage: usize| self.slopes[stage * n + i];
-            let rise = self.stage[i] - self.start[i];
-            let mut set = |k: usize, value: f64| self.dense[k * n + i] = value;
+        read(self.stage.as_flattened_mut(), [&to.state.q, &to.state.v, &to.state.work]);
+        let (slopes, dense) = (self.slopes.as_flattened(), self.dense.as_flattened_mut());
+        let n = WIDTH * n;
+        for (i, (start, end)) in self.start.as_flattened().iter().zip(self.stage.as_flattened()).enumerate() {
+            let slope = |stage: usize| slopes[stage * n + i];
+            let rise = end - start;
+            let mut set = |k: usize, value: f64| dense[k * n + i] = value;
             set(0, rise);
             set(1, h * slope(0) - rise);
             set(2, 2.0 * rise - h * (slope(0) + slope(N_STAGES)));
@@ -45,14 +48,15 @@ impl Dop853 {
 
     /// The state at the part `s` of the step, between 0 and 1, not projected. The time is left alone.
     pub fn dense_at(&mut self, s: f64, out: &mut State) {
-        let n = self.n;
-        for i in 0..n {
+        let (n, dense) = (WIDTH * self.n, self.dense.as_flattened());
+        let ends = self.start.as_flattened().iter().zip(self.stage.as_flattened_mut());
+        for (i, (start, stage)) in ends.enumerate() {
             let mut value = 0.0;
             for k in (0..N_COEFFICIENTS).rev() {
-                value = (value + self.dense[k * n + i]) * if k % 2 == 0 { s } else { 1.0 - s };
+                value = (value + dense[k * n + i]) * if k % 2 == 0 { s } else { 1.0 - s };
             }
-            self.stage[i] = self.start[i] + value;
+            *stage = start + value;
         }
-        write(&self.stage, out);
+        write(self.stage.as_flattened(), out);
     }
 }

@@ -1,12 +1,14 @@
 //! The method of Dormand and Prince of order 8, with error estimates of orders 5 and 3 and dense output of order 7.
 
 mod dense;
+mod sums;
 mod tableau;
 
 use super::step_control::Tolerance;
 use super::{Knot, compensated};
 use crate::dynamics::{MotionError, State, System};
 use crate::model::Scene;
+use sums::{Block, Sum, WIDTH};
 use tableau::{ERROR_3, ERROR_5, N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, STAGES};
 
 /// Order of the error estimate's power of the step.
@@ -23,40 +25,46 @@ pub const ERROR_ORDER: i32 = 8;
 #[derive(Debug)]
 pub struct Dop853 {
     n_q: usize,
-    /// Length of y.
+    n_works: usize,
+    /// Length of y in blocks.
     n: usize,
     /// Slopes of all stages, each `n` long.
-    slopes: Vec<f64>,
-    start: Vec<f64>,
-    stage: Vec<f64>,
+    slopes: Vec<Block>,
+    start: Vec<Block>,
+    stage: Vec<Block>,
     /// What rounding cut off the last accepted step, and what it would cut off the present one.
-    rest: Vec<f64>,
-    next_rest: Vec<f64>,
+    rest: Vec<Block>,
+    next_rest: Vec<Block>,
+    /// Errors of orders 5 and 3.
+    errors: [Vec<Block>; 2],
     lambda: Vec<f64>,
     /// Coefficients of the dense output, each `n` long.
-    dense: Vec<f64>,
+    dense: Vec<Block>,
 }
 
 impl Dop853 {
     /// Storage for a scene with these sizes.
     pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize) -> Self {
-        let n = 2 * n_coordinates + n_works;
+        let n = (2 * n_coordinates + n_works).div_ceil(WIDTH);
+        let zero = |n: usize| vec![[0.0; WIDTH]; n];
         Self {
             n_q: n_coordinates,
+            n_works,
             n,
-            slopes: vec![0.0; N_STAGES_OF_DENSE_OUTPUT * n],
-            start: vec![0.0; n],
-            stage: vec![0.0; n],
-            rest: vec![0.0; n],
-            next_rest: vec![0.0; n],
+            slopes: zero(N_STAGES_OF_DENSE_OUTPUT * n),
+            start: zero(n),
+            stage: zero(n),
+            rest: zero(n),
+            next_rest: zero(n),
+            errors: [zero(n), zero(n)],
             lambda: vec![0.0; n_rows],
-            dense: vec![0.0; dense::N_COEFFICIENTS * n],
+            dense: zero(dense::N_COEFFICIENTS * n),
         }
     }
 
     /// Forgets what rounding cut off, before another run.
     pub fn restart(&mut self) {
-        self.rest.fill(0.0);
+        self.rest.fill([0.0; WIDTH]);
     }
 
     /// One step of length `h` from `from`; writes `to`, not yet projected, and returns its error over the tolerance: a
@@ -78,12 +86,13 @@ impl Dop853 {
         for stage in 1..N_STAGES {
             self.evaluate(system, from.state.t, h, stage)?;
         }
-        self.increment(h, STAGES[N_STAGES - 1]);
-        for i in 0..self.n {
-            self.next_rest[i] = self.rest[i];
-            self.stage[i] = compensated::add(self.start[i], self.stage[i], &mut self.next_rest[i]);
+        STAGES[N_STAGES - 1](&self.slopes, &mut self.stage);
+        self.next_rest.copy_from_slice(&self.rest);
+        let starts = self.start.as_flattened().iter().zip(self.next_rest.as_flattened_mut());
+        for ((start, rest), stage) in starts.zip(self.stage.as_flattened_mut()) {
+            *stage = compensated::add(*start, h * *stage, rest);
         }
-        write(&self.stage, to);
+        write(self.stage.as_flattened(), to);
         to.t = from.state.t + h;
         Ok(self.error(h, tolerance))
     }
@@ -110,14 +119,15 @@ impl Dop853 {
             let scaled = x.iter().zip(start).map(|(x, y)| x / (tolerance.absolute + tolerance.relative * y.abs()));
             (scaled.map(|x| x * x).sum::<f64>() / n.max(1) as f64).sqrt()
         };
-        let size = norm(&self.start[..n], &self.start);
-        let rate = norm(&self.slopes[..n], &self.start);
+        let (start, rates) = (self.start.as_flattened(), self.slopes[..self.n].as_flattened());
+        let (size, rate) = (norm(&start[..n], start), norm(&rates[..n], start));
         let guess = if size < 1e-10 || rate < 1e-10 { 1e-6 } else { 0.01 * size / rate };
         let guess = guess.min(longest);
         self.evaluate_euler(system, from.state.t, guess)?;
         let (first, second) = self.slopes.split_at(self.n);
-        let change: Vec<f64> = second[..n].iter().zip(first).map(|(b, a)| b - a).collect();
-        let bend = norm(&change, &self.start) / guess;
+        let slopes = second.as_flattened()[..n].iter().zip(first.as_flattened());
+        let change: Vec<f64> = slopes.map(|(b, a)| b - a).collect();
+        let bend = norm(&change, self.start.as_flattened()) / guess;
         let steepest = rate.max(bend);
         let step = if steepest <= 1e-15 {
             (1e-3 * guess).max(1e-6)
@@ -129,24 +139,15 @@ impl Dop853 {
 
     fn begin(&mut self, from: Knot<'_>) {
         let Knot { state, a, power } = from;
-        read(&mut self.start, [&state.q, &state.v, &state.work]);
-        read(&mut self.slopes[..self.n], [&state.v, a, power]);
+        read(self.start.as_flattened_mut(), [&state.q, &state.v, &state.work]);
+        read(self.slopes[..self.n].as_flattened_mut(), [&state.v, a, power]);
     }
 
-    /// `stage = start + h Σ weight · slope`
-    fn combine(&mut self, h: f64, weights: &[(usize, f64)]) {
-        self.increment(h, weights);
-        self.stage.iter_mut().zip(&self.start).for_each(|(sum, start)| *sum += start);
-    }
-
-    /// `stage = h Σ weight · slope`
-    fn increment(&mut self, h: f64, weights: &[(usize, f64)]) {
-        self.stage.fill(0.0);
-        for &(stage, weight) in weights {
-            let slope = &self.slopes[stage * self.n..][..self.n];
-            self.stage.iter_mut().zip(slope).for_each(|(sum, slope)| *sum += weight * slope);
-        }
-        self.stage.iter_mut().for_each(|sum| *sum *= h);
+    /// `stage = start + h · sum`
+    fn combine(&mut self, h: f64, sum: Sum) {
+        sum(&self.slopes, &mut self.stage);
+        let starts = self.start.as_flattened();
+        self.stage.as_flattened_mut().iter_mut().zip(starts).for_each(|(stage, start)| *stage = start + h * *stage);
     }
 
     /// The slope of a stage.
@@ -167,7 +168,7 @@ impl Dop853 {
         t: f64,
         h: f64,
     ) -> Result<(), MotionError> {
-        self.combine(h, &[(0, 1.0)]);
+        self.combine(h, |slopes, out| out.copy_from_slice(&slopes[..out.len()]));
         self.slope_at_stage(system, t + h, 1)
     }
 
@@ -178,11 +179,12 @@ impl Dop853 {
         stage: usize,
     ) -> Result<(), MotionError> {
         let n_q = self.n_q;
-        let (q, rest) = self.stage.split_at(n_q);
+        let (q, rest) = self.stage.as_flattened().split_at(n_q);
         let v = &rest[..n_q];
-        let slope = &mut self.slopes[stage * self.n..][..self.n];
+        let slope = self.slopes[stage * self.n..][..self.n].as_flattened_mut();
         let (velocities, rest) = slope.split_at_mut(n_q);
-        let (accelerations, powers) = rest.split_at_mut(n_q);
+        let (accelerations, rest) = rest.split_at_mut(n_q);
+        let powers = &mut rest[..self.n_works];
         velocities.copy_from_slice(v);
         system.accelerations(t, q, v, accelerations, &mut self.lambda)?;
         system.power(t, q, v, &self.lambda, powers);
@@ -190,17 +192,17 @@ impl Dop853 {
     }
 
     /// Error of the motion over the tolerance, from both embedded solutions.
-    fn error(&self, h: f64, tolerance: Tolerance) -> f64 {
-        let (mut five, mut three) = (0.0, 0.0);
+    fn error(&mut self, h: f64, tolerance: Tolerance) -> f64 {
+        let [fives, threes] = &mut self.errors;
+        ERROR_5(&self.slopes, fives);
+        ERROR_3(&self.slopes, threes);
         let n = 2 * self.n_q;
-        for i in 0..n {
-            let size = self.start[i].abs().max(self.stage[i].abs());
-            let scale = tolerance.absolute + tolerance.relative * size;
-            let estimate = |weights: &[(usize, f64)]| {
-                weights.iter().map(|&(stage, weight)| weight * self.slopes[stage * self.n + i]).sum::<f64>() / scale
-            };
-            five += estimate(ERROR_5).powi(2);
-            three += estimate(ERROR_3).powi(2);
+        let (mut five, mut three) = (0.0, 0.0);
+        let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());
+        for ((start, end), (of_5, of_3)) in ends.zip(fives.as_flattened().iter().zip(threes.as_flattened())) {
+            let scale = tolerance.absolute + tolerance.relative * start.abs().max(end.abs());
+            five += (of_5 / scale).powi(2);
+            three += (of_3 / scale).powi(2);
         }
         if five == 0.0 {
             return 0.0;
@@ -209,7 +211,7 @@ impl Dop853 {
     }
 }
 
-/// y = (q, v, w) from its parts.
+/// y = (q, v, w, zeros) from its parts.
 fn read(y: &mut [f64], parts: [&[f64]; 3]) {
     let mut rest = y;
     for part in parts {
@@ -221,8 +223,9 @@ fn read(y: &mut [f64], parts: [&[f64]; 3]) {
 
 fn write(y: &[f64], to: &mut State) {
     let (q, rest) = y.split_at(to.q.len());
-    let (v, work) = rest.split_at(to.v.len());
+    let (v, rest) = rest.split_at(to.v.len());
     to.q.copy_from_slice(q);
     to.v.copy_from_slice(v);
-    to.work.copy_from_slice(work);
+    let n_works = to.work.len();
+    to.work.copy_from_slice(&rest[..n_works]);
 }

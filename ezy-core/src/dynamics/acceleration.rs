@@ -116,14 +116,26 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.counters.evaluations += 1;
         self.counters.factorizations += 1;
         let deficient = series.begin(&self.fixed, t, store);
-        if deficient.none() && matches!(self.solver, Solver::Generated) {
+        if deficient.none() && self.uses_elimination() {
             return Ok(true);
         }
-        let q = &store.q[..self.info.n_coordinates()];
-        if self.factor(t, q) { Ok(false) } else { Err(self.why_singular(t, q)) }
+        self.factorize(t, &store.q[..self.info.n_coordinates()]).map(|()| false)
     }
 
-    /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors of [`System::begin_series`].
+    /// Factors K at one state, for [`System::solve_factored`].
+    ///
+    /// # Errors
+    /// As [`System::accelerations`].
+    pub fn factorize(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
+        if self.factor(t, q) { Ok(()) } else { Err(self.why_singular(t, q)) }
+    }
+
+    /// Whether the scene's own elimination solves, as long as no pivot vanishes.
+    pub fn uses_elimination(&self) -> bool {
+        matches!(self.solver, Solver::Generated)
+    }
+
+    /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors of [`System::factorize`].
     pub fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) {
         let right_side = &mut self.buffers.right_side;
         right_side[..force.len()].copy_from_slice(force);

@@ -14,7 +14,7 @@ pub use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER};
 pub use hermite::{Knot, interpolate};
 pub use rk4::Rk4;
 pub use step_control::{StepControl, Tolerance};
-pub use taylor::{Taylor, taylor_order};
+pub use taylor::{PreciseError, PreciseMotion, Taylor, taylor_order};
 
 /// How a run is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -44,6 +44,10 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
             fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
                 ::core::option::Option::Some(self)
             }
+
+            fn precise(&self) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+                ::core::option::Option::Some(self)
+            }
         }
     });
     let items = quote! {

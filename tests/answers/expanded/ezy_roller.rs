@@ -1146,6 +1146,11 @@ pub mod ezy_roller {
         fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
             ::core::option::Option::Some(self)
         }
+        fn precise(
+            &self,
+        ) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+            ::core::option::Option::Some(self)
+        }
     }
     #[automatically_derived]
     impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
@@ -2715,6 +2720,11 @@ pub mod ezy_roller {
             start.give_position(5usize, c[37usize]);
         }
         fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+        fn precise(
+            &self,
+        ) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
             ::core::option::Option::Some(self)
         }
     }
@@ -4392,6 +4402,11 @@ pub mod ezy_roller {
             start.give_position(5usize, c[38usize]);
         }
         fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+        fn precise(
+            &self,
+        ) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
             ::core::option::Option::Some(self)
         }
     }
@@ -6185,6 +6200,11 @@ pub mod ezy_roller {
         fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
             ::core::option::Option::Some(self)
         }
+        fn precise(
+            &self,
+        ) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+            ::core::option::Option::Some(self)
+        }
     }
     #[automatically_derived]
     impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
@@ -7946,6 +7966,11 @@ pub mod ezy_roller {
             start.give_velocity(2usize, 0f64);
         }
         fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+        fn precise(
+            &self,
+        ) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
             ::core::option::Option::Some(self)
         }
     }

@@ -17,6 +17,7 @@ mod order;
 mod other_mechanisms;
 mod outputs;
 mod paid_when_asked;
+mod precise;
 mod projection;
 mod rank;
 mod recording;

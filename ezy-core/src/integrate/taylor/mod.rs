@@ -2,6 +2,7 @@
 
 mod expansion;
 mod length;
+mod precise;
 mod sums;
 mod work;
 
@@ -12,6 +13,7 @@ use expansion::{OrderSolver, expand, expand_with, increment};
 use work::Quadrature;
 
 pub use length::order_for as taylor_order;
+pub use precise::{PreciseError, PreciseMotion};
 
 /// Series of q, v and the multipliers, one a step, from one factorisation of K.
 ///

@@ -1,0 +1,334 @@
+//! The motion in numbers of twice the length: what other runs are compared with.
+
+use super::expansion::{OrderSolver, expand, expand_with, increment};
+use super::length::{longest_step, write_weights};
+use crate::dynamics::{MotionError, State, System, SystemError};
+use crate::integrate::Tolerance;
+use crate::linalg::Backend;
+use crate::model::{DeficientRows, PreciseScene, Scene, SeriesStore};
+use crate::scalar::{DoubleDouble, Scalar};
+
+/// Error of a step, in m, rad, m/s, rad/s and relative to these: the last digit but one of the numbers.
+const TOLERANCE: f64 = 1e-30;
+
+/// Order of a step; that of least time for [`TOLERANCE`].
+const ORDER: usize = 38;
+
+/// Residuals of the rows that count as zero, over the largest number of the state or 1.
+const RESIDUAL: f64 = 1e-30;
+
+/// Corrections until rows are met: each gains at least the ten digits of a factorisation in f64.
+const MAX_CORRECTIONS: usize = 8;
+
+/// Refinements of a solution by factors in f64.
+const MAX_REFINEMENTS: usize = 12;
+
+/// A refinement this much smaller than the solution is its last.
+const REFINED: f64 = 1e-31;
+
+/// A step shorter than this part of the time, or of a second, moves nothing any more.
+const SHORTEST: f64 = 1e-14;
+
+/// There is no motion in numbers of twice the length.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PreciseError {
+    /// The scene has no Taylor series.
+    #[error("scene `{scene}` has no Taylor series, so there is no motion in double-double")]
+    NoSeries {
+        /// Name of the scene.
+        scene: &'static str,
+    },
+    /// Parameters or masses cannot be used.
+    #[error(transparent)]
+    System(#[from] SystemError),
+    /// The motion cannot be continued.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+}
+
+/// A scene in motion in numbers of 31 digits, by Taylor's method of order 38.
+///
+/// Its own elimination solves for the coefficients; where it has none, or a pivot vanishes, factors in f64 do with
+/// iterative refinement. After each step positions and velocities are brought back onto the rows.
+///
+/// ```text
+/// let mut motion = PreciseMotion::new(&scene, &state)?;
+/// motion.advance_to(60.0)?;
+/// println!("{:?}", motion.q());
+/// ```
+pub struct PreciseMotion<'s, S: Scene + ?Sized> {
+    scene: &'s dyn PreciseScene,
+    solver: Refined<'s, S>,
+    store: SeriesStore<DoubleDouble>,
+    weights: Vec<f64>,
+    n_steps: u64,
+    t: f64,
+    q: Vec<DoubleDouble>,
+    v: Vec<DoubleDouble>,
+    lambda: Vec<DoubleDouble>,
+    delta: Vec<DoubleDouble>,
+    v_delta: Vec<DoubleDouble>,
+    residual: Vec<DoubleDouble>,
+}
+
+impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
+    /// From a state that meets the rows in f64, with the present parameters and the declared inputs.
+    ///
+    /// # Errors
+    /// [`PreciseError`] when the scene has no series, cannot be set up, or its rows depend on each other at the start.
+    pub fn new(scene: &'s S, start: &State) -> Result<Self, PreciseError> {
+        let parameters = (0..scene.info().parameters.len()).map(|i| scene.parameter(i).into());
+        let parameters: Vec<DoubleDouble> = parameters.collect();
+        let [q, v] = [&start.q, &start.v].map(|x| x.iter().map(|x| (*x).into()).collect::<Vec<_>>());
+        Self::with_parameters(scene, &parameters, start.t, &q, &v)
+    }
+
+    /// From a state and parameters, in the order of [`SceneInfo::parameters`](crate::model::SceneInfo::parameters), of
+    /// which f64 holds the first half only.
+    ///
+    /// # Errors
+    /// As [`PreciseMotion::new`].
+    pub fn with_parameters(
+        scene: &'s S,
+        parameters: &[DoubleDouble],
+        t: f64,
+        q: &[DoubleDouble],
+        v: &[DoubleDouble],
+    ) -> Result<Self, PreciseError> {
+        let info = scene.info();
+        let precise = scene.precise().ok_or(PreciseError::NoSeries { scene: info.name })?;
+        let system = System::new(scene, Backend::Auto)?;
+        let zeros = |n: usize| vec![DoubleDouble::default(); n];
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let mut fixed = zeros(info.n_fixed());
+        fixed.iter_mut().zip(system.inputs()).for_each(|(input, value)| *input = (*value).into());
+        precise.constants(parameters, &mut fixed);
+        let mut mass = zeros(n_q);
+        precise.mass_matrix(&fixed, &mut mass);
+        let mut motion = Self {
+            scene: precise,
+            solver: Refined {
+                scene: precise,
+                system,
+                fixed,
+                mass,
+                jacobian: zeros(info.jacobian.n_nonzeros()),
+                rest: zeros(n_q + n_c),
+                rest_f64: vec![0.0; n_q + n_c],
+                solution: vec![0.0; n_q + n_c],
+                q: vec![0.0; n_q],
+            },
+            store: SeriesStore::new(precise.series_size(), ORDER + 1),
+            weights: vec![0.0; 2 * n_q],
+            n_steps: 0,
+            t,
+            q: q.to_vec(),
+            v: v.to_vec(),
+            lambda: zeros(n_c),
+            delta: zeros(n_q),
+            v_delta: zeros(n_q),
+            residual: zeros(n_c),
+        };
+        motion.project()?;
+        motion.expand()?;
+        Ok(motion)
+    }
+
+    /// Time, s.
+    pub fn t(&self) -> f64 {
+        self.t
+    }
+
+    /// Coordinates, `n_q`.
+    pub fn q(&self) -> &[DoubleDouble] {
+        &self.q
+    }
+
+    /// Velocities, `n_q`.
+    pub fn v(&self) -> &[DoubleDouble] {
+        &self.v
+    }
+
+    /// Multipliers, `n_c`.
+    pub fn lambda(&self) -> &[DoubleDouble] {
+        &self.lambda
+    }
+
+    /// Steps taken.
+    pub fn n_steps(&self) -> u64 {
+        self.n_steps
+    }
+
+    /// Steps until `end`, s, which is not before the present time.
+    ///
+    /// # Errors
+    /// As [`PreciseMotion::step`].
+    pub fn advance_to(&mut self, end: f64) -> Result<(), MotionError> {
+        while self.t < end {
+            self.step(end)?;
+        }
+        Ok(())
+    }
+
+    /// One step, which ends at `end` at the latest.
+    ///
+    /// # Errors
+    /// [`MotionError`] when the motion cannot be continued; it is then of no further use.
+    /// # Cost
+    /// About a hundred steps of [`Taylor`](super::Taylor); no allocation.
+    pub fn step(&mut self, end: f64) -> Result<(), MotionError> {
+        let Self { store, weights, t, .. } = self;
+        write_weights(store, Tolerance { relative: TOLERANCE, absolute: TOLERANCE }, weights);
+        let (length, left) = (longest_step(store, ORDER, weights), end - *t);
+        if length < left && length <= SHORTEST * t.abs().max(1.0) {
+            return Err(MotionError::StepCollapsed { t: *t, step_s: length });
+        }
+        // times are doubles, and the difference of two is exact
+        let t_next = if length < left { *t + length } else { end };
+        let h = DoubleDouble::from(t_next) - DoubleDouble::from(*t);
+        increment(store, ORDER, h, &mut self.delta, &mut self.v_delta);
+        self.q.iter_mut().zip(&self.delta).for_each(|(q, delta)| *q = *q + *delta);
+        self.v.iter_mut().zip(&self.v_delta).for_each(|(v, delta)| *v = *v + *delta);
+        self.t = t_next;
+        self.n_steps += 1;
+        self.project()?;
+        self.expand()
+    }
+
+    fn expand(&mut self) -> Result<(), MotionError> {
+        let Self { scene, solver, store, t, q, v, lambda, .. } = self;
+        let n_q = q.len();
+        store.q[..n_q].copy_from_slice(q);
+        store.q[n_q..2 * n_q].copy_from_slice(v);
+        let deficient = scene.begin(&solver.fixed, (*t).into(), store);
+        if solver.accepts(deficient) {
+            expand(*scene, &solver.fixed, ORDER, store);
+        } else {
+            solver.factorize(*t, q)?;
+            expand_with(*scene, solver, ORDER, store);
+        }
+        let n_c = lambda.len();
+        lambda.copy_from_slice(&store.lambda[..n_c]);
+        Ok(())
+    }
+
+    /// Positions onto their rows, then velocities onto all rows.
+    fn project(&mut self) -> Result<(), MotionError> {
+        let n_h = self.solver.system.info().n_position_rows;
+        for _ in 0..MAX_CORRECTIONS {
+            let Self { scene, solver, t, q, residual, .. } = self;
+            residual.fill(DoubleDouble::default());
+            scene.position_constraint(&solver.fixed, (*t).into(), q, &mut residual[..n_h]);
+            if largest(residual) <= RESIDUAL * largest(q).max(1.0) {
+                break;
+            }
+            self.correct()?;
+            self.q.iter_mut().zip(&self.delta).for_each(|(q, delta)| *q = *q + *delta);
+        }
+        for _ in 0..MAX_CORRECTIONS {
+            let Self { scene, solver, t, q, v, residual, .. } = self;
+            scene.velocity_constraint(&solver.fixed, (*t).into(), q, v, residual);
+            if largest(residual) <= RESIDUAL * largest(v).max(1.0) {
+                break;
+            }
+            self.correct()?;
+            self.v.iter_mut().zip(&self.delta).for_each(|(v, delta)| *v = *v + *delta);
+        }
+        Ok(())
+    }
+
+    /// The smallest change in the mass matrix that takes the residual away, but for the rounding of the factors.
+    fn correct(&mut self) -> Result<(), MotionError> {
+        let Self { scene, solver, t, q, residual, delta, .. } = self;
+        let deficient = scene.correction(&solver.fixed, (*t).into(), q, residual, delta);
+        if !solver.accepts(deficient) {
+            solver.factorize(*t, q)?;
+            solver.correct(residual, delta);
+        }
+        Ok(())
+    }
+}
+
+/// Solves K by factors in f64 and iterative refinement.
+struct Refined<'s, S: Scene + ?Sized> {
+    scene: &'s dyn PreciseScene,
+    system: System<'s, S>,
+    fixed: Vec<DoubleDouble>,
+    mass: Vec<DoubleDouble>,
+    jacobian: Vec<DoubleDouble>,
+    /// What a solution leaves of `[force; row]`, and its nearest f64.
+    rest: Vec<DoubleDouble>,
+    rest_f64: Vec<f64>,
+    solution: Vec<f64>,
+    q: Vec<f64>,
+}
+
+impl<S: Scene + ?Sized> Refined<'_, S> {
+    /// Whether the scene's own elimination is used.
+    fn accepts(&self, deficient: DeficientRows) -> bool {
+        deficient.none() && self.system.uses_elimination()
+    }
+
+    fn factorize(&mut self, t: f64, q: &[DoubleDouble]) -> Result<(), MotionError> {
+        self.scene.velocity_jacobian(&self.fixed, t.into(), q, &mut self.jacobian);
+        self.q.iter_mut().zip(q).for_each(|(near, q)| *near = q.high());
+        self.system.factorize(t, &self.q)
+    }
+
+    /// K⁻¹ of the rest in f64, into the solution.
+    fn solve_rest(&mut self) {
+        let n_q = self.mass.len();
+        self.rest_f64.iter_mut().zip(&self.rest).for_each(|(near, rest)| *near = rest.high());
+        let (force, row) = self.rest_f64.split_at(n_q);
+        let (a, lambda) = self.solution.split_at_mut(n_q);
+        self.system.solve_factored(force, row, a, lambda);
+    }
+
+    fn correct(&mut self, residual: &[DoubleDouble], delta: &mut [DoubleDouble]) {
+        let n_q = self.mass.len();
+        self.rest[..n_q].fill(DoubleDouble::default());
+        self.rest[n_q..].iter_mut().zip(residual).for_each(|(rest, residual)| *rest = -*residual);
+        self.solve_rest();
+        delta.iter_mut().zip(&self.solution).for_each(|(delta, x)| *delta = (*x).into());
+    }
+}
+
+impl<S: Scene + ?Sized> OrderSolver<DoubleDouble> for Refined<'_, S> {
+    fn fixed(&self) -> &[DoubleDouble] {
+        &self.fixed
+    }
+
+    fn solve(&mut self, k: usize, store: &mut SeriesStore<DoubleDouble>) {
+        let SeriesStore { lambda, force, row, a, .. } = store;
+        let (n_q, n_c) = (force.len(), row.len());
+        let lambda = &mut lambda[k * n_c..][..n_c];
+        a.fill(DoubleDouble::default());
+        lambda.fill(DoubleDouble::default());
+        for _ in 0..MAX_REFINEMENTS {
+            let (of_force, of_row) = self.rest.split_at_mut(n_q);
+            for (i, rest) in of_force.iter_mut().enumerate() {
+                *rest = force[i] - self.mass[i] * a[i];
+            }
+            of_row.copy_from_slice(row);
+            for (entry, i_row, column) in self.system.info().jacobian.entries() {
+                let g = self.jacobian[entry];
+                of_force[column] = of_force[column] - g * lambda[i_row];
+                of_row[i_row] = of_row[i_row] - g * a[column];
+            }
+            self.solve_rest();
+            let (da, dlambda) = self.solution.split_at(n_q);
+            a.iter_mut().zip(da).for_each(|(a, change)| *a = *a + (*change).into());
+            lambda.iter_mut().zip(dlambda).for_each(|(lambda, change)| *lambda = *lambda + (*change).into());
+            let small = |x: &[DoubleDouble], change: &[f64]| {
+                change.iter().fold(0.0, |m: f64, x| m.max(x.abs())) <= REFINED * largest(x)
+            };
+            if small(a, da) && small(lambda, dlambda) {
+                break;
+            }
+        }
+    }
+}
+
+fn largest(x: &[DoubleDouble]) -> f64 {
+    x.iter().map(|x| x.magnitude()).fold(0.0, f64::max)
+}

@@ -24,7 +24,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut items = diag.into_compile_errors();
     items.extend(if model.is_repeated() {
         let templates: Vec<Templates> = model.scenes.iter().map(|scene| Templates::derive(&model, scene)).collect();
-        emit::repeated(&model, &templates)
+        emit::repeated(&model, templates)
     } else {
         emit::model(&model, model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect())
     });

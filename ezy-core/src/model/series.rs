@@ -23,7 +23,7 @@ pub const PRODUCT_GROUP: usize = 8;
 /// Whether a scene has a Taylor series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SeriesInfo {
-    /// Every law is analytic.
+    /// Every law is analytic. In a scene with counts, numbers are those of one member of each item.
     Analytic {
         /// Sums of products at each order.
         n_products: usize,
@@ -35,7 +35,7 @@ pub enum SeriesInfo {
         /// Name of the function.
         function: &'static str,
     },
-    /// A scene with counts, or one written by hand: nothing was derived.
+    /// A scene written by hand: nothing was derived.
     Absent,
 }
 

@@ -3,9 +3,10 @@
 use super::Check;
 use super::probe::{Probe, RandomState, Worst};
 use super::solvers::{is_regular, solve_motion};
-use crate::dynamics::max_abs;
+use crate::dynamics::{State, max_abs};
+use crate::integrate::Taylor;
 use crate::linalg::Backend;
-use crate::model::{Scene, Series, SeriesStore};
+use crate::model::{Scene, SeriesStore};
 
 /// Orders of the accelerations that are compared.
 const N_ORDERS: usize = 12;
@@ -20,44 +21,30 @@ const STEPS_TO_RADIUS: f64 = 3.0;
 const TOLERANCE: f64 = 1e-9;
 
 /// Accelerations and multipliers that the series give a little later, against those of the equations at the state that
-/// they give then; `None` for a scene without series, and for one with massless bodies, which its own factors do not solve.
+/// they give then; `None` for a scene without series.
 pub fn ahead<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Option<Check>, super::CheckError> {
-    let Some(series) = probe.scene.series() else { return Ok(None) };
+    let (n_q, n_c) = (probe.info.n_coordinates(), probe.info.n_rows());
+    let Some(mut taylor) = Taylor::new(probe.scene, N_ORDERS, 0) else { return Ok(None) };
     let mut system = probe.system(Backend::Auto)?;
-    if system.mass_matrix().contains(&0.0) {
-        return Ok(None);
-    }
     let mut worst = Worst::default();
-    let mut store = SeriesStore::new(series.series_size(), N_ORDERS + 1);
+    let (mut a, mut lambda) = (vec![0.0; n_q], vec![0.0; n_c]);
     let mut states = probe.states.iter();
     for _ in 0..N_STATES {
-        let Some(state) = states.find(|state| is_regular(&mut system, state)) else { break };
-        if !expand(series, &probe.fixed, state, &mut store) {
+        let Some(RandomState { t, q, v }) = states.find(|state| is_regular(&mut system, state)) else { break };
+        let state = State { t: *t, q: q.clone(), v: v.clone(), work: Vec::new() };
+        if taylor.expand(&mut system, &state, &mut a, &mut lambda).is_err() {
             worst.n_left_out += 1;
             continue;
         }
-        let (n_q, n_c) = (state.q.len(), probe.info.n_rows());
-        let n = (N_ORDERS - 1) as f64;
-        let a_at = |k: usize, i: usize| store.q[(k + 2) * n_q + i] * ((k + 1) * (k + 2)) as f64;
-        let last_a = (0..n_q).map(|i| a_at(N_ORDERS - 1, i).abs() / a_at(0, i).abs().max(1.0));
-        let lambda_at = |k: usize, i: usize| store.lambda[k * n_c + i];
-        let last_lambda = (0..n_c).map(|i| lambda_at(N_ORDERS - 1, i).abs() / lambda_at(0, i).abs().max(1.0));
-        let growth = last_a.chain(last_lambda).fold(1.0, f64::max).powf(1.0 / n);
-        let h = (-STEPS_TO_RADIUS).exp() / growth;
-        let sum = |term: &dyn Fn(usize) -> f64, n: usize| (0..n).rev().fold(0.0, |sum, k| sum * h + term(k));
-        let ahead = RandomState {
-            t: state.t + h,
-            q: (0..n_q).map(|i| sum(&|k| store.q[k * n_q + i], N_ORDERS + 2)).collect(),
-            v: (0..n_q).map(|i| sum(&|k| (k + 1) as f64 * store.q[(k + 1) * n_q + i], N_ORDERS + 1)).collect(),
-        };
+        let series = Coefficients { store: taylor.coefficients(), n_q, n_c };
+        let h = series.step();
+        let ahead = RandomState { t: t + h, q: series.positions(h), v: series.velocities(h) };
         let Some(oracle) = solve_motion(&mut system, &ahead) else {
             worst.n_left_out += 1;
             continue;
         };
         let size = max_abs(&oracle);
-        let a = (0..n_q).map(|i| sum(&|k| a_at(k, i), N_ORDERS));
-        let lambda = (0..n_c).map(|i| sum(&|k| lambda_at(k, i), N_ORDERS));
-        a.chain(lambda).zip(&oracle).for_each(|(x, y)| worst.compare(x, *y, size));
+        series.solution(h).iter().zip(&oracle).for_each(|(x, y)| worst.compare(*x, *y, size));
     }
     if worst.n_compared == 0 {
         // nothing was comparable: that is a failure, not a pass
@@ -73,28 +60,43 @@ pub fn ahead<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Option<Check>, s
     }))
 }
 
-/// The coefficients at a state, plainly; false where a pivot vanished.
-fn expand(series: &dyn Series<f64>, c: &[f64], state: &RandomState, store: &mut SeriesStore<f64>) -> bool {
-    let n_q = state.q.len();
-    store.q[..n_q].copy_from_slice(&state.q);
-    store.q[n_q..2 * n_q].copy_from_slice(&state.v);
-    if !series.begin(c, state.t, store).none() {
-        return false;
-    }
-    series.solve(c, 0, store);
-    form_sums(2, store);
-    series.finish(c, 0, store);
-    for k in 1..N_ORDERS {
-        form_sums(k + 2, store);
-        series.advance(c, k, store);
-    }
-    true
+/// Coefficients by their meaning.
+struct Coefficients<'t> {
+    store: &'t SeriesStore<f64>,
+    n_q: usize,
+    n_c: usize,
 }
 
-fn form_sums(n: usize, store: &mut SeriesStore<f64>) {
-    let n_products = store.sums.len();
-    for p in 0..n_products {
-        let term = |j: usize| store.left[j * n_products + p] * store.right[(n - j) * n_products + p];
-        store.sums[p] = (1..n).map(term).sum();
+impl Coefficients<'_> {
+    /// Order `k` of `a`, then of the multipliers.
+    fn of_solution(&self, k: usize, i: usize) -> f64 {
+        match i.checked_sub(self.n_q) {
+            None => self.store.q[(k + 2) * self.n_q + i] * ((k + 1) * (k + 2)) as f64,
+            Some(i) => self.store.lambda[k * self.n_c + i],
+        }
     }
+
+    /// So short that what lies beyond the orders is rounding.
+    fn step(&self) -> f64 {
+        let last = |i: usize| self.of_solution(N_ORDERS - 1, i).abs() / self.of_solution(0, i).abs().max(1.0);
+        let largest = (0..self.n_q + self.n_c).map(last).fold(1.0, f64::max);
+        (-STEPS_TO_RADIUS).exp() / largest.powf(1.0 / (N_ORDERS - 1) as f64)
+    }
+
+    fn positions(&self, h: f64) -> Vec<f64> {
+        (0..self.n_q).map(|i| horner(&|k| self.store.q[k * self.n_q + i], N_ORDERS + 2, h)).collect()
+    }
+
+    fn velocities(&self, h: f64) -> Vec<f64> {
+        let coefficient = |k: usize, i: usize| (k + 1) as f64 * self.store.q[(k + 1) * self.n_q + i];
+        (0..self.n_q).map(|i| horner(&|k| coefficient(k, i), N_ORDERS + 1, h)).collect()
+    }
+
+    fn solution(&self, h: f64) -> Vec<f64> {
+        (0..self.n_q + self.n_c).map(|i| horner(&|k| self.of_solution(k, i), N_ORDERS, h)).collect()
+    }
+}
+
+fn horner(coefficient: &dyn Fn(usize) -> f64, n: usize, h: f64) -> f64 {
+    (0..n).rev().fold(0.0, |sum, k| sum * h + coefficient(k))
 }

@@ -64,7 +64,8 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     });
     let acceleration_operations = operations(emitted.accelerations.program.count());
     let correction_operations = operations(emitted.correction.program.count());
-    let series = series(emitted.series);
+    let cost = emitted.series.as_ref().map(|series| (series.recurrences.n_products, series.operations()));
+    let series = series(cost.map_err(|function| *function));
     quote! {
         ::ezy_core::model::SceneInfo {
             model: #model_name,
@@ -96,10 +97,11 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     }
 }
 
-fn series(series: &Result<Series, Function>) -> TokenStream {
-    match series {
-        Ok(series) => {
-            let (n_products, operations) = (series.n_products, operations(series.operations()));
+/// Number of products and operations of one order, or the function that has no series.
+pub fn series(cost: Result<(usize, Count), Function>) -> TokenStream {
+    match cost {
+        Ok((n_products, count)) => {
+            let operations = operations(count);
             quote!(::ezy_core::model::SeriesInfo::Analytic { n_products: #n_products, operations: #operations })
         }
         Err(function) => {

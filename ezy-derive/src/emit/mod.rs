@@ -26,7 +26,7 @@ pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
 }
 
 /// The same for a model whose sizes are numbers of a run.
-pub fn repeated(model: &Model, templates: &[Templates<'_>]) -> TokenStream {
+pub fn repeated(model: &Model, templates: Vec<Templates<'_>>) -> TokenStream {
     let scenes = model.scenes.iter().zip(templates);
     let scenes: Vec<_> = scenes.map(|(scene, templates)| repeated::items(model, scene, templates)).collect();
     module(

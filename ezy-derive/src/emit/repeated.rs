@@ -4,12 +4,14 @@
 mod describe;
 mod kernels;
 mod loops;
+mod series;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::constants::Constants;
 use super::{info, page, scene, scene_type, templates};
+use crate::function::Function;
 use crate::mechanics::Templates;
 use crate::model::{Model, Scene};
 use crate::symbolic::lower::ConstantPool;
@@ -17,10 +19,13 @@ use describe::describe;
 use kernels::{Emitter, Methods};
 
 /// The struct, its defaults and its equations.
-pub fn items(model: &Model, scene: &Scene, templates: &Templates<'_>) -> TokenStream {
+pub fn items(model: &Model, scene: &Scene, mut templates: Templates<'_>) -> TokenStream {
+    let templates = &mut templates;
     let mut pool = ConstantPool::default();
     let mut emitter = Emitter { model, templates, pool: &mut pool };
     let Methods { equations, scene: methods } = emitter.methods();
+    let recurrences = series::derive(templates, &mut pool);
+    let templates = &*templates;
     let n_inputs = templates.inputs.len();
     let n_constants = pool.coefficients().len();
     let coefficients = &templates.algebra.coefficients;
@@ -33,7 +38,10 @@ pub fn items(model: &Model, scene: &Scene, templates: &Templates<'_>) -> TokenSt
     let places: Vec<usize> = (0..counts.len()).collect();
     let all = templates::all(model, templates);
     let infos = all.iter().map(|template| template.info(model, templates));
-    let fixed = fixed(model, scene, templates, n_constants);
+    let fixed = fixed(model, scene, templates, n_constants, &recurrences);
+    let recurrences = recurrences.ok();
+    let access_to_series = recurrences.is_some().then(scene::access_to_series);
+    let recurrences = recurrences.map(|items| series::implementation(&type_name, model, &templates.symbols, &items));
     let describe = describe(model, templates, &all);
     quote! {
         #structure
@@ -74,7 +82,10 @@ pub fn items(model: &Model, scene: &Scene, templates: &Templates<'_>) -> TokenSt
                 #set_parameter
             }
             #methods
+            #access_to_series
         }
+
+        #recurrences
     }
 }
 
@@ -118,7 +129,13 @@ fn structure(model: &Model, scene: &Scene, templates: &Templates<'_>, type_name:
 }
 
 /// The part of the description that does not depend on counts.
-fn fixed(model: &Model, scene: &Scene, templates: &Templates<'_>, n_constants: usize) -> TokenStream {
+fn fixed(
+    model: &Model,
+    scene: &Scene,
+    templates: &Templates<'_>,
+    n_constants: usize,
+    recurrences: &Result<Vec<series::Item<'_>>, Function>,
+) -> TokenStream {
     let (model_name, name, documentation) = (model.name.to_string(), scene.name.to_string(), &scene.documentation);
     let parameters = info::parameters(model, &templates.parameters, &templates.symbols);
     let inputs = info::inputs(model, &templates.inputs, &templates.symbols);
@@ -129,6 +146,7 @@ fn fixed(model: &Model, scene: &Scene, templates: &Templates<'_>, n_constants: u
         quote!(::ezy_core::model::CountInfo { name: #name, default: #default, documentation: #documentation })
     });
     let defaults = model.counts.iter().map(|count| count.default as usize);
+    let series = info::series(recurrences.as_ref().map(|items| series::cost(items)).map_err(|function| *function));
     quote! {
         ::ezy_core::model::SceneInfo {
             model: #model_name,
@@ -154,7 +172,7 @@ fn fixed(model: &Model, scene: &Scene, templates: &Templates<'_>, n_constants: u
             elimination: &[],
             acceleration_operations: ::ezy_core::model::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             correction_operations: ::ezy_core::model::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
-            series: ::ezy_core::model::SeriesInfo::Absent,
+            series: #series,
             repeats: ::core::option::Option::Some(::ezy_core::model::Repeats {
                 counts: &[#(#counts),*],
                 values: &[#(#defaults),*],

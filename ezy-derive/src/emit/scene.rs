@@ -39,17 +39,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let recurrences = series.as_ref().ok();
     let recurrences =
         recurrences.map(|series| series::implementation(&type_name, &equations, series, n_inputs + n_constants));
-    let access_to_series = series.is_ok().then(|| {
-        quote! {
-            fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
-                ::core::option::Option::Some(self)
-            }
-
-            fn precise(&self) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
-                ::core::option::Option::Some(self)
-            }
-        }
-    });
+    let access_to_series = series.is_ok().then(access_to_series);
     let items = quote! {
         #structure
 
@@ -83,6 +73,19 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
         #recurrences
     };
     (items, summary)
+}
+
+/// The methods that hand out the series.
+pub fn access_to_series() -> TokenStream {
+    quote! {
+        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+            ::core::option::Option::Some(self)
+        }
+
+        fn precise(&self) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+            ::core::option::Option::Some(self)
+        }
+    }
 }
 
 /// The methods that read the vector of constants, by trait.

@@ -19,9 +19,9 @@ pub fn implementation(type_name: &Ident, equations: &Equations, series: &Series,
     let Sizes { n_coordinates, n_rows, n_products, n_base, n_kept } = sizes;
     let writer = Writer { equations, series, sizes, n_fixed };
     let begin = writer.begin();
-    let right_side = writer.method(&series.right_side);
+    let right_side = writer.method(&series.recurrences.right_side);
     let solve = writer.method(&series.solution);
-    let finish = writer.method(&series.finish);
+    let finish = writer.method(&series.recurrences.finish);
     quote! {
         #[automatically_derived]
         impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for #type_name {
@@ -72,9 +72,9 @@ impl Sizes {
         Self {
             n_coordinates: equations.mass.len(),
             n_rows: equations.constraints.rows.len(),
-            n_products: series.n_products.next_multiple_of(PRODUCT_GROUP),
-            n_base: series.n_base,
-            n_kept: series.n_kept,
+            n_products: series.recurrences.n_products.next_multiple_of(PRODUCT_GROUP),
+            n_base: series.recurrences.n_base,
+            n_kept: series.recurrences.n_kept,
         }
     }
 }
@@ -126,7 +126,7 @@ impl Writer<'_> {
 
     /// What a program reads.
     fn read(&self, symbol: Symbol) -> TokenStream {
-        let Some(slot) = self.series.slots.slot(symbol) else { return quote!(T::from_f64(f64::NAN)) };
+        let Some(slot) = self.series.recurrences.slots.slot(symbol) else { return quote!(T::from_f64(f64::NAN)) };
         match (slot, self.place(slot)) {
             (_, Some((array, i, _))) => {
                 let array = array.ident();
@@ -151,7 +151,7 @@ impl Writer<'_> {
 
     /// The start of a step: what is one order ahead is of order 0.
     fn begin(&self) -> TokenStream {
-        let kernel = &self.series.begin;
+        let kernel = &self.series.recurrences.begin;
         let n_q = self.sizes.n_coordinates;
         let order = |ahead: Ahead| {
             let order = ahead.saturating_sub(1);
@@ -180,7 +180,7 @@ impl Writer<'_> {
 
     /// The arrays that a program reads, opened once.
     fn arrays_read(&self, kernel: &Kernel, order: &dyn Fn(Ahead) -> TokenStream) -> TokenStream {
-        let slots = kernel.program.inputs().into_iter().filter_map(|symbol| self.series.slots.slot(symbol));
+        let slots = kernel.program.inputs().into_iter().filter_map(|symbol| self.series.recurrences.slots.slot(symbol));
         let arrays: BTreeMap<Array, usize> =
             slots.filter_map(|slot| self.place(slot)).map(|(array, _, n)| (array, n)).collect();
         arrays

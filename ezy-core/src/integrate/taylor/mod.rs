@@ -94,6 +94,11 @@ impl<'s> Taylor<'s> {
         Ok(())
     }
 
+    /// What was expanded last: coefficients of q up to `order + 1`, of the multipliers up to `order - 1`.
+    pub fn coefficients(&self) -> &SeriesStore<f64> {
+        &self.next
+    }
+
     /// The next step begins: it starts at the state that was expanded last.
     pub fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);

@@ -131,7 +131,7 @@ impl Emitter<'_> {
 
     /// A kernel that writes `out`.
     fn kernel(&mut self, numbers: Numbers, opening: TokenStream, written: Vec<Written<'_>>) -> TokenStream {
-        let firsts = self.firsts();
+        let firsts = firsts(self.model);
         let loops: Vec<TokenStream> = written.iter().map(|written| self.written(numbers, written, &no_other)).collect();
         quote!(#firsts let mut place = 0; #opening #(#loops)*)
     }
@@ -143,7 +143,7 @@ impl Emitter<'_> {
         other: &dyn Fn(Symbol) -> TokenStream,
     ) -> TokenStream {
         let Body { statements, outputs } = self.lowered(numbers, &written.sums, written.slots, other);
-        let slots = self.slots(written.slots);
+        let slots = slot_places(self.model, written.slots);
         let put = (written.put)(outputs);
         let body = quote!(#slots #statements #put);
         looped(self.model, written.loops, &|from, to| quote!(#from..#to), body)
@@ -152,7 +152,7 @@ impl Emitter<'_> {
     /// Powers by group; the rows that move with time need to know where their multipliers stand.
     fn power(&mut self) -> TokenStream {
         let templates = self.templates;
-        let firsts = self.firsts();
+        let firsts = firsts(self.model);
         let group = |group: Group| templates.groups.iter().position(|other| *other == group).unwrap_or(0);
         let forces: Vec<TokenStream> = templates
             .forces
@@ -189,7 +189,7 @@ impl Emitter<'_> {
 
     fn potential(&mut self) -> TokenStream {
         let templates = self.templates;
-        let firsts = self.firsts();
+        let firsts = firsts(self.model);
         let parts: Vec<TokenStream> = templates
             .forces
             .iter()
@@ -208,7 +208,7 @@ impl Emitter<'_> {
     }
 
     fn start(&mut self) -> TokenStream {
-        let firsts = self.firsts();
+        let firsts = firsts(self.model);
         let gives: Vec<TokenStream> = self
             .templates
             .start
@@ -255,39 +255,39 @@ impl Emitter<'_> {
         };
         kernel::body_at(numbers, &program, symbols, &|i| coordinate(slots, i), &index_or_other)
     }
+}
 
-    /// Index of the first body of each array.
-    fn firsts(&self) -> TokenStream {
-        let mut behind = quote!(0);
-        let firsts = self.model.arrays.iter().map(|array| {
-            let first = about("first", array);
-            let declared = quote!(let #first: i64 = #behind;);
-            let members = members(self.model, array);
-            behind = quote!(#first + #members);
-            declared
-        });
-        firsts.collect()
-    }
+/// Index of the first body of each array.
+pub fn firsts(model: &Model) -> TokenStream {
+    let mut behind = quote!(0);
+    let firsts = model.arrays.iter().map(|array| {
+        let first = about("first", array);
+        let declared = quote!(let #first: i64 = #behind;);
+        let members = members(model, array);
+        behind = quote!(#first + #members);
+        declared
+    });
+    firsts.collect()
+}
 
-    /// Index of the first coordinate of each body that a pass refers to.
-    fn slots(&self, slots: &[BodyId]) -> TokenStream {
-        let places = slots.iter().map(|body| {
-            let Slot { array, index } = &self.model.bodies[body.0].slot;
-            let lengths = &self.model.arrays[*array].lengths;
-            let place = index.iter().zip(lengths).fold(None, |place: Option<TokenStream>, (index, length)| {
-                let (index, length) = (whole(self.model, index), whole(self.model, length));
-                Some(match place {
-                    None => index,
-                    Some(place) => quote!(((#place) * #length + #index)),
-                })
-            });
-            let first = about("first", &self.model.arrays[*array]);
-            let place = place.map(|place| quote!(+ #place));
-            quote!(3 * (#first #place) as usize)
+/// Index of the first coordinate of each body that a pass refers to.
+pub fn slot_places(model: &Model, slots: &[BodyId]) -> TokenStream {
+    let places = slots.iter().map(|body| {
+        let Slot { array, index } = &model.bodies[body.0].slot;
+        let lengths = &model.arrays[*array].lengths;
+        let place = index.iter().zip(lengths).fold(None, |place: Option<TokenStream>, (index, length)| {
+            let (index, length) = (whole(model, index), whole(model, length));
+            Some(match place {
+                None => index,
+                Some(place) => quote!(((#place) * #length + #index)),
+            })
         });
-        let n = Literal::usize_unsuffixed(slots.len());
-        quote!(let slots: [usize; #n] = [#(#places),*];)
-    }
+        let first = about("first", &model.arrays[*array]);
+        let place = place.map(|place| quote!(+ #place));
+        quote!(3 * (#first #place) as usize)
+    });
+    let n = Literal::usize_unsuffixed(slots.len());
+    quote!(let slots: [usize; #n] = [#(#places),*];)
 }
 
 /// Expressions one after the other.
@@ -296,7 +296,7 @@ fn stack<'t>(loops: &'t [Loop], slots: &'t [BodyId], sums: Vec<SumId>) -> Writte
 }
 
 /// Place in q of a coordinate of a slot.
-fn coordinate(slots: &[BodyId], i: usize) -> TokenStream {
+pub fn coordinate(slots: &[BodyId], i: usize) -> TokenStream {
     let slot = slots.iter().position(|body| body.0 == i / 3).unwrap_or(0);
     let [slot, component] = [slot, i % 3].map(Literal::usize_unsuffixed);
     quote!(slots[#slot] + #component)

@@ -150,8 +150,11 @@ impl<'s, 'e> Coefficients<'s, 'e> {
         }
     }
 
-    /// q_{k+2} = a_k / ((k + 1)(k + 2))
+    /// q_{k+2} = a_k / ((k + 1)(k + 2)), which items read.
     pub fn coordinate(&mut self, i: usize) -> Value {
+        if self.step.of_item {
+            return self.input(Slot::Coordinate(2, i));
+        }
         let a = self.input(Slot::Acceleration(i));
         let (first, second) = (self.input(Slot::InverseOrder(1)), self.input(Slot::InverseOrder(2)));
         let inverse = self.program.mul(first, second);

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
+use super::orders::Outputs;
 use super::slot::Slot;
-use super::{Kernel, Outputs, Step};
+use super::{Kernel, Step};
 use crate::mechanics::solve::Written;
 use crate::symbolic::program::{Node, NodeId, Program, Value};
 

@@ -31,15 +31,15 @@ impl<'t> Store<'t> {
             store.numbers.insert((Slot::Coordinate(0, i), 0), state.q[i]);
             store.numbers.insert((Slot::Coordinate(0, i), 1), state.v[i]);
         }
-        store.run(&series.begin, -1);
+        store.run(&series.recurrences.begin, -1);
         store.run(&series.solution, 0);
         store.sums(2);
-        store.run(&series.finish, 0);
+        store.run(&series.recurrences.finish, 0);
         for k in 1..N_ORDERS as isize {
             store.sums(k as usize + 2);
-            store.run(&series.right_side, k);
+            store.run(&series.recurrences.right_side, k);
             store.run(&series.solution, k);
-            store.run(&series.finish, k);
+            store.run(&series.recurrences.finish, k);
         }
         store
     }
@@ -67,7 +67,7 @@ impl<'t> Store<'t> {
 
     fn run(&mut self, kernel: &Kernel, k: isize) {
         let other = |symbol: Symbol| {
-            let slot = self.series.slots.slot(symbol).expect("programs read slots");
+            let slot = self.series.recurrences.slots.slot(symbol).expect("programs read slots");
             self.number(slot, k)
         };
         let found = outputs(self.trial, &kernel.program, self.state, &other);
@@ -77,7 +77,7 @@ impl<'t> Store<'t> {
     }
 
     fn sums(&mut self, n: usize) {
-        for i in 0..self.series.n_products {
+        for i in 0..self.series.recurrences.n_products {
             let get = |slot, order| self.numbers.get(&(slot, order)).copied().unwrap_or(0.0);
             let sum = (1..n).map(|j| get(Slot::Left(0, i), j) * get(Slot::Right(0, i), n - j)).sum();
             self.numbers.insert((Slot::Sum(i), 0), sum);

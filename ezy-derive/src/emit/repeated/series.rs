@@ -1,0 +1,241 @@
+//! The recurrences of a scene with counts: those of each item, in loops over its members.
+//!
+//! Members stand one after the other in every array of the store, in the order of items: rows, then forces.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use super::kernels::{coordinate, firsts, slot_places};
+use super::loops::{looped, whole};
+use crate::emit::kernel::{self, Body, Numbers};
+use crate::function::Function;
+use crate::mechanics::Templates;
+use crate::mechanics::series::{Ahead, Kernel, Recurrences, Slot};
+use crate::mechanics::symbols::Symbols;
+use crate::model::whole::Whole;
+use crate::model::{BodyId, Loop, Model};
+use crate::symbolic::Symbol;
+use crate::symbolic::lower::ConstantPool;
+use crate::symbolic::program::Count;
+
+/// An item and its recurrences.
+pub struct Item<'m> {
+    loops: &'m [Loop],
+    slots: Vec<BodyId>,
+    n_rows: usize,
+    recurrences: Recurrences,
+}
+
+/// The recurrences of all rows and forces.
+///
+/// # Errors
+/// A function that has no Taylor series.
+pub fn derive<'m>(templates: &mut Templates<'m>, pool: &mut ConstantPool) -> Result<Vec<Item<'m>>, Function> {
+    let Templates { algebra, symbols, rows, forces, .. } = templates;
+    let mut extended = pool.clone();
+    let mut items = Vec::new();
+    for row in rows.iter() {
+        let recurrences = Recurrences::of_row(algebra, symbols, &mut extended, row)?;
+        let n_rows = row.constraints.rows.len();
+        items.push(Item { loops: &row.row.loops, slots: row.slots.clone(), n_rows, recurrences });
+    }
+    for force in forces.iter() {
+        let recurrences = Recurrences::of_force(algebra, symbols, &mut extended, force)?;
+        items.push(Item { loops: &force.force.loops, slots: force.slots.clone(), n_rows: 0, recurrences });
+    }
+    *pool = extended;
+    Ok(items)
+}
+
+/// Products and operations of one order, of one member of each item.
+pub fn cost(items: &[Item<'_>]) -> (usize, Count) {
+    let kernels = items.iter().flat_map(|item| [&item.recurrences.right_side, &item.recurrences.finish]);
+    let operations = kernels.map(|kernel| kernel.program.count()).sum();
+    (items.iter().map(|item| item.recurrences.n_products).sum(), operations)
+}
+
+/// The implementation for the type of a scene.
+pub fn implementation(type_name: &Ident, model: &Model, symbols: &Symbols, items: &[Item<'_>]) -> TokenStream {
+    let writer = Writer { model, symbols };
+    let firsts = firsts(model);
+    let sizes = items.iter().map(|item| writer.sizes(item));
+    let opening = opening();
+    let (begin, right_side, finish) = (
+        items.iter().map(|item| writer.pass(item, &item.recurrences.begin, Phase::Begin)),
+        items.iter().map(|item| writer.pass(item, &item.recurrences.right_side, Phase::Order)),
+        items.iter().map(|item| writer.pass(item, &item.recurrences.finish, Phase::Order)),
+    );
+    quote! {
+        #[automatically_derived]
+        #[allow(unused_assignments, unused_mut)]
+        impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for #type_name {
+            fn series_size(&self) -> ::ezy_core::model::SeriesSize {
+                let info = ::ezy_core::model::Scene::info(self);
+                let mut size = ::ezy_core::model::SeriesSize {
+                    n_coordinates: info.n_coordinates(),
+                    n_rows: info.n_rows(),
+                    n_products: 0,
+                    n_base: 0,
+                    n_kept: 0,
+                };
+                #(#sizes)*
+                size.n_products = size.n_products.next_multiple_of(::ezy_core::model::PRODUCT_GROUP);
+                size
+            }
+            fn begin(
+                &self,
+                c: &[T],
+                t: T,
+                store: &mut ::ezy_core::model::SeriesStore<T>,
+            ) -> ::ezy_core::model::DeficientRows {
+                #firsts
+                #opening
+                let (q, v) = q[..2 * n_q].split_at(n_q);
+                force.fill(T::from_f64(0f64));
+                #(#begin)*
+                ::ezy_core::model::DeficientRows::ALL
+            }
+            fn right_side(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
+                #firsts
+                #opening
+                force.fill(T::from_f64(0f64));
+                #(#right_side)*
+            }
+            fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {}
+            fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
+                #firsts
+                #opening
+                let inverse = T::from_f64(1f64) / T::from_f64(((k + 1) * (k + 2)) as f64);
+                q[(k + 2) * n_q..(k + 3) * n_q].iter_mut().zip(a.iter()).for_each(|(q, a)| *q = *a * inverse);
+                #(#finish)*
+            }
+        }
+    }
+}
+
+/// The arrays of the store with the lengths of their rows, and where the first member stands.
+fn opening() -> TokenStream {
+    quote! {
+        let ::ezy_core::model::SeriesStore { q, lambda, left, right, sums, kept, base, force, row, a } = store;
+        let (n_q, n_c, n_products) = (force.len(), row.len(), sums.len());
+        let n_kept = if n_q == 0 { 0 } else { kept.len() / (q.len() / n_q) };
+        let (mut row_place, mut product_place, mut base_place, mut kept_place) = (0, 0, 0, 0);
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Phase {
+    /// What is one order ahead is of order 0.
+    Begin,
+    /// Present order k.
+    Order,
+}
+
+struct Writer<'a> {
+    model: &'a Model,
+    symbols: &'a Symbols,
+}
+
+impl Writer<'_> {
+    fn sizes(&self, item: &Item<'_>) -> TokenStream {
+        let Recurrences { n_base, n_kept, n_products, .. } = item.recurrences;
+        let add = quote!(size.n_products += #n_products; size.n_base += #n_base; size.n_kept += #n_kept;);
+        looped(self.model, item.loops, &|from, to| quote!(#from..#to), add)
+    }
+
+    /// A program for each member of an item.
+    fn pass(&self, item: &Item<'_>, kernel: &Kernel, phase: Phase) -> TokenStream {
+        let Recurrences { n_base, n_kept, n_products, .. } = item.recurrences;
+        let n_rows = item.n_rows;
+        let read = |symbol: Symbol| self.read(item, phase, symbol);
+        let place = |i| coordinate(&item.slots, i);
+        let Body { statements, outputs } = kernel::body_at(Numbers::Any, &kernel.program, self.symbols, &place, &read);
+        let written = kernel.targets.iter().zip(outputs).map(|(&target, value)| {
+            let place = self.place(item, phase, target);
+            match target {
+                // several items may push the same body
+                Slot::Force(_) => quote!(#place = #place + #value;),
+                _ => quote!(#place = #value;),
+            }
+        });
+        let slots = slot_places(self.model, &item.slots);
+        let body = quote! {
+            #slots
+            #statements
+            #(#written)*
+            row_place += #n_rows;
+            product_place += #n_products;
+            base_place += #n_base;
+            kept_place += #n_kept;
+        };
+        looped(self.model, item.loops, &|from, to| quote!(#from..#to), body)
+    }
+
+    fn read(&self, item: &Item<'_>, phase: Phase, symbol: Symbol) -> TokenStream {
+        if let Some(id) = self.symbols.index_of(symbol) {
+            let value = whole(self.model, &Whole::Index(id));
+            return quote!(T::from_f64(#value as f64));
+        }
+        match item.recurrences.slots.slot(symbol) {
+            Some(slot) => self.place(item, phase, slot),
+            None => quote!(T::from_f64(f64::NAN)),
+        }
+    }
+
+    /// Where a slot of a member is.
+    fn place(&self, item: &Item<'_>, phase: Phase, slot: Slot) -> TokenStream {
+        let order = |ahead: Ahead| match phase {
+            Phase::Begin => {
+                let order = Literal::usize_unsuffixed(ahead.saturating_sub(1));
+                quote!(#order)
+            }
+            Phase::Order => {
+                let ahead = Literal::usize_unsuffixed(ahead);
+                quote!((k + #ahead))
+            }
+        };
+        let of_order = |array: &str, row: TokenStream, ahead: Ahead, place: TokenStream| {
+            let (array, order) = (Ident::new(array, Span::call_site()), order(ahead));
+            quote!(#array[#order * #row + #place])
+        };
+        let member = |what: &str, i: usize| {
+            let (place, i) = (format_ident!("{what}_place"), Literal::usize_unsuffixed(i));
+            quote!(#place + #i)
+        };
+        match slot {
+            Slot::Base(i) => {
+                let place = member("base", i);
+                quote!(base[#place])
+            }
+            Slot::Sum(i) => {
+                let place = member("product", i);
+                quote!(sums[#place])
+            }
+            Slot::Kept(ahead, i) => of_order("kept", quote!(n_kept), ahead, member("kept", i)),
+            Slot::Coordinate(ahead, i) => of_order("q", quote!(n_q), ahead, coordinate(&item.slots, i)),
+            Slot::Force(i) => {
+                let place = coordinate(&item.slots, i);
+                quote!(force[#place])
+            }
+            Slot::Acceleration(i) => {
+                let place = coordinate(&item.slots, i);
+                quote!(a[#place])
+            }
+            Slot::Row(i) => {
+                let place = member("row", i);
+                quote!(row[#place])
+            }
+            Slot::Multiplier(i) => of_order("lambda", quote!(n_c), 0, member("row", i)),
+            Slot::Left(ahead, i) => of_order("left", quote!(n_products), ahead, member("product", i)),
+            Slot::Right(ahead, i) => of_order("right", quote!(n_products), ahead, member("product", i)),
+            Slot::Order(ahead) => {
+                let order = order(ahead);
+                quote!(T::from_f64(#order as f64))
+            }
+            Slot::InverseOrder(ahead) => {
+                let order = order(ahead);
+                quote!(T::from_f64(1f64) / T::from_f64(#order as f64))
+            }
+        }
+    }
+}

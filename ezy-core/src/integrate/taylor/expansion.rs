@@ -43,22 +43,40 @@ pub fn expand_with<T: Scalar>(
     }
 }
 
+/// Coordinates of two bodies: so many are computed at a time.
+const TWO_BODIES: usize = 6;
+
 /// What q and v gain over `s`, from coefficients of q up to `order + 1`.
 pub fn increment<T: Scalar>(store: &SeriesStore<T>, order: usize, s: T, q: &mut [T], v: &mut [T]) {
     let n_q = q.len();
-    let coefficients = |k: usize| &store.q[k * n_q..][..n_q];
-    q.fill(T::from_f64(0.0));
-    v.fill(T::from_f64(0.0));
-    // with q = q₀ + s (v₀ + s r): Horner's scheme of r in `q`, of its derivative r′ in `v`
+    let (pairs_q, single_q) = q.as_chunks_mut::<TWO_BODIES>();
+    let (pairs_v, single_v) = v.as_chunks_mut::<TWO_BODIES>();
+    let n_paired = n_q - single_q.len();
+    for (i, (q, v)) in pairs_q.iter_mut().zip(pairs_v).enumerate() {
+        (*q, *v) = increment_columns(&store.q[i * TWO_BODIES..], n_q, order, s);
+    }
+    for (i, (q, v)) in single_q.iter_mut().zip(single_v).enumerate() {
+        ([*q], [*v]) = increment_columns(&store.q[n_paired + i..], n_q, order, s);
+    }
+}
+
+/// As [`increment`], for the first columns of coefficients in rows of `n_q`.
+fn increment_columns<T: Scalar, const N: usize>(
+    coefficients: &[T],
+    n_q: usize,
+    order: usize,
+    s: T,
+) -> ([T; N], [T; N]) {
+    let mut r = [T::from_f64(0.0); N];
+    let mut slope = r;
+    // with q = q₀ + s (v₀ + s r): Horner's scheme of r, and of its derivative
     for k in (2..=order + 1).rev() {
-        for ((r, slope), x) in q.iter_mut().zip(v.iter_mut()).zip(coefficients(k)) {
-            *slope = slope.fused(s, *r);
-            *r = r.fused(s, *x);
+        let row = &coefficients[k * n_q..][..N];
+        for i in 0..N {
+            slope[i] = slope[i].fused(s, r[i]);
+            r[i] = r[i].fused(s, row[i]);
         }
     }
-    for ((q, v), start) in q.iter_mut().zip(v.iter_mut()).zip(coefficients(1)) {
-        let (r, slope) = (*q, *v);
-        *q = r.fused(s, *start) * s;
-        *v = slope.fused(s, r + r) * s;
-    }
+    let start = &coefficients[n_q..][..N];
+    (std::array::from_fn(|i| r[i].fused(s, start[i]) * s), std::array::from_fn(|i| slope[i].fused(s, r[i] + r[i]) * s))
 }

@@ -81,16 +81,13 @@ impl<'s> Taylor<'s> {
         a: &mut [f64],
         lambda: &mut [f64],
     ) -> Result<(), MotionError> {
-        let Self { series, order, n_q, next: store, .. } = self;
-        store.q[..*n_q].copy_from_slice(&from.q);
-        store.q[*n_q..][..*n_q].copy_from_slice(&from.v);
-        if system.begin_series(*series, from.t, store)? {
-            expand(*series, system.fixed(), *order, store);
+        self.place(from);
+        if system.begin_series(self.series, from.t, &mut self.next)? {
+            self.expand_by_elimination(system.fixed());
         } else {
-            expand_with(*series, system, *order, store);
+            expand_with(self.series, system, self.order, &mut self.next);
         }
-        a.iter_mut().zip(&store.q[2 * *n_q..]).for_each(|(a, bend)| *a = 2.0 * bend);
-        lambda.copy_from_slice(&store.lambda[..lambda.len()]);
+        self.write_accelerations(a, lambda);
         Ok(())
     }
 
@@ -112,11 +109,9 @@ impl<'s> Taylor<'s> {
 
     /// A step of length `h` from `from`; writes `to`, not yet projected.
     pub fn advance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, h: f64, to: &mut State) {
-        let Self { order, now: store, increment: by, rest, quadrature, .. } = self;
-        increment(store, *order, h, &mut by.q, &mut by.v);
-        add(&mut to.q, &from.q, &by.q, &mut rest.q);
-        add(&mut to.v, &from.v, &by.v, &mut rest.v);
+        self.advance_motion(from, h, to);
         if !to.work.is_empty() {
+            let Self { order, now: store, increment: by, rest, quadrature, .. } = self;
             by.work.fill(0.0);
             quadrature.add_works(system, store, *order, from, h, &mut by.work);
             add(&mut to.work, &from.work, &by.work, &mut rest.work);
@@ -126,13 +121,42 @@ impl<'s> Taylor<'s> {
 
     /// The state `s` after `from`, not projected, with works up to there.
     pub fn dense_at<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, s: f64, out: &mut State) {
-        let Self { order, now: store, quadrature, .. } = self;
-        increment(store, *order, s, &mut out.q, &mut out.v);
-        out.q.iter_mut().zip(&from.q).for_each(|(q, start)| *q += start);
-        out.v.iter_mut().zip(&from.v).for_each(|(v, start)| *v += start);
+        self.motion_at(from, s, out);
         out.work.copy_from_slice(&from.work);
+        let Self { order, now: store, quadrature, .. } = self;
         quadrature.add_works(system, store, *order, from, s, &mut out.work);
         out.t = from.t + s;
+    }
+}
+
+/// What does not depend on the type of the scene is compiled with this crate, in one unit with all that it calls.
+impl Taylor<'_> {
+    fn place(&mut self, from: &State) {
+        let (q, rest) = self.next.q.split_at_mut(self.n_q);
+        q.copy_from_slice(&from.q);
+        rest[..self.n_q].copy_from_slice(&from.v);
+    }
+
+    fn expand_by_elimination(&mut self, c: &[f64]) {
+        expand(self.series, c, self.order, &mut self.next);
+    }
+
+    fn write_accelerations(&self, a: &mut [f64], lambda: &mut [f64]) {
+        a.iter_mut().zip(&self.next.q[2 * self.n_q..]).for_each(|(a, bend)| *a = 2.0 * bend);
+        lambda.copy_from_slice(&self.next.lambda[..lambda.len()]);
+    }
+
+    fn advance_motion(&mut self, from: &State, h: f64, to: &mut State) {
+        let Self { order, now: store, increment: by, rest, .. } = self;
+        increment(store, *order, h, &mut by.q, &mut by.v);
+        add(&mut to.q, &from.q, &by.q, &mut rest.q);
+        add(&mut to.v, &from.v, &by.v, &mut rest.v);
+    }
+
+    fn motion_at(&self, from: &State, s: f64, out: &mut State) {
+        increment(&self.now, self.order, s, &mut out.q, &mut out.v);
+        out.q.iter_mut().zip(&from.q).for_each(|(q, start)| *q += start);
+        out.v.iter_mut().zip(&from.v).for_each(|(v, start)| *v += start);
     }
 }
 

@@ -202,7 +202,7 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         store.q[n_q..2 * n_q].copy_from_slice(v);
         let deficient = scene.begin(&solver.fixed, (*t).into(), store);
         if solver.accepts(deficient) {
-            expand(*scene, &solver.fixed, ORDER, store);
+            expand_by_elimination(*scene, &solver.fixed, store);
         } else {
             solver.factorize(*t, q)?;
             expand_with(*scene, solver, ORDER, store);
@@ -327,6 +327,11 @@ impl<S: Scene + ?Sized> OrderSolver<DoubleDouble> for Refined<'_, S> {
             }
         }
     }
+}
+
+/// Compiled with this crate, in one unit with all that it calls, whatever the crate of the scene.
+fn expand_by_elimination(scene: &dyn PreciseScene, c: &[DoubleDouble], store: &mut SeriesStore<DoubleDouble>) {
+    expand(scene, c, ORDER, store);
 }
 
 fn largest(x: &[DoubleDouble]) -> f64 {

@@ -22,19 +22,25 @@ fn sum_groups<T: Scalar, const WIDTH: usize>(store: &mut SeriesStore<T>, n: usiz
     let (left, right) = (left.as_chunks::<WIDTH>().0, right.as_chunks::<WIDTH>().0);
     let n_groups = sums.len();
     for (group, sum) in sums.iter_mut().enumerate() {
+        let term = |total, j| fused(&left[j * n_groups + group], &right[(n - j) * n_groups + group], total);
         let mut total = [T::from_f64(0.0); WIDTH];
-        let mut add = |j: usize| {
-            let (left, right) = (&left[j * n_groups + group], &right[(n - j) * n_groups + group]);
-            for i in 0..WIDTH {
-                total[i] = left[i].fused(right[i], total[i]);
-            }
-        };
+        for j in 2..n - 1 {
+            total = term(total, j);
+        }
         // the newest coefficients come last, so that the processor adds up the others while it still solves for these
-        (2..n - 1).for_each(&mut add);
-        add(1);
+        total = term(total, 1);
         if n > 2 {
-            add(n - 1);
+            total = term(total, n - 1);
         }
         *sum = total;
     }
+}
+
+/// `left · right + total`
+#[inline(always)]
+fn fused<T: Scalar, const WIDTH: usize>(left: &[T; WIDTH], right: &[T; WIDTH], mut total: [T; WIDTH]) -> [T; WIDTH] {
+    for i in 0..WIDTH {
+        total[i] = left[i].fused(right[i], total[i]);
+    }
+    total
 }

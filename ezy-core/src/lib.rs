@@ -4,8 +4,9 @@
 //! and checked by [`testing::check_scene`].
 //!
 //! Layers, each of which knows only those on its left: `scalar ← model ← linalg ← dynamics ← integrate ← simulate`
-//! and `model ← record ← simulate`; [`report`] reads records and names.
+//! and `model ← record ← simulate`; [`report`] reads records and names; [`accuracy`] runs, compares and reports.
 
+pub mod accuracy;
 pub mod dynamics;
 mod faulty;
 pub mod integrate;

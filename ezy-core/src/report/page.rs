@@ -27,6 +27,8 @@ math[display=block] { margin: .9rem 0; }
 table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
 th, td { padding: .25rem .8rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top; }
 .number { text-align: right; }
+.compact { font-size: .85em; }
+.compact td { white-space: nowrap; padding: .1rem .5rem; }
 @media print {
   body { max-width: none; margin: 0; font-size: 10pt; }
   nav, details { display: none; }

@@ -20,6 +20,7 @@ Examples:
   ezy list                                     which models and scenes there are
   ezy show ezyroller/driven                    its equations
   ezy run ezyroller/driven --out driven.csv    its motion
+  ezy accuracy ezyroller/driven                which method and tolerance it takes
 
 Exit status: 0 done; 1 stopped before the end (what was computed is kept); 2 wrong use."
 )]
@@ -38,6 +39,8 @@ pub enum Command {
     Run(RunArguments),
     /// Checks the generated equations of a model or scene against independent computations
     Check(CheckArguments),
+    /// Measures what accuracy costs in time: every method, tolerance and projection against a reference
+    Accuracy(AccuracyArguments),
     /// Does the EzyRoller study: equations, figures, numbers and a page
     Study(StudyArguments),
 }
@@ -213,6 +216,44 @@ pub struct CheckArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
     pub path: String,
+}
+
+/// Measures what accuracy costs in time: every method, tolerance and projection against a reference
+///
+/// Prints which method to use for an error of 1e-3, 1e-6, 1e-9 and 1e-12, and writes index.html, which needs nothing else,
+/// its figures as SVG and PNG, and accuracy.csv. Errors are those achieved against a reference that a second method
+/// confirms; times are those of repeated runs that keep nothing on their way.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  ezy accuracy ezyroller/driven
+  ezy accuracy ezyroller/driven --set m0=3 --until 10 --budget 20
+  ezy accuracy doublependulum/swing --out out/pendulum --json")]
+pub struct AccuracyArguments {
+    /// Which one; case and underscores do not matter
+    #[arg(value_name = "MODEL/SCENE")]
+    pub path: String,
+    /// End of the runs in seconds [default: what the scene says]
+    #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true)]
+    pub until: Option<f64>,
+    /// Change a parameter or a count; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub set: Vec<Assignment>,
+    /// Hold a start value, as in `ezy run`; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub start: Vec<Assignment>,
+    /// Set an input for the whole run, in its unit; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub input: Vec<Assignment>,
+    /// Seconds that the measurement may take; what it does not get to is listed
+    #[arg(long, value_name = "SECONDS", value_parser = parse_number, allow_negative_numbers = true, default_value = "60")]
+    pub budget: f64,
+    /// Directory to write into; made if it does not exist [default: out/accuracy-MODEL-SCENE]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print one JSON object with 17 significant digits
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Does the EzyRoller study: equations, figures, numbers and a page

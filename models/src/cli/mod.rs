@@ -1,5 +1,7 @@
 //! The command line: one command a file. Everything it does is done through the public parts of `ezy-core`.
 
+mod accuracy;
+mod accuracy_json;
 mod arguments;
 mod check;
 mod failure;
@@ -29,6 +31,7 @@ pub fn main() -> ExitCode {
         Some(Command::Show(arguments)) => show::show(arguments),
         Some(Command::Run(arguments)) => run::run(arguments),
         Some(Command::Check(arguments)) => check::check(arguments),
+        Some(Command::Accuracy(arguments)) => accuracy::accuracy(arguments),
         Some(Command::Study(arguments)) => study::study(arguments),
     };
     match done {

@@ -1,8 +1,8 @@
 //! Names that the command line gives values to.
 
-use ezy_core::model::{ModelInfo, SceneEntry, SceneInfo};
+use ezy_core::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
 use ezy_core::record::{UnknownName, find_name, input_index};
-use ezy_models::registry::typed;
+use ezy_models::registry::{find, typed};
 
 use super::failure::Failure;
 use super::value::Assignment;
@@ -20,8 +20,44 @@ pub fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Fail
     Ok(())
 }
 
+/// The scene that `MODEL/SCENE` names.
+pub fn scene_entry(text: &str) -> Result<(&'static ModelInfo, &'static SceneEntry), Failure> {
+    let selection = find(text)?;
+    let model = selection.model;
+    let entry = selection.scene.ok_or_else(|| {
+        let scenes: Vec<String> = model.scenes.iter().map(|entry| path(model, entry)).collect();
+        Failure::wrong_use(format!("`{text}` names no scene; run one of: {}", scenes.join(", ")))
+    })?;
+    Ok((model, entry))
+}
+
+/// A scene with its parameters and counts set.
+pub fn scene_with(model: &ModelInfo, entry: &SceneEntry, set: &[Assignment]) -> Result<Box<dyn Scene>, Failure> {
+    refuse_twice("--set", set)?;
+    let mut scene = (entry.new)();
+    for assignment in set {
+        match (entry.info)().counts().iter().position(|count| count.name == assignment.name) {
+            Some(i) => scene.set_count(i, whole_number(assignment)?),
+            None => scene.set_parameter(parameter(model, entry, &assignment.name)?, assignment.value),
+        }
+    }
+    Ok(scene)
+}
+
+/// Counts up to here are exact as numbers typed with a point or a power of ten.
+const LARGEST_COUNT: f64 = 1e15;
+
+/// The value of a count: `--set n=1000`.
+fn whole_number(assignment: &Assignment) -> Result<usize, Failure> {
+    let (name, value) = (&assignment.name, assignment.value);
+    if value.fract() == 0.0 && (1.0..=LARGEST_COUNT).contains(&value) {
+        return Ok(value as usize);
+    }
+    Err(Failure::wrong_use(format!("`{name}` is a count, but was given {value}; give it a whole number from 1 on")))
+}
+
 /// The parameter or count of a scene by its name.
-pub fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize, Failure> {
+fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize, Failure> {
     let info = (entry.info)();
     let parameters = info.parameters.iter().map(|parameter| parameter.name);
     let known = parameters.chain(info.counts().iter().map(|count| count.name));

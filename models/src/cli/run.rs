@@ -3,40 +3,31 @@
 use std::fs::File;
 
 use ezy_core::integrate::{Method, Tolerance};
-use ezy_core::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
+use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
-use ezy_models::registry::find;
 
 use super::arguments::{MethodName, RunArguments};
 use super::failure::Failure;
-use super::names::{check_input, parameter, path, refuse_twice};
+use super::names::{check_input, refuse_twice, scene_entry, scene_with};
 use super::out_file::OutFile;
 use super::output::print;
 use super::progress::Progress;
 use super::run_end::{remark, run_json, run_text};
-use super::value::Assignment;
 
 /// Rows of `--out` when `--every` is not given, besides the first.
 const N_ROWS: f64 = 1000.0;
 
 pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(&arguments.path)?;
-    refuse_twice("--set", &arguments.set)?;
     refuse_twice("--start", &arguments.start)?;
     refuse_twice("--input", &arguments.input)?;
     if let Some(every_s) = arguments.every.filter(|every_s| *every_s <= 0.0) {
         return Err(Failure::wrong_use(SetupError::Every { every_s }));
     }
-    let mut scene = (entry.new)();
     for assignment in &arguments.input {
         check_input(model, entry, &assignment.name)?;
     }
-    for assignment in &arguments.set {
-        match (entry.info)().counts().iter().position(|count| count.name == assignment.name) {
-            Some(i) => scene.set_count(i, whole_number(assignment)?),
-            None => scene.set_parameter(parameter(model, entry, &assignment.name)?, assignment.value),
-        }
-    }
+    let scene = scene_with(model, entry, &arguments.set)?;
     let method = method(arguments)?;
     match simulate(arguments, scene.as_ref(), method) {
         Ok(run) => {
@@ -88,28 +79,6 @@ fn tolerance(method: &str, arguments: &RunArguments) -> Result<Tolerance, Failur
     }
     let relative = arguments.rtol.unwrap_or(RELATIVE_TOLERANCE);
     Ok(Tolerance { relative, absolute: arguments.atol.unwrap_or(relative) })
-}
-
-/// Counts up to here are exact as numbers typed with a point or a power of ten.
-const LARGEST_COUNT: f64 = 1e15;
-
-/// The value of a count: `--set n=1000`.
-fn whole_number(assignment: &Assignment) -> Result<usize, Failure> {
-    let (name, value) = (&assignment.name, assignment.value);
-    if value.fract() == 0.0 && (1.0..=LARGEST_COUNT).contains(&value) {
-        return Ok(value as usize);
-    }
-    Err(Failure::wrong_use(format!("`{name}` is a count, but was given {value}; give it a whole number from 1 on")))
-}
-
-fn scene_entry(text: &str) -> Result<(&'static ModelInfo, &'static SceneEntry), Failure> {
-    let selection = find(text)?;
-    let model = selection.model;
-    let entry = selection.scene.ok_or_else(|| {
-        let scenes: Vec<String> = model.scenes.iter().map(|entry| path(model, entry)).collect();
-        Failure::wrong_use(format!("`{text}` names no scene; run one of: {}", scenes.join(", ")))
-    })?;
-    Ok((model, entry))
 }
 
 /// Inputs of the file, then those of the command line, which win.

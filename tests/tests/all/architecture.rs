@@ -24,6 +24,7 @@ const CORE: &[(&str, &[&str])] = &[
     ("record", &["record", "model"]),
     ("simulate", &["simulate", "integrate", "dynamics", "linalg", "record", "model", "scalar"]),
     ("report", &["report", "record", "model"]),
+    ("accuracy", &["accuracy", "simulate", "integrate", "dynamics", "linalg", "record", "report", "model", "scalar"]),
 ];
 
 fn root() -> PathBuf {

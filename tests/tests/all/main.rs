@@ -2,6 +2,7 @@
 
 mod scenes;
 
+mod accuracy;
 mod architecture;
 mod backends;
 mod control;

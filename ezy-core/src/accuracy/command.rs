@@ -1,0 +1,24 @@
+//! A method with its setting, as it is typed.
+
+use crate::integrate::{Method, Tolerance};
+
+/// The step of a method with a fixed step, s, or the relative tolerance of one that chooses its steps.
+pub fn setting(method: Method) -> f64 {
+    match method {
+        Method::Rk4 { step_s } => step_s,
+        Method::Dop853(Tolerance { relative, .. }) | Method::Taylor(Tolerance { relative, .. }) => relative,
+    }
+}
+
+/// The method's setting as an option of the command line: `--step 0.001`, `--rtol 1e-9`.
+pub fn command(method: Method) -> String {
+    match method {
+        Method::Rk4 { step_s } => format!("--step {}", number(step_s)),
+        Method::Dop853(tolerance) | Method::Taylor(tolerance) => format!("--rtol {}", number(tolerance.relative)),
+    }
+}
+
+/// A setting with the digits it was made with: `0.001`, `1e-9`, `3.2e-7`.
+fn number(value: f64) -> String {
+    if (1e-3..1e4).contains(&value) { format!("{value}") } else { format!("{value:e}") }
+}

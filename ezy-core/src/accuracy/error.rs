@@ -1,0 +1,52 @@
+//! What keeps a measurement from being made.
+
+use crate::simulate::SetupError;
+
+/// Accuracy cannot be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum AccuracyError {
+    /// No run can start like this.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    /// No time passes.
+    #[error("the run starts and ends at {until_s} s; give an end after the start")]
+    NoTime {
+        /// Start and end, s.
+        until_s: f64,
+    },
+    /// Nothing can be measured in no time.
+    #[error("the budget is {budget_s} s; give a positive number of seconds")]
+    Budget {
+        /// The budget, s.
+        budget_s: f64,
+    },
+    /// There is no motion up to the end to compare with.
+    #[error("there is no reference: {method} {outcome}")]
+    NoReference {
+        /// The method that was to give it.
+        method: String,
+        /// How its run ended.
+        outcome: String,
+    },
+    /// Even the tightest runs differ all the way.
+    #[error(
+        "there is no reference: runs at the two tightest tolerances differ by {difference:.1e} of the size of the motion from \
+         its first moments; the motion has no digits to measure"
+    )]
+    NothingKnown {
+        /// Largest scaled difference of positions.
+        difference: f64,
+    },
+    /// A figure could not be made.
+    #[cfg(feature = "figures")]
+    #[error(transparent)]
+    Figure(#[from] crate::report::figure::FigureError),
+    /// A file or directory could not be written.
+    #[error("{} cannot be written: {cause}; choose another directory", path.display())]
+    Write {
+        /// The file or directory.
+        path: std::path::PathBuf,
+        /// What the system said.
+        cause: std::io::Error,
+    },
+}

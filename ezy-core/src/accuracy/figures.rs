@@ -1,0 +1,140 @@
+//! What is drawn: time against error, drift and energy against tolerance.
+
+use super::command::setting;
+use super::ladder::{FAMILIES, Family};
+use super::measured::WorkPrecision;
+use super::point::Measured;
+use super::variant::Variant;
+use crate::dynamics::{Metric, Projection};
+use crate::report::figure::Figure;
+
+/// Where the error of a work-precision figure is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Where {
+    End,
+    Grid,
+}
+
+/// A guide runs this many times below the curve that it belongs to.
+const GUIDE_GAP: f64 = 1.6;
+
+impl WorkPrecision {
+    /// Time against error of positions, one curve a method.
+    pub(super) fn work_precision(&self, place: Where) -> Figure {
+        let (what, label) = match place {
+            Where::End => ("at the end", format!("largest error of a position at t = {} s [m, rad]", self.until_s)),
+            Where::Grid => ("throughout", "largest error of a position over the run [m, rad]".to_owned()),
+        };
+        let title = format!("{}/{}: what accuracy costs, {what}", self.info.model, self.info.name);
+        let mut figure = Figure::log_log(&title, &label, "time of a run [ms]");
+        for family in &FAMILIES {
+            let (x, y) = self.costs(family, place);
+            figure = figure.points(family.name, x, y);
+        }
+        for family in &FAMILIES {
+            figure = self.with_slope(figure, family, place);
+        }
+        let [fastest, slowest] = self.range_of_times();
+        let all = FAMILIES.iter().flat_map(|family| self.costs(family, place).0);
+        let least = all.filter(|error| *error > 0.0).fold(f64::INFINITY, f64::min);
+        if !least.is_finite() {
+            return figure;
+        }
+        let known = self.known(place);
+        let (name, floor) = match known >= least {
+            true => (format!("the reference is known to {known:.0e}"), known),
+            false => (format!("floor of rounding: {least:.0e}"), least),
+        };
+        figure.guide(&name, vec![floor, floor], vec![fastest, slowest])
+    }
+
+    fn known(&self, place: Where) -> f64 {
+        let of = self.reference.uncertainty;
+        match place {
+            Where::End => of.end.position.absolute,
+            Where::Grid => of.grid.position.absolute,
+        }
+    }
+
+    /// Errors and times in ms of one method.
+    fn costs(&self, family: &Family, place: Where) -> (Vec<f64>, Vec<f64>) {
+        let cost = |m: &Measured| {
+            let error = match place {
+                Where::End => m.error.end,
+                Where::Grid => m.error.grid,
+            };
+            (error.position.absolute, 1e3 * m.seconds_min)
+        };
+        self.curve(family.name, Variant::default()).map(|(_, m)| cost(m)).unzip()
+    }
+
+    /// Shortest and longest time with the default projection, ms.
+    fn range_of_times(&self) -> [f64; 2] {
+        let all = FAMILIES.iter().flat_map(|family| self.costs(family, Where::End).1);
+        all.fold([f64::INFINITY, 0.0], |[low, high], t| [low.min(t), high.max(t)])
+    }
+
+    /// The slope −1/order below the middle of a curve, which says so.
+    fn with_slope(&self, figure: Figure, family: &Family, place: Where) -> Figure {
+        let (x, y) = self.costs(family, place);
+        let known = self.known(place);
+        let usable: Vec<(f64, f64)> = x.into_iter().zip(y).filter(|(x, _)| *x > known && x.is_finite()).collect();
+        let (Some(order), true) = (family.order, usable.len() >= 4) else { return figure };
+        let (first, last) = (usable.len() / 4, usable.len() - 1 - usable.len() / 4);
+        let (x0, y0) = usable[first];
+        let x1 = usable[last].0;
+        let at = |x: f64| y0 / GUIDE_GAP * (x / x0).powf(-1.0 / f64::from(order));
+        let middle = (x0 * x1).sqrt();
+        figure.guide("", vec![x0, x1], vec![at(x0), at(x1)]).note(
+            middle,
+            at(middle) / GUIDE_GAP,
+            &format!("slope −1/{order}"),
+        )
+    }
+
+    /// Largest residual against tolerance, one curve a projection; `None` for a scene without rows.
+    pub(super) fn drift(&self) -> Option<Figure> {
+        let (pick, label): (fn(&Measured) -> f64, _) = match (self.info.n_rows(), self.info.n_position_rows) {
+            (0, _) => return None,
+            (_, 0) => (|m| m.velocity_residual, "largest residual of a velocity row"),
+            _ => (|m| m.position_residual, "largest residual of a position row, |C|"),
+        };
+        let title = format!("{}/{}: drift off the constraints", self.info.model, self.info.name);
+        let shown = [Projection::None, Projection::Positions, Projection::Velocities, Projection::Both];
+        Some(self.by_variant(
+            &title,
+            label,
+            &shown.map(|projection| Variant { projection, metric: Metric::Mass }),
+            pick,
+        ))
+    }
+
+    /// Largest energy balance against tolerance, one curve a projection.
+    pub(super) fn energy(&self) -> Figure {
+        let title = format!("{}/{}: kinetic and potential energy less work", self.info.model, self.info.name);
+        let both = Projection::Both;
+        let shown = [
+            Variant::NONE,
+            Variant { projection: Projection::Velocities, metric: Metric::Mass },
+            Variant { projection: both, metric: Metric::Mass },
+            Variant { projection: both, metric: Metric::Euclidean },
+        ];
+        self.by_variant(&title, "largest change [J]", &shown, |m| m.energy_balance)
+    }
+
+    fn by_variant(&self, title: &str, label: &str, shown: &[Variant], pick: fn(&Measured) -> f64) -> Figure {
+        let method = DRAWN;
+        let mut figure = Figure::log_log(title, &format!("tolerance of {method}"), label);
+        for &variant in shown {
+            let (x, y): (Vec<f64>, Vec<f64>) =
+                self.curve(method, variant).map(|(method, m)| (setting(method), pick(m))).unzip();
+            if !x.is_empty() {
+                figure = figure.points(variant.name(), x, y);
+            }
+        }
+        figure
+    }
+}
+
+/// The method whose projections are drawn: it takes every scene and knows nothing of constraints.
+const DRAWN: &str = "dop853";

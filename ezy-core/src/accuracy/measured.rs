@@ -1,0 +1,129 @@
+//! A finished measurement.
+
+use super::advice::{Advice, Candidate, TARGETS, advise};
+use super::ladder::FAMILIES;
+use super::machine::machine;
+use super::point::{Measured, Point, PointResult};
+use super::reference::Reference;
+use super::runs::Runs;
+use super::variant::Variant;
+use crate::integrate::Method;
+use crate::model::SceneInfo;
+
+/// What every setting reached and took.
+#[derive(Debug, Clone)]
+pub struct WorkPrecision {
+    /// Names and sizes.
+    pub info: &'static SceneInfo,
+    /// Start of the runs, s.
+    pub start_s: f64,
+    /// End of the runs, s.
+    pub until_s: f64,
+    /// The end that was asked for, s: later than that of the runs where nothing is known of the motion up to there.
+    pub asked_until_s: f64,
+    /// How far reference runs are apart at the end that was asked for, over the size of the motion, when that is later.
+    pub unknown: Option<f64>,
+    /// What everything is compared with.
+    pub reference: Reference,
+    /// Every setting, also those that were not run.
+    pub points: Vec<Point>,
+    /// What the times belong to.
+    pub machine: String,
+    /// What the measurement was allowed and what it took, s.
+    pub budget_s: f64,
+    /// s
+    pub seconds: f64,
+}
+
+/// Settings of one method that were not measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Missing {
+    /// Name of the method.
+    pub method: &'static str,
+    /// With which projections.
+    pub variants: Vec<Variant>,
+    /// The settings, from coarse to fine.
+    pub settings: Vec<Method>,
+    /// Why; `None`: the budget.
+    pub reason: Option<String>,
+}
+
+impl WorkPrecision {
+    pub(super) fn new(
+        runs: &Runs<'_>,
+        asked_until_s: f64,
+        unknown: Option<f64>,
+        reference: Reference,
+        points: Vec<Point>,
+        budget_s: f64,
+        seconds: f64,
+    ) -> Self {
+        let (info, start_s, until_s) = (runs.scene.info(), runs.start_s, runs.until_s);
+        let machine = machine();
+        Self { info, start_s, until_s, asked_until_s, unknown, reference, points, machine, budget_s, seconds }
+    }
+
+    /// Names of the methods.
+    pub fn methods(&self) -> impl Iterator<Item = &'static str> {
+        FAMILIES.iter().map(|family| family.name)
+    }
+
+    /// What one method reached with one projection, from coarse to fine.
+    pub fn curve(&self, method: &str, variant: Variant) -> impl Iterator<Item = (Method, &Measured)> {
+        let of_curve = move |point: &&Point| point.method.name() == method && point.variant == variant;
+        self.points.iter().filter(of_curve).filter_map(|point| Some((point.method, point.measured()?)))
+    }
+
+    /// Whether anything was measured.
+    pub fn is_empty(&self) -> bool {
+        self.points.iter().all(|point| point.measured().is_none())
+    }
+
+    /// The settings among which advice chooses: those with the default projection, by their largest error of positions
+    /// over the grid, or that of the reference where it is larger.
+    pub fn candidates(&self) -> Vec<Candidate> {
+        let known = self.reference.uncertainty.grid.position.absolute;
+        let all = self.methods().flat_map(|method| self.curve(method, Variant::default()));
+        let candidate = |(method, measured): (Method, &Measured)| Candidate {
+            method,
+            error: measured.error.grid.position.absolute.max(known),
+            seconds: measured.seconds_min,
+        };
+        all.map(candidate).filter(|candidate| candidate.error.is_finite()).collect()
+    }
+
+    /// Which method to use for each of [`TARGETS`].
+    pub fn advice(&self) -> Vec<Advice> {
+        let candidates = self.candidates();
+        let known = self.reference.uncertainty.grid.position.absolute;
+        TARGETS.iter().map(|&target| advise(target, known, &candidates)).collect()
+    }
+
+    /// What was not measured: settings with the same reason together, and projections with the same settings.
+    pub fn missing(&self) -> Vec<Missing> {
+        let mut all: Vec<Missing> = Vec::new();
+        for point in &self.points {
+            let reason = match &point.result {
+                PointResult::Measured(_) => continue,
+                PointResult::Stopped(reason) => Some(reason.clone()),
+                PointResult::NotRun => None,
+            };
+            let (method, variants) = (point.method.name(), vec![point.variant]);
+            let alike = |m: &&mut Missing| m.method == method && m.variants == variants && m.reason == reason;
+            match all.iter_mut().find(alike) {
+                Some(missing) => missing.settings.push(point.method),
+                None => all.push(Missing { method, variants, settings: vec![point.method], reason }),
+            }
+        }
+        let mut merged: Vec<Missing> = Vec::new();
+        for missing in all {
+            let Missing { method, settings, reason, .. } = &missing;
+            let alike = |m: &&mut Missing| m.method == *method && m.settings == *settings && m.reason == *reason;
+            match merged.iter_mut().find(alike) {
+                Some(earlier) => earlier.variants.extend(missing.variants),
+                None => merged.push(missing),
+            }
+        }
+        merged
+    }
+}

@@ -1,0 +1,56 @@
+//! What accuracy costs in time: every method, a ladder of tolerances and steps, every projection, against a reference.
+//!
+//! [`Accuracy`] orders a measurement as [`Simulation`](crate::simulate::Simulation) orders a run:
+//!
+//! ```no_run
+//! # use ezy_core::prelude::*;
+//! # fn of(scene: &dyn Scene) -> Result<(), Box<dyn std::error::Error>> {
+//! use ezy_core::accuracy::Accuracy;
+//!
+//! let measured = Accuracy::new(scene).until(10.0).budget(30.0).measure(|_, _| ())?;
+//! for advice in measured.advice() {
+//!     println!("{advice}");
+//! }
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! How it is measured and why: `docs/accuracy.md`.
+
+mod advice;
+mod command;
+mod csv;
+mod deadline;
+mod error;
+mod errors;
+#[cfg(feature = "figures")]
+mod figures;
+mod ladder;
+mod machine;
+mod measured;
+mod order;
+#[cfg(feature = "figures")]
+mod page;
+mod point;
+mod reference;
+mod runs;
+#[cfg(feature = "figures")]
+mod save;
+mod second;
+mod tables;
+mod trajectory;
+mod variant;
+
+pub use advice::{Advice, Candidate, TARGETS, advise};
+pub use command::{command, setting};
+pub use error::AccuracyError;
+pub use errors::{Comparison, Errors, Scales, Size};
+pub use ladder::Ladder;
+pub use measured::{Missing, WorkPrecision};
+pub use order::Accuracy;
+pub use point::{Measured, Point, PointResult};
+pub use reference::Reference;
+pub use second::Second;
+pub use tables::duration;
+pub use trajectory::Trajectory;
+pub use variant::Variant;

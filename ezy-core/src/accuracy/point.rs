@@ -1,0 +1,132 @@
+//! One setting of one method: what it reaches and what it takes.
+
+use std::time::Instant;
+
+use super::errors::{Comparison, compare};
+use super::reference::Reference;
+use super::runs::{NoRun, Runs};
+use super::trajectory::Trajectory;
+use super::variant::Variant;
+use crate::integrate::Method;
+use crate::simulate::{Cost, Run};
+
+/// One setting of one method with one projection.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// The method with its setting.
+    pub method: Method,
+    /// What is projected.
+    pub variant: Variant,
+    /// What came of it.
+    pub result: PointResult,
+}
+
+/// What came of a setting.
+#[derive(Debug, Clone)]
+pub enum PointResult {
+    /// Measured.
+    Measured(Box<Measured>),
+    /// The motion does not get to the end like this; why.
+    Stopped(String),
+    /// The budget was over, or would have been.
+    NotRun,
+}
+
+/// What a setting reaches and what it takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Errors against the reference.
+    pub error: Comparison,
+    /// Largest |C| over the grid.
+    pub position_residual: f64,
+    /// Largest residual of all rows at velocity level over the grid.
+    pub velocity_residual: f64,
+    /// Largest |kinetic + potential − work| over the grid, less its value at the start, J.
+    pub energy_balance: f64,
+    /// Counts of a run that keeps its two ends.
+    pub cost: Cost,
+    /// Shortest time of such a run, s.
+    pub seconds_min: f64,
+    /// Median time of such runs, s.
+    pub seconds_median: f64,
+    /// How many runs were timed.
+    pub n_timed: usize,
+    /// Time of the one run with a sample at every time of the grid, and works, s: dense output is paid here.
+    pub seconds_on_grid: f64,
+}
+
+/// Time that runs of one setting are repeated for, s, and how often at least and at most.
+const REPEAT_S: f64 = 0.02;
+const MIN_REPEATS: usize = 7;
+const MAX_REPEATS: usize = 101;
+/// Longer runs, s, are timed less often: one run of a second tells as much as many of a millisecond.
+const LONG_S: f64 = 0.1;
+
+/// How often a run of so many seconds is timed.
+pub(super) fn repeats(seconds: f64) -> usize {
+    if seconds > LONG_S {
+        return ((MIN_REPEATS as f64 * LONG_S / seconds) as usize).max(1);
+    }
+    ((REPEAT_S / seconds) as usize).clamp(MIN_REPEATS, MAX_REPEATS)
+}
+
+/// Runs a setting on the grid, which warms up, then for its time.
+pub(super) fn measure(
+    runs: &Runs<'_>,
+    method: Method,
+    variant: Variant,
+    reference: &Reference,
+    until: Instant,
+) -> PointResult {
+    let measured = || -> Result<Measured, NoRun> {
+        let run = runs.on_grid(method, variant, until)?;
+        let error = compare(&Trajectory::of(&run), &reference.trajectory, &reference.scales);
+        let error = error.ok_or_else(|| NoRun::Stopped("has samples at other times than the reference".to_owned()))?;
+        let first = runs.bare(method, variant)?.cost;
+        let mut seconds = vec![first.seconds];
+        while seconds.len() < repeats(first.seconds) && Instant::now() < until {
+            seconds.push(runs.bare(method, variant)?.cost.seconds);
+        }
+        seconds.sort_by(f64::total_cmp);
+        Ok(Measured {
+            error,
+            position_residual: largest(&run, |sample| sample.position_residual),
+            velocity_residual: largest(&run, |sample| sample.velocity_residual),
+            energy_balance: largest(&run, |sample| sample.energy.balance),
+            cost: first,
+            seconds_min: seconds[0],
+            seconds_median: seconds[seconds.len() / 2],
+            n_timed: seconds.len(),
+            seconds_on_grid: run.cost.seconds,
+        })
+    };
+    match measured() {
+        Ok(measured) => PointResult::Measured(Box::new(measured)),
+        Err(NoRun::Overtime) => PointResult::NotRun,
+        Err(why) => PointResult::Stopped(why.to_string()),
+    }
+}
+
+fn largest(run: &Run, pick: fn(&crate::record::Sample<'_>) -> f64) -> f64 {
+    run.samples().map(|sample| pick(&sample).abs()).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
+}
+
+impl Point {
+    /// What was measured, if it was.
+    pub fn measured(&self) -> Option<&Measured> {
+        match &self.result {
+            PointResult::Measured(measured) => Some(measured),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_short_runs_are_timed_seven_times_at_least_and_long_ones_once() {
+        assert_eq!([1e-9, 1e-3, 0.05, 0.1, 0.35, 2.0].map(repeats), [101, 20, 7, 7, 2, 1]);
+    }
+}

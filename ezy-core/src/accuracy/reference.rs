@@ -1,0 +1,90 @@
+//! The motion that all others are compared with.
+
+use std::time::{Duration, Instant};
+
+use super::command::command;
+use super::error::AccuracyError;
+use super::errors::{Comparison, Scales, compare, difference};
+use super::runs::{NoRun, Runs};
+use super::second::Second;
+use super::trajectory::Trajectory;
+use super::variant::Variant;
+use crate::integrate::Method;
+use crate::simulate::Run;
+
+/// Tolerances from the tightest on, until two runs have reached the end.
+const TOLERANCES: [f64; 6] = [1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10];
+
+/// Where two reference runs differ by more than this part of the size of the motion, there is nothing to compare with.
+const KNOWN: f64 = 1e-6;
+
+/// A reference motion and how well it is known.
+#[derive(Debug, Clone)]
+pub struct Reference {
+    /// How it was made.
+    pub by: String,
+    /// The motion.
+    pub trajectory: Trajectory,
+    /// Sizes of the motion.
+    pub scales: Scales,
+    /// How far it is from the second best run of its kind: errors below this are not known.
+    pub uncertainty: Comparison,
+    /// How far it is from another method, or why none was run.
+    pub second: Result<Second, String>,
+}
+
+/// A reference, or the time up to which there is one.
+pub(super) enum Found {
+    /// Up to the end.
+    Whole(Box<Reference>),
+    /// Only up to a time, s; scaled difference of positions at the end.
+    Until(f64, f64),
+}
+
+impl Reference {
+    /// From the two tightest runs that reach the end within `budget`.
+    pub(super) fn find(runs: &Runs<'_>, budget: Duration) -> Result<Found, AccuracyError> {
+        let deadline = Instant::now() + budget;
+        let mut best: Vec<(Method, Run)> = Vec::new();
+        let mut refused = None;
+        for method in TOLERANCES.map(Method::dop853) {
+            match runs.on_grid(method, Variant::default(), Instant::now() + budget / 4) {
+                Ok(run) => best.push((method, run)),
+                Err(NoRun::Setup(error)) => return Err(error.into()),
+                Err(why) => refused = Some((method, why)),
+            }
+            if best.len() == 2 || Instant::now() >= deadline {
+                break;
+            }
+        }
+        let [(method, run), (_, second_best)] = &best[..] else {
+            let (method, outcome) = refused.map_or_else(
+                || ("dop853".to_owned(), NoRun::Overtime.to_string()),
+                |(method, why)| (format!("dop853 {}", command(method)), why.to_string()),
+            );
+            return Err(AccuracyError::NoReference { method, outcome });
+        };
+        let (trajectory, other) = (Trajectory::of(run), Trajectory::of(second_best));
+        let scales = Scales::of(&trajectory);
+        if let Some(until) = unknown_from(&trajectory, &other, &scales)? {
+            return Ok(until);
+        }
+        let uncertainty = compare(&trajectory, &other, &scales).unwrap_or_default();
+        let second = Second::by_rk4(runs, run.cost, &trajectory, &scales, deadline);
+        let by = format!("dop853 {}", command(*method));
+        Ok(Found::Whole(Box::new(Self { by, trajectory, scales, uncertainty, second })))
+    }
+}
+
+/// The time from which two motions differ noticeably, if they do.
+fn unknown_from(one: &Trajectory, other: &Trajectory, scales: &Scales) -> Result<Option<Found>, AccuracyError> {
+    let n = one.times().len().min(other.times().len());
+    let apart = |i: usize| difference(one.row(i), other.row(i), scales).position.scaled;
+    let known = |i: &usize| apart(*i) <= KNOWN;
+    let n_known = (0..n).take_while(known).count();
+    match n_known {
+        _ if n_known == n => Ok(None),
+        0 | 1 => Err(AccuracyError::NothingKnown { difference: apart(1.min(n - 1)) }),
+        _ => Ok(Some(Found::Until(one.times()[n_known - 1], apart(n - 1)))),
+    }
+}

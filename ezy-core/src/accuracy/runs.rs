@@ -1,0 +1,95 @@
+//! The runs of a measurement: one scene, one start, one grid.
+
+use std::time::Instant;
+
+use super::deadline::Deadline;
+use super::variant::Variant;
+use crate::dynamics::System;
+use crate::integrate::Method;
+use crate::linalg::Backend;
+use crate::model::Scene;
+use crate::simulate::{Outcome, Run, SetupError, Simulation, StopReason};
+
+/// Intervals of the grid on which motions are compared.
+const N_INTERVALS: usize = 100;
+
+/// What all runs have in common.
+#[derive(Clone)]
+pub(super) struct Runs<'s> {
+    pub scene: &'s dyn Scene,
+    pub given: Vec<(String, f64)>,
+    pub inputs: Vec<(String, f64)>,
+    /// s
+    pub start_s: f64,
+    /// s
+    pub until_s: f64,
+    /// Interval of the grid, s.
+    pub every_s: f64,
+}
+
+/// A run that leaves nothing to compare.
+pub(super) enum NoRun {
+    /// The order cannot be carried out.
+    Setup(SetupError),
+    /// Its time was over.
+    Overtime,
+    /// The motion ended early.
+    Stopped(String),
+}
+
+impl<'s> Runs<'s> {
+    pub fn new(
+        scene: &'s dyn Scene,
+        given: Vec<(String, f64)>,
+        inputs: Vec<(String, f64)>,
+        until_s: f64,
+    ) -> Result<Self, SetupError> {
+        let start_s = System::new(scene, Backend::Auto)?.scene_start().t;
+        let every_s = (until_s - start_s) / N_INTERVALS as f64;
+        Ok(Self { scene, given, inputs, start_s, until_s, every_s })
+    }
+
+    fn simulation(&self, method: Method, variant: Variant) -> Simulation<'s, dyn Scene + 's> {
+        let order = Simulation::new(self.scene)
+            .method(method)
+            .until(self.until_s)
+            .project(variant.projection)
+            .metric(variant.metric);
+        let order = self.given.iter().fold(order, |order, (name, value)| order.give(name, *value));
+        self.inputs.iter().fold(order, |order, (name, value)| order.input(name, *value))
+    }
+
+    /// A run that keeps its two ends.
+    pub fn bare(&self, method: Method, variant: Variant) -> Result<Run, NoRun> {
+        finished(self.simulation(method, variant).run())
+    }
+
+    /// A run with a sample at every time of the grid, and works; it ends when `until` is over.
+    pub fn on_grid(&self, method: Method, variant: Variant, until: Instant) -> Result<Run, NoRun> {
+        let mut deadline = Deadline(until);
+        finished(self.simulation(method, variant).every(self.every_s).work().record_to(&mut deadline).run())
+    }
+}
+
+fn finished(done: Result<Run, SetupError>) -> Result<Run, NoRun> {
+    let run = match done {
+        Ok(run) => run,
+        Err(SetupError::Record(_)) => return Err(NoRun::Overtime),
+        Err(error) => return Err(NoRun::Setup(error)),
+    };
+    match &run.outcome {
+        Outcome::ReachedEnd => Ok(run),
+        Outcome::Stopped { reason: StopReason::Record(_), .. } => Err(NoRun::Overtime),
+        outcome => Err(NoRun::Stopped(outcome.to_string())),
+    }
+}
+
+impl std::fmt::Display for NoRun {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Setup(error) => error.fmt(f),
+            Self::Overtime => f.write_str("was not finished in the time given to it"),
+            Self::Stopped(outcome) => f.write_str(outcome),
+        }
+    }
+}

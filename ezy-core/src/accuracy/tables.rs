@@ -1,0 +1,238 @@
+//! The measurement in rows and sentences.
+
+use super::command::command;
+use super::errors::{Comparison, Errors, Size};
+use super::measured::{Missing, WorkPrecision};
+use super::point::Measured;
+use super::variant::Variant;
+use crate::integrate::Method;
+use crate::report::table::Table;
+
+/// A length of time with three digits: `0.312 ms`, `31.0 µs`, `1.25 s`.
+///
+/// ```
+/// assert_eq!(ezy_core::accuracy::duration(3.12e-4), "0.312 ms");
+/// ```
+pub fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 1e-4 => format!("{} µs", three_digits(1e6 * s)),
+        s if s < 1.0 => format!("{} ms", three_digits(1e3 * s)),
+        s => format!("{} s", three_digits(s)),
+    }
+}
+
+fn three_digits(x: f64) -> String {
+    let decimals = match x {
+        x if x < 1.0 => 3,
+        x if x < 10.0 => 2,
+        x if x < 100.0 => 1,
+        _ => 0,
+    };
+    format!("{x:.decimals$}")
+}
+
+impl WorkPrecision {
+    /// Errors of positions and what they cost, with the default projection; errors that the reference does not know are
+    /// marked with ≤.
+    pub fn table(&self) -> Table {
+        let mut table =
+            Table::new(["method", "setting", "end [m, rad]", "largest [m, rad]", "steps", "evaluations", "time [ms]"]);
+        for (method, measured) in self.main_curves() {
+            let [end, grid] = self.position_errors(measured);
+            table.push([
+                method.name().to_owned(),
+                command(method),
+                end,
+                grid,
+                measured.cost.steps.to_string(),
+                measured.cost.evaluations.to_string(),
+                three_digits(1e3 * measured.seconds_min),
+            ]);
+        }
+        table
+    }
+
+    /// All that was measured with the default projection.
+    pub(super) fn error_table(&self) -> Table {
+        let mut table = Table::new([
+            "method",
+            "setting",
+            "position, end",
+            "largest",
+            "scaled",
+            "velocity",
+            "scaled",
+            "reaction",
+            "scaled",
+            "|C|",
+            "velocity rows",
+            "energy [J]",
+        ]);
+        for (method, m) in self.main_curves() {
+            let [end, grid] = self.position_errors(m);
+            let Errors { position, velocity, reaction } = m.error.grid;
+            let rest = [position.scaled, velocity.absolute, velocity.scaled, reaction.absolute, reaction.scaled];
+            let residuals = [m.position_residual, m.velocity_residual, m.energy_balance];
+            let cells = [method.name().to_owned(), command(method), end, grid].into_iter();
+            table.push(cells.chain(rest.into_iter().chain(residuals).map(|x| format!("{x:.1e}"))));
+        }
+        table
+    }
+
+    /// What it took, with the default projection: counts, which are the same on every machine, and times.
+    pub(super) fn cost_table(&self) -> Table {
+        let mut table = Table::new([
+            "method",
+            "setting",
+            "largest error",
+            "steps",
+            "rejected",
+            "evaluations",
+            "factorisations",
+            "shortest [ms]",
+            "median [ms]",
+            "runs",
+            "on the grid [ms]",
+        ]);
+        for (method, m) in self.main_curves() {
+            let [_, grid] = self.position_errors(m);
+            let counts = [m.cost.steps, m.cost.rejected, m.cost.evaluations, m.cost.factorizations];
+            let times = [m.seconds_min, m.seconds_median].map(|s| three_digits(1e3 * s));
+            let cells = [method.name().to_owned(), command(method), grid].into_iter();
+            let cells = cells.chain(counts.map(|n| n.to_string())).chain(times);
+            table.push(cells.chain([m.n_timed.to_string(), three_digits(1e3 * m.seconds_on_grid)]));
+        }
+        table
+    }
+
+    /// Every projection at one setting of each method: the finest one that all of them were measured with and that costs
+    /// at most `1e-9` of error, or the finest one at all.
+    pub(super) fn projection_table(&self) -> Table {
+        let mut table = Table::new([
+            "method",
+            "setting",
+            "projection",
+            "largest error",
+            "|C|",
+            "velocity rows",
+            "energy [J]",
+            "time [ms]",
+            "of none",
+        ]);
+        for name in self.methods() {
+            let Some(method) = self.compared_setting(name) else { continue };
+            let at = |variant: Variant| self.curve(name, variant).find(|(m, _)| *m == method).map(|(_, found)| found);
+            let none = at(Variant::NONE).map(|m| m.seconds_min);
+            for variant in Variant::all(self.info) {
+                let Some(m) = at(variant) else { continue };
+                let [_, grid] = self.position_errors(m);
+                let ratio = none.map_or_else(String::new, |none| format!("{:.2}", m.seconds_min / none));
+                table.push([
+                    name.to_owned(),
+                    command(method),
+                    variant.name().to_owned(),
+                    grid,
+                    format!("{:.1e}", m.position_residual),
+                    format!("{:.1e}", m.velocity_residual),
+                    format!("{:.1e}", m.energy_balance),
+                    three_digits(1e3 * m.seconds_min),
+                    ratio,
+                ]);
+            }
+        }
+        table
+    }
+
+    /// The setting that projections are compared at: with an error near the middle of the ladder, so that there is
+    /// something to see.
+    fn compared_setting(&self, name: &str) -> Option<Method> {
+        let with_all = |method: Method| {
+            let measured = |variant: Variant| self.curve(name, variant).any(|(m, _)| m == method);
+            Variant::all(self.info).into_iter().all(measured)
+        };
+        let all: Vec<(Method, f64)> = self
+            .curve(name, Variant::default())
+            .filter(|(method, _)| with_all(*method))
+            .map(|(method, m)| (method, m.error.grid.position.absolute))
+            .collect();
+        let fine_enough = all.iter().filter(|(_, error)| *error <= COMPARED_ERROR).max_by(|a, b| a.1.total_cmp(&b.1));
+        fine_enough.or(all.last()).map(|(method, _)| *method)
+    }
+
+    fn main_curves(&self) -> impl Iterator<Item = (Method, &Measured)> {
+        self.methods().flat_map(|method| self.curve(method, Variant::default()))
+    }
+
+    /// At the end and the largest one, marked where the reference does not know.
+    fn position_errors(&self, measured: &Measured) -> [String; 2] {
+        let Comparison { end, grid } = self.reference.uncertainty;
+        [(measured.error.end, end), (measured.error.grid, grid)]
+            .map(|(error, known)| marked(error.position, known.position))
+    }
+
+    /// What the reference is and how well it is known, as sentences.
+    pub fn reference_text(&self) -> Vec<String> {
+        let reference = &self.reference;
+        let Comparison { end, grid } = reference.uncertainty;
+        let mut all = vec![format!(
+            "The reference is {}, positions and velocities projected. The next looser run differs from it by {:.1e} m or rad \
+             at the end and by {:.1e} at most; errors up to there are not known, and tables mark them with ≤.",
+            reference.by, end.position.absolute, grid.position.absolute
+        )];
+        all.push(match &reference.second {
+            Ok(second) => format!(
+                "A second method, {}, differs from it by {:.1e} at most; its own two runs differ by {:.1e}.",
+                second.by, second.difference.grid.position.absolute, second.own.grid.position.absolute
+            ),
+            Err(why) => format!("It was not validated by a second method: {why}."),
+        });
+        if let Some(unknown) = self.unknown {
+            all.push(format!(
+                "The runs end at t = {} s in place of {} s: there, runs at the two tightest tolerances differ by {unknown:.1e} of \
+                 the size of the motion. The motion multiplies rounding until no digit is left, and no method of this \
+                 precision gets further.",
+                self.until_s, self.asked_until_s
+            ));
+        }
+        all
+    }
+
+    /// What was not measured, as sentences.
+    pub fn missing_text(&self) -> Vec<String> {
+        self.missing().iter().map(missing_line).collect()
+    }
+}
+
+/// Error that projections are compared at, m or rad: above rounding, below what is seen.
+const COMPARED_ERROR: f64 = 1e-6;
+
+fn marked(error: Size, known: Size) -> String {
+    let mark = if error.absolute <= known.absolute { "≤" } else { "" };
+    format!("{mark}{:.1e}", error.absolute.max(if mark.is_empty() { 0.0 } else { known.absolute }))
+}
+
+fn missing_line(missing: &Missing) -> String {
+    let [first, last] =
+        [missing.settings.first(), missing.settings.last()].map(|m| m.copied().map_or(String::new(), command));
+    let settings = match missing.settings.len() {
+        1 => first,
+        n => format!("{first} to {last} ({n} settings)"),
+    };
+    let projections: Vec<&str> = missing.variants.iter().map(|variant| variant.name()).collect();
+    let (method, projections) = (missing.method, projections.join("; "));
+    let reason = missing.reason.as_deref().unwrap_or("not run within the budget");
+    format!("{method} {settings}, projection {projections}: {reason}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_durations_have_three_digits() {
+        assert_eq!(
+            [3.3e-8, 4.2e-5, 3.12e-4, 0.0331, 0.5, 2.0].map(duration),
+            ["0.033 µs", "42.0 µs", "0.312 ms", "33.1 ms", "500 ms", "2.00 s"]
+        );
+    }
+}

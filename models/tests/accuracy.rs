@@ -1,0 +1,86 @@
+//! `ezy accuracy`, run as its users run it.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn ezy(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ezy")).arg("accuracy").args(arguments).output().expect("the program starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("output is UTF-8")
+}
+
+fn directory(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    _ = std::fs::remove_dir_all(&path);
+    path
+}
+
+#[test]
+fn invariant_accuracy_writes_page_figures_and_numbers_and_says_what_to_use() {
+    let out = directory("accuracy");
+    let done = ezy(&["ezyroller/coast", "--until", "0.2", "--budget", "8", "--out", out.to_str().unwrap(), "--json"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+
+    let found: Value = serde_json::from_str(&text(&done.stdout)).unwrap();
+    assert_eq!(
+        (&found["model"], &found["scene"], &found["until"]),
+        (&"EzyRoller".into(), &"coast".into(), &0.2.into())
+    );
+    let advice = found["advice"].as_array().unwrap();
+    let targets: Vec<f64> = advice.iter().map(|advice| advice["target"].as_f64().unwrap()).collect();
+    assert_eq!(targets, [1e-3, 1e-6, 1e-9, 1e-12]);
+    let sentence = advice[0]["sentence"].as_str().unwrap();
+    let method = advice[0]["use"]["method"].as_str().unwrap();
+    assert!(sentence.starts_with("Positions to 1e-3 (m, rad) throughout: use ") && sentence.contains(method));
+
+    let read = |name: &str| std::fs::read(out.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    for figure in ["work-precision", "work-precision-grid", "drift", "energy"] {
+        assert!(text(&read(&format!("{figure}.svg"))).contains("<svg"), "{figure}");
+        assert!(read(&format!("{figure}.png")).starts_with(b"\x89PNG"), "{figure}");
+    }
+    let csv = text(&read("accuracy.csv"));
+    let head = csv.lines().next().unwrap();
+    assert!(head.starts_with("method,setting [s or tolerance],projection,metric,outcome,position error at the end"));
+    assert_eq!(csv.lines().count(), 1 + found["points"].as_array().unwrap().len());
+    let columns = head.split(',').count();
+    assert!(csv.lines().filter(|row| row.contains(",measured,")).all(|row| row.split(',').count() == columns));
+    assert!(csv.lines().any(|row| row.starts_with("dop853,1e-9,both,mass,measured,")));
+
+    let page = text(&read("index.html"));
+    assert!(page.contains(sentence) && page.matches("<svg").count() == 4, "the page holds sentences and figures");
+    for elsewhere in ["http:", "https:", "<script", "<img", "<link", "NaN"] {
+        assert!(!page.contains(elsewhere), "{elsewhere}");
+    }
+}
+
+#[test]
+fn invariant_accuracy_exits_with_2_on_wrong_use() {
+    let out = directory("accuracy_refused");
+    let out = out.to_str().unwrap();
+    let cases: [(&[&str], &str); 6] = [
+        (&["ezyroller"], "names no scene; run one of: ezyroller/coast"),
+        (&["ezyroller/coast", "--set", "m9=1", "--out", out], "parameter `m9` is not known"),
+        (&["ezyroller/coast", "--start", "seat.z=1", "--out", out], "start value `seat.z` is not known"),
+        (&["ezyroller/coast", "--until", "0", "--out", out], "give an end after the start"),
+        (&["ezyroller/coast", "--budget", "-1", "--out", out], "give a positive number of seconds with --budget"),
+        (&["ezyroller/coast", "--out", "/dev/null/x"], "choose another directory with --out"),
+    ];
+    for (arguments, expected) in cases {
+        let done = ezy(arguments);
+        let message = text(&done.stderr);
+        assert_eq!(done.status.code(), Some(2), "{arguments:?}: {message}");
+        assert!(message.contains(expected), "{arguments:?}: {message}");
+    }
+}
+
+#[test]
+fn invariant_accuracy_exits_with_1_where_no_motion_reaches_the_end() {
+    let out = directory("accuracy_stopped");
+    let spin = ["--start", "seat.omega=1e200", "--out", out.to_str().unwrap()];
+    let done = ezy(&[&["ezyroller/coast"], &spin[..]].concat());
+    assert_eq!(done.status.code(), Some(1), "{}", text(&done.stderr));
+}

@@ -1,0 +1,140 @@
+//! What accuracy costs: the errors are those that an independent comparison finds, the ladder climbs, budgets hold.
+
+use ezy_core::accuracy::{Accuracy, AccuracyError, Ladder, Measured, PointResult, Variant, WorkPrecision};
+use ezy_core::prelude::*;
+use ezy_models::registry::find;
+use ezy_models::{double_pendulum, ezy_roller};
+use ezy_tests::reference::load;
+
+/// The reference over 1 s is a run at 1e-15: 70 steps, rounding of a few digits each.
+const REFERENCE: f64 = 5e-14;
+/// RK4 extrapolated, with some thousand steps.
+const SECOND: f64 = 1e-11;
+/// Positions are projected until |C| is 1e-12; levers make some times that of a position, however fine the rung.
+const PROJECTED: f64 = 1e-11;
+/// Seconds that are never reached: the tests must not depend on the speed of the machine.
+const AMPLE_S: f64 = 1e4;
+
+fn coarse() -> Ladder {
+    Ladder { tolerances: vec![1e-4, 1e-7, 1e-10], n_steps: 3 }
+}
+
+fn measured(scene: &dyn Scene, until_s: f64) -> WorkPrecision {
+    Accuracy::new(scene).until(until_s).ladder(coarse()).budget(AMPLE_S).measure(|_, _| ()).unwrap()
+}
+
+fn largest(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+fn named(path: &str) -> Box<dyn Scene> {
+    (find(path).unwrap().scene.unwrap().new)()
+}
+
+#[test]
+fn cross_errors_of_the_coasting_roller_are_those_against_another_reference() {
+    let scene = ezy_roller::Coast::default();
+    let found = measured(&scene, 1.0);
+    let answer = load("ezyroller_coast").into_iter().next_back().unwrap();
+    let rest = found.reference.trajectory.times().last().unwrap() - answer.t;
+    assert_eq!(rest, 0.0);
+    for (method, point) in found.curve("rk4", Variant::default()) {
+        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let last = run.last();
+        let expected = [
+            largest(last.coordinates, &answer.q),
+            largest(last.velocities, &answer.v),
+            largest(last.multipliers, &answer.lambda),
+        ];
+        let end = point.error.end;
+        let told = [end.position.absolute, end.velocity.absolute, end.reaction.absolute];
+        // multipliers reach 200 N
+        for (told, (expected, size)) in told.into_iter().zip(expected.into_iter().zip([1.0, 1.0, 200.0])) {
+            assert!((told - expected).abs() < REFERENCE * size, "{method:?}: {told:e} {expected:e}");
+        }
+        assert_eq!(point.cost.steps, run.cost.steps);
+        assert_eq!(point.cost.evaluations, run.cost.evaluations);
+    }
+}
+
+#[test]
+fn invariant_finer_rungs_are_more_accurate_and_take_more_work_in_scenes_of_every_kind() {
+    // driven wheels, a massless body, a loop, a spring, counts, rows of velocities alone, inputs
+    let scenes = [
+        ("ezyroller/driven", 2.0),
+        ("pendulum/swing", 1.0),
+        ("fourbar/driven", 1.0),
+        ("slidercrank/falling", 0.5),
+        ("chain/swing", 0.1),
+        ("chaplyginsleigh/coast", 2.0),
+        ("ezyroller/ridden", 1.0),
+    ];
+    for (path, until_s) in scenes {
+        let scene = named(path);
+        let found = measured(scene.as_ref(), until_s);
+        let second = found.reference.second.as_ref().unwrap_or_else(|why| panic!("{path}: {why}"));
+        assert!(second.difference.grid.position.scaled < SECOND, "{path}: {second:?}");
+        for method in ["dop853", "rk4"] {
+            for variant in Variant::all(scene.info()) {
+                let curve: Vec<&Measured> = found.curve(method, variant).map(|(_, point)| point).collect();
+                assert!(curve.len() >= 2, "{path} {method} {}: {:?}", variant.name(), found.missing());
+                // a metric may add energy, but never keeps a finer run from being better
+                for pair in curve.windows(2) {
+                    let [coarse, fine] = [pair[0], pair[1]].map(|point| point.error.grid.position.absolute);
+                    assert!(fine < coarse.max(PROJECTED), "{path} {method} {}: {fine:e} {coarse:e}", variant.name());
+                    assert!(pair[0].cost.evaluations < pair[1].cost.evaluations, "{path} {method}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn invariant_projected_runs_keep_to_their_rows_and_others_drift() {
+    let found = measured(&ezy_roller::Driven::default(), 2.0);
+    let loosest = |variant: Variant| *found.curve("dop853", variant).next().unwrap().1;
+    let [both, none] = [loosest(Variant::default()), loosest(Variant::NONE)];
+    // the tolerance of the projection
+    assert!(both.position_residual <= 1e-12 && none.position_residual > 1e-9, "{both:?} {none:?}");
+    assert!(both.velocity_residual < 1e-12 && none.velocity_residual > 1e-9, "{both:?} {none:?}");
+}
+
+#[test]
+fn invariant_a_motion_that_multiplies_rounding_is_measured_up_to_where_it_is_known() {
+    // errors grow 12,000 times in 10 s, and so on
+    let found = Accuracy::new(&double_pendulum::Swing::default())
+        .until(60.0)
+        .ladder(Ladder { tolerances: vec![1e-4], n_steps: 1 })
+        .budget(AMPLE_S)
+        .measure(|_, _| ())
+        .unwrap();
+    assert!(found.unknown.is_some_and(|difference| difference > 1e-6), "{:?}", found.unknown);
+    assert!(found.until_s > 5.0 && found.until_s < 60.0 && found.asked_until_s == 60.0, "{}", found.until_s);
+    assert!(found.reference_text().iter().any(|text| text.contains("multiplies rounding")));
+}
+
+#[test]
+fn invariant_what_does_not_fit_into_the_budget_is_listed() {
+    // no setting fits into what the reference leaves of a budget that is all but over
+    let scene = ezy_roller::Coast::default();
+    let told = std::cell::Cell::new(0);
+    let found = Accuracy::new(&scene).until(0.01).budget(0.5).measure(|fraction, _| {
+        assert!((0.0..=1.0).contains(&fraction));
+        if told.replace(told.get() + 1) == 1 {
+            std::thread::sleep(std::time::Duration::from_secs_f64(0.6));
+        }
+    });
+    let found = found.unwrap();
+    assert!(found.points.iter().any(|point| matches!(point.result, PointResult::NotRun)));
+    assert!(found.missing_text().iter().all(|line| line.contains("not run within the budget")));
+    assert_eq!(found.csv().lines().count(), 1 + found.points.len());
+}
+
+#[test]
+fn invariant_orders_that_cannot_be_carried_out_are_refused() {
+    let scene = ezy_roller::Coast::default();
+    let refused = |order: Accuracy<'_>| order.measure(|_, _| ()).unwrap_err();
+    assert!(matches!(refused(Accuracy::new(&scene).until(0.0)), AccuracyError::NoTime { .. }));
+    assert!(matches!(refused(Accuracy::new(&scene).budget(0.0)), AccuracyError::Budget { .. }));
+    assert!(matches!(refused(Accuracy::new(&scene).give("seat.z", 0.0)), AccuracyError::Setup(_)));
+}

@@ -37,7 +37,8 @@ pub(super) struct Family {
 }
 
 /// Every method. `rungs` gets the ladder and a long step of the motion, s.
-pub(super) const FAMILIES: [Family; 2] = [
+pub(super) const FAMILIES: [Family; 3] = [
+    Family { name: "taylor", rungs: |ladder, _| with_tolerances(ladder, Method::taylor), order: None },
     Family { name: "dop853", rungs: |ladder, _| with_tolerances(ladder, Method::dop853), order: Some(8) },
     Family { name: "rk4", rungs: |ladder, long_s| with_steps(ladder, long_s, Method::rk4), order: Some(4) },
 ];

@@ -15,7 +15,7 @@ pub(super) enum Where {
     Grid,
 }
 
-/// A guide runs this many times below the curve that it belongs to.
+/// A guide runs this many times above the curve that it belongs to, where faster methods leave room.
 const GUIDE_GAP: f64 = 1.6;
 
 impl WorkPrecision {
@@ -74,7 +74,7 @@ impl WorkPrecision {
         all.fold([f64::INFINITY, 0.0], |[low, high], t| [low.min(t), high.max(t)])
     }
 
-    /// The slope −1/order below the middle of a curve, which says so.
+    /// The slope −1/order above the middle of a curve, which says so at its fine end.
     fn with_slope(&self, figure: Figure, family: &Family, place: Where) -> Figure {
         let (x, y) = self.costs(family, place);
         let known = self.known(place);
@@ -83,8 +83,7 @@ impl WorkPrecision {
         let (first, last) = (usable.len() / 4, usable.len() - 1 - usable.len() / 4);
         let (x0, y0) = usable[first];
         let x1 = usable[last].0;
-        let at = |x: f64| y0 / GUIDE_GAP * (x / x0).powf(-1.0 / f64::from(order));
-        let middle = (x0 * x1).sqrt();
+        let at = |x: f64| GUIDE_GAP * y0 * (x / x0).powf(-1.0 / f64::from(order));
         figure.guide("", vec![x0, x1], vec![at(x0), at(x1)]).note(
             middle,
             at(middle) / GUIDE_GAP,

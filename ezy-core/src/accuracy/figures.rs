@@ -84,11 +84,7 @@ impl WorkPrecision {
         let (x0, y0) = usable[first];
         let x1 = usable[last].0;
         let at = |x: f64| GUIDE_GAP * y0 * (x / x0).powf(-1.0 / f64::from(order));
-        figure.guide("", vec![x0, x1], vec![at(x0), at(x1)]).note(
-            middle,
-            at(middle) / GUIDE_GAP,
-            &format!("slope −1/{order}"),
-        )
+        figure.guide("", vec![x0, x1], vec![at(x0), at(x1)]).note(x1, GUIDE_GAP * at(x1), &format!("slope −1/{order}"))
     }
 
     /// Largest residual against tolerance, one curve a projection; `None` for a scene without rows.

@@ -1,6 +1,7 @@
 //! What keeps a run from starting.
 
 use crate::dynamics::{MotionError, StartError, SystemError};
+use crate::model::SeriesInfo;
 use crate::record::{RecordError, UnknownName};
 
 /// A run cannot start like this.
@@ -41,13 +42,13 @@ pub enum SetupError {
         /// Name of the method.
         method: &'static str,
     },
-    /// The scene has laws that are not analytic.
-    #[error(
-        "scene `{scene}` has no Taylor series: one of its laws is not analytic; use another method, such as dop853"
-    )]
+    /// The scene has no Taylor series.
+    #[error("scene `{scene}` has no Taylor series: {}; use another method, such as dop853", why(*.series))]
     NoSeries {
         /// Name of the scene.
         scene: &'static str,
+        /// What is known of it.
+        series: SeriesInfo,
     },
     /// More steps than anyone waits for.
     #[error(
@@ -100,4 +101,12 @@ pub enum SetupError {
     /// Not even the first sample could be written.
     #[error(transparent)]
     Record(#[from] RecordError),
+}
+
+/// Why there is no series.
+fn why(series: SeriesInfo) -> String {
+    match series {
+        SeriesInfo::NotAnalytic { function } => format!("a law calls `{function}`, which is not analytic"),
+        _ => "its equations were written without one".to_owned(),
+    }
 }

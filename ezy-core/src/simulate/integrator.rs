@@ -43,7 +43,7 @@ impl<'s> Integrator<'s> {
             })),
             Method::Taylor(tolerance) => match Taylor::new(scene, taylor_order(tolerance), n_works) {
                 Some(taylor) => Self::Taylor(Box::new(taylor), tolerance),
-                None => return Err(SetupError::NoSeries { scene: info.name }),
+                None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),
             },
         })
     }

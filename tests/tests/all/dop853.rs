@@ -151,7 +151,7 @@ model! {
 }
 
 /// Fall from rest over a distance of 1 in the potential −1/r: π/(2√2).
-const FALL_S: f64 = 1.110_720_734_539_591_6;
+pub const FALL_S: f64 = 1.110_720_734_539_591_6;
 
 #[test]
 fn analytic_singular_force_ends_the_run_with_what_was_computed() {

@@ -1,9 +1,13 @@
 //! The numbers that kernels run on.
 
 mod double_double;
+mod dual;
+mod lanes;
 mod plain;
 
 pub use double_double::DoubleDouble;
+pub use dual::Dual;
+pub use lanes::Lanes;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -109,6 +113,11 @@ pub trait Scalar:
 
     /// Its size as one `f64`: the largest where several numbers travel together, without derivatives.
     fn magnitude(self) -> f64;
+
+    /// The largest of its size and those of its derivatives, where it carries any.
+    fn extent(self) -> f64 {
+        self.magnitude()
+    }
 
     /// Whether it is a number, all of it.
     fn is_finite(self) -> bool;

@@ -105,6 +105,17 @@ pub enum MotionError {
         /// Name of the row.
         row: &'static str,
     },
+    /// In lanes and with derivatives only the generated elimination solves, and a pivot of it vanishes.
+    #[error(
+        "the pivot of constraint row `{row}` vanishes at t = {t} s in the generated elimination, which alone solves in lanes \
+         and with derivatives; run the scene in single numbers, where a pivoted solver decides"
+    )]
+    LostPivot {
+        /// Time, s.
+        t: f64,
+        /// Name of the row.
+        row: &'static str,
+    },
     /// A coordinate has neither mass nor a row that determines its acceleration.
     #[error(
         "the acceleration of {} is undetermined at t = {t} s: no mass and no constraint row moves it; \

@@ -5,6 +5,7 @@
 #![allow(non_snake_case)]
 
 mod acceleration;
+mod any;
 mod energy;
 mod error;
 mod free_correction;
@@ -12,27 +13,38 @@ mod projection;
 mod start;
 mod system;
 
+pub use any::{Dynamics, SystemOf};
 pub use error::{MotionError, StartError, SystemError};
 pub use projection::{Metric, Projection};
 pub use system::{Counters, System};
 
+use crate::scalar::Scalar;
+
 /// The state that is integrated.
 #[derive(Debug, Clone, PartialEq)]
-pub struct State {
+pub struct State<T = f64> {
     /// Time, s.
     pub t: f64,
     /// Coordinates, `n_q`.
-    pub q: Vec<f64>,
+    pub q: Vec<T>,
     /// Velocities, `n_q`.
-    pub v: Vec<f64>,
+    pub v: Vec<T>,
     /// Work of each effect since the start, J, `n_e`.
-    pub work: Vec<f64>,
+    pub work: Vec<T>,
 }
 
 impl State {
     /// Everything zero.
     pub fn zero(n_coordinates: usize, n_effects: usize) -> Self {
-        Self { t: 0.0, q: vec![0.0; n_coordinates], v: vec![0.0; n_coordinates], work: vec![0.0; n_effects] }
+        Self::zeros(n_coordinates, n_effects)
+    }
+}
+
+impl<T: Scalar> State<T> {
+    /// Everything zero, in numbers `T`.
+    pub fn zeros(n_coordinates: usize, n_effects: usize) -> Self {
+        let zeros = |n: usize| vec![T::from_f64(0.0); n];
+        Self { t: 0.0, q: zeros(n_coordinates), v: zeros(n_coordinates), work: zeros(n_effects) }
     }
 
     /// Takes the numbers of a state of the same scene, without allocation.

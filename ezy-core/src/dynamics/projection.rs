@@ -54,14 +54,19 @@ pub(super) const ROUNDING_OF_ROWS: f64 = 8.0 * f64::EPSILON;
 const LARGEST_TOLERANCE: f64 = 1e-6;
 
 /// Gauss–Newton passes; from the drift of one step two are plenty.
-const MAX_PASSES: usize = 10;
+pub(super) const MAX_PASSES: usize = 10;
 
 /// The first one converges quadratically, the second one removes its rounding.
 const PASSES_NEAR_RANK_LOSS: usize = 2;
 
 /// |C| that counts as zero at `q`.
 pub(super) fn position_tolerance(q: &[f64]) -> f64 {
-    POSITION_TOLERANCE.max((ROUNDING_OF_ROWS * max_abs(q)).min(LARGEST_TOLERANCE))
+    tolerance_at(max_abs(q))
+}
+
+/// The same where the largest coordinate is `size`.
+pub(super) fn tolerance_at(size: f64) -> f64 {
+    POSITION_TOLERANCE.max((ROUNDING_OF_ROWS * size).min(LARGEST_TOLERANCE))
 }
 
 /// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each

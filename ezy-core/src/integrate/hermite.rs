@@ -4,13 +4,13 @@ use crate::dynamics::State;
 
 /// A state with its accelerations and powers, at one end of a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Knot<'a> {
+pub struct Knot<'a, T = f64> {
     /// The state.
-    pub state: &'a State,
+    pub state: &'a State<T>,
     /// Accelerations, `n_q`.
-    pub a: &'a [f64],
+    pub a: &'a [T],
     /// Powers of the effects, W, `n_e`.
-    pub power: &'a [f64],
+    pub power: &'a [T],
 }
 
 /// The state at the time `t` within the step: positions by the quintic polynomial through q, v, a at both ends,

@@ -1,8 +1,8 @@
 //! The classical Runge–Kutta method of order 4.
 
 use super::{Knot, compensated};
-use crate::dynamics::{MotionError, State, System};
-use crate::model::Scene;
+use crate::dynamics::{Dynamics, MotionError, State};
+use crate::scalar::Scalar;
 
 /// Stages of the method for q' = v, v' = a(t, q, v), w' = power of each effect.
 ///
@@ -12,25 +12,33 @@ use crate::model::Scene;
 /// # Source
 /// W. Kutta, Z. Math. Phys. 46 (1901) 435–453.
 #[derive(Debug)]
-pub struct Rk4 {
-    stage: State,
-    slope: State,
-    sum: State,
+pub struct Rk4<T = f64> {
+    stage: State<T>,
+    slope: State<T>,
+    sum: State<T>,
     /// What rounding cut off the last step.
-    rest: State,
-    lambda: Vec<f64>,
+    rest: State<T>,
+    lambda: Vec<T>,
 }
 
-impl Rk4 {
+impl<T: Scalar> Rk4<T> {
     /// Storage for a scene with these sizes.
     pub fn new(n_coordinates: usize, n_rows: usize, n_effects: usize) -> Self {
-        let zero = State::zero(n_coordinates, n_effects);
-        Self { stage: zero.clone(), slope: zero.clone(), sum: zero.clone(), rest: zero, lambda: vec![0.0; n_rows] }
+        let zero = State::zeros(n_coordinates, n_effects);
+        Self {
+            stage: zero.clone(),
+            slope: zero.clone(),
+            sum: zero.clone(),
+            rest: zero,
+            lambda: vec![T::from_f64(0.0); n_rows],
+        }
     }
 
     /// Forgets what rounding cut off, before another run.
     pub fn restart(&mut self) {
-        [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));
+        [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work]
+            .into_iter()
+            .for_each(|rest| rest.fill(T::from_f64(0.0)));
     }
 
     /// One step of length `h` from `from`; writes `to`, not yet projected. `t_next` is the time that `to` gets, so that
@@ -41,13 +49,13 @@ impl Rk4 {
     /// [`MotionError`] of a stage; `to` is then unspecified.
     /// # Cost
     /// Three evaluations of the accelerations; no allocation.
-    pub fn step<S: Scene + ?Sized>(
+    pub fn step(
         &mut self,
-        system: &mut System<'_, S>,
-        from: Knot<'_>,
+        system: &mut impl Dynamics<T>,
+        from: Knot<'_, T>,
         h: f64,
         t_next: f64,
-        to: &mut State,
+        to: &mut State<T>,
     ) -> Result<(), MotionError> {
         let Knot { state: from, a, power } = from;
         self.slope.q.copy_from_slice(&from.v);
@@ -70,16 +78,18 @@ impl Rk4 {
 }
 
 /// `to = from + h slope`, with what rounding cuts off in `rest`.
-fn add(to: &mut [f64], from: &[f64], h: f64, slope: &[f64], rest: &mut [f64]) {
+fn add<T: Scalar>(to: &mut [T], from: &[T], h: f64, slope: &[T], rest: &mut [T]) {
+    let h = T::from_f64(h);
     for (((to, from), slope), rest) in to.iter_mut().zip(from).zip(slope).zip(rest) {
-        *to = compensated::add(*from, h * slope, rest);
+        *to = compensated::add(*from, h * *slope, rest);
     }
 }
 
 /// `to = from + h slope`.
-fn advance(to: &mut State, from: &State, h: f64, slope: &State) {
-    let line = |to: &mut [f64], from: &[f64], slope: &[f64]| {
-        to.iter_mut().zip(from).zip(slope).for_each(|((to, from), slope)| *to = from + h * slope);
+fn advance<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slope: &State<T>) {
+    let h = T::from_f64(h);
+    let line = |to: &mut [T], from: &[T], slope: &[T]| {
+        to.iter_mut().zip(from).zip(slope).for_each(|((to, from), slope)| *to = *from + h * *slope);
     };
     line(&mut to.q, &from.q, &slope.q);
     line(&mut to.v, &from.v, &slope.v);
@@ -87,8 +97,9 @@ fn advance(to: &mut State, from: &State, h: f64, slope: &State) {
 }
 
 /// `sum += b slope`.
-fn accumulate(sum: &mut State, b: f64, slope: &State) {
-    let add = |sum: &mut [f64], slope: &[f64]| sum.iter_mut().zip(slope).for_each(|(s, x)| *s += b * x);
+fn accumulate<T: Scalar>(sum: &mut State<T>, b: f64, slope: &State<T>) {
+    let b = T::from_f64(b);
+    let add = |sum: &mut [T], slope: &[T]| sum.iter_mut().zip(slope).for_each(|(s, x)| *s = *s + b * *x);
     add(&mut sum.q, &slope.q);
     add(&mut sum.v, &slope.v);
     add(&mut sum.work, &slope.work);

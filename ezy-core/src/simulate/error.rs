@@ -42,6 +42,26 @@ pub enum SetupError {
         /// Name of the method.
         method: &'static str,
     },
+    /// Runs that step together, and runs with derivatives, take other methods.
+    #[error("{method} runs one scene in single numbers; use rk4 or dop853 in lanes and with derivatives")]
+    SingleNumbers {
+        /// Name of the method.
+        method: &'static str,
+    },
+    /// Runs that step together have one time.
+    #[error("the runs start at t = {first} s and t = {other} s; runs that step together start at one time")]
+    DifferentTimes {
+        /// Time of the first start, s.
+        first: f64,
+        /// Time of another start, s.
+        other: f64,
+    },
+    /// What a derivative is asked by is computed, not given.
+    #[error("`{name}` is not given by the start but follows from the constraints; give it a start value")]
+    NotGiven {
+        /// Name of the coordinate or velocity.
+        name: &'static str,
+    },
     /// The scene has no Taylor series.
     #[error("scene `{scene}` has no Taylor series: {}; use another method, such as dop853", why(*.series))]
     NoSeries {

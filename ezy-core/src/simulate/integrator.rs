@@ -1,12 +1,11 @@
 //! A method at work: its storage and its step control.
 
 use super::SetupError;
+use super::adaptive::Adaptive;
 use super::instantaneous::Instantaneous;
 use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{
-    DOP853_ERROR_ORDER, Dop853, Knot, Method, Rk4, StepControl, Taylor, Tolerance, interpolate, taylor_order,
-};
+use crate::integrate::{Knot, Method, Rk4, Taylor, Tolerance, interpolate, taylor_order};
 use crate::model::Scene;
 
 pub(super) enum Integrator<'s> {
@@ -15,32 +14,13 @@ pub(super) enum Integrator<'s> {
     Taylor(Box<Taylor<'s>>, Tolerance),
 }
 
-/// DOP853 with the length of its next step.
-pub(super) struct Adaptive {
-    method: Dop853,
-    control: StepControl,
-    tolerance: Tolerance,
-    /// Length of the next step, s; none before the first.
-    step_s: Option<f64>,
-    rejected: u64,
-    /// Whether values between the ends of the last step are prepared.
-    dense: bool,
-}
-
 impl<'s> Integrator<'s> {
     pub fn new<S: Scene + ?Sized>(method: Method, scene: &'s S, n_works: usize) -> Result<Self, SetupError> {
         let info = scene.info();
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         Ok(match method {
             Method::Rk4 { .. } => Self::Rk4(Box::new(Rk4::new(n_q, n_c, n_works))),
-            Method::Dop853(tolerance) => Self::Dop853(Box::new(Adaptive {
-                method: Dop853::new(n_q, n_c, n_works),
-                control: StepControl::new(DOP853_ERROR_ORDER),
-                tolerance,
-                step_s: None,
-                rejected: 0,
-                dense: false,
-            })),
+            Method::Dop853(tolerance) => Self::Dop853(Box::new(Adaptive::new(n_q, n_c, n_works, tolerance))),
             Method::Taylor(tolerance) => match Taylor::new(scene, taylor_order(tolerance), n_works) {
                 Some(taylor) => Self::Taylor(Box::new(taylor), tolerance),
                 None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),
@@ -52,11 +32,7 @@ impl<'s> Integrator<'s> {
     pub fn restart(&mut self) {
         match self {
             Self::Rk4(rk4) => rk4.restart(),
-            Self::Dop853(adaptive) => {
-                adaptive.method.restart();
-                adaptive.control = StepControl::new(DOP853_ERROR_ORDER);
-                adaptive.step_s = None;
-            }
+            Self::Dop853(adaptive) => adaptive.restart(),
             Self::Taylor(taylor, _) => taylor.restart(),
         }
     }
@@ -70,7 +46,7 @@ impl<'s> Integrator<'s> {
     pub fn n_rejected(&self) -> u64 {
         match self {
             Self::Rk4(_) | Self::Taylor(..) => 0,
-            Self::Dop853(adaptive) => adaptive.rejected,
+            Self::Dop853(adaptive) => adaptive.n_rejected(),
         }
     }
 
@@ -135,12 +111,7 @@ impl<'s> Integrator<'s> {
         match self {
             Self::Rk4(_) => interpolate(from, to, t, out),
             Self::Dop853(adaptive) => {
-                if !adaptive.dense {
-                    adaptive.method.prepare_dense(system, from, to)?;
-                    adaptive.dense = true;
-                }
-                let s = (t - from.state.t) / (to.state.t - from.state.t);
-                adaptive.method.dense_at(s, out);
+                adaptive.between(system, from, to, t, out)?;
                 out.t = t;
             }
             Self::Taylor(taylor, _) => {
@@ -149,46 +120,5 @@ impl<'s> Integrator<'s> {
             }
         }
         Ok(())
-    }
-}
-
-impl Adaptive {
-    fn step<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        from: Knot<'_>,
-        end: f64,
-        to: &mut State,
-    ) -> Result<(), MotionError> {
-        self.dense = false;
-        let t = from.state.t;
-        let left = end - t;
-        let mut length = match self.step_s {
-            Some(step_s) => step_s,
-            None => self.method.first_step(system, from, left, self.tolerance)?,
-        };
-        loop {
-            let Reach { step_s: h, t_next } = reach(t, end, length);
-            if is_too_short(t, h) && h < left {
-                return Err(MotionError::StepCollapsed { t, step_s: h });
-            }
-            match self.method.attempt(system, from, h, self.tolerance, to) {
-                Ok(error) if error <= 1.0 => {
-                    self.method.accept();
-                    to.t = t_next;
-                    self.step_s = Some(h * self.control.accept(error));
-                    return Ok(());
-                }
-                Ok(error) => length = h * self.control.reject(error),
-                // a stage may have left the region of the motion: a shorter step may not
-                Err(error) => {
-                    length = h * self.control.reject(f64::NAN);
-                    if is_too_short(t, length) {
-                        return Err(error);
-                    }
-                }
-            }
-            self.rejected += 1;
-        }
     }
 }

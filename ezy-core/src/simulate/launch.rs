@@ -127,7 +127,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 }
 
-fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {
+pub(super) fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {
     let Tolerance { relative, absolute } = tolerance;
     let usable = |x: f64, least: f64| (least..=LARGEST_TOLERANCE).contains(&x);
     if usable(relative, SMALLEST_RELATIVE_TOLERANCE) && usable(absolute, f64::MIN_POSITIVE) {

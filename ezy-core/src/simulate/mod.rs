@@ -1,6 +1,9 @@
 //! Runs a scene: step, project, record. Knows no formula.
 
+mod adaptive;
 mod control;
+mod course;
+mod ensemble;
 mod error;
 mod input_file;
 mod input_table;
@@ -13,12 +16,15 @@ mod outcome;
 mod pace;
 mod reach;
 mod run_loop;
+mod sensitivity;
 mod simulation;
 mod stepper;
 
+pub use ensemble::Ensemble;
 pub use error::SetupError;
 pub use input_file::{InputFileError, read_inputs};
 pub use input_table::{InputTable, TableError};
 pub use outcome::{Cost, Outcome, Run, StopReason};
+pub use sensitivity::{Sensitivities, Tangent};
 pub use simulation::Simulation;
 pub use stepper::Stepper;

@@ -6,10 +6,10 @@ mod tableau;
 
 use super::step_control::Tolerance;
 use super::{Knot, compensated};
-use crate::dynamics::{MotionError, State, System};
-use crate::model::Scene;
+use crate::dynamics::{Dynamics, MotionError, State};
+use crate::scalar::Scalar;
 use sums::{Block, Sum, WIDTH};
-use tableau::{ERROR_3, ERROR_5, N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, STAGES};
+use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, error_3, error_5, stages};
 
 /// Order of the error estimate's power of the step.
 pub const ERROR_ORDER: i32 = 8;
@@ -23,30 +23,32 @@ pub const ERROR_ORDER: i32 = 8;
 /// Prince, Dormand, J. Comp. Appl. Math. 7 (1981); Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I (1993),
 /// II.5, II.6 and II.10.
 #[derive(Debug)]
-pub struct Dop853 {
+pub struct Dop853<T = f64> {
     n_q: usize,
     n_works: usize,
     /// Length of y in blocks.
     n: usize,
     /// Slopes of all stages, each `n` long.
-    slopes: Vec<Block>,
-    start: Vec<Block>,
-    stage: Vec<Block>,
+    slopes: Vec<Block<T>>,
+    start: Vec<Block<T>>,
+    stage: Vec<Block<T>>,
     /// What rounding cut off the last accepted step, and what it would cut off the present one.
-    rest: Vec<Block>,
-    next_rest: Vec<Block>,
+    rest: Vec<Block<T>>,
+    next_rest: Vec<Block<T>>,
     /// Errors of orders 5 and 3.
-    errors: [Vec<Block>; 2],
-    lambda: Vec<f64>,
+    errors: [Vec<Block<T>>; 2],
+    lambda: Vec<T>,
     /// Coefficients of the dense output, each `n` long.
-    dense: Vec<Block>,
+    dense: Vec<Block<T>>,
 }
 
-impl Dop853 {
+impl<T: Scalar> Dop853<T> {
+    const STAGES: [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] = stages();
+
     /// Storage for a scene with these sizes.
     pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize) -> Self {
         let n = (2 * n_coordinates + n_works).div_ceil(WIDTH);
-        let zero = |n: usize| vec![[0.0; WIDTH]; n];
+        let zero = |n: usize| vec![[T::from_f64(0.0); WIDTH]; n];
         Self {
             n_q: n_coordinates,
             n_works,
@@ -57,14 +59,14 @@ impl Dop853 {
             rest: zero(n),
             next_rest: zero(n),
             errors: [zero(n), zero(n)],
-            lambda: vec![0.0; n_rows],
+            lambda: vec![T::from_f64(0.0); n_rows],
             dense: zero(dense::N_COEFFICIENTS * n),
         }
     }
 
     /// Forgets what rounding cut off, before another run.
     pub fn restart(&mut self) {
-        self.rest.fill([0.0; WIDTH]);
+        self.rest.fill([T::from_f64(0.0); WIDTH]);
     }
 
     /// One step of length `h` from `from`; writes `to`, not yet projected, and returns its error over the tolerance: a
@@ -74,23 +76,24 @@ impl Dop853 {
     /// [`MotionError`] of a stage; `to` is then unspecified.
     /// # Cost
     /// Eleven evaluations of the accelerations; no allocation.
-    pub fn attempt<S: Scene + ?Sized>(
+    pub fn attempt(
         &mut self,
-        system: &mut System<'_, S>,
-        from: Knot<'_>,
+        system: &mut impl Dynamics<T>,
+        from: Knot<'_, T>,
         h: f64,
         tolerance: Tolerance,
-        to: &mut State,
+        to: &mut State<T>,
     ) -> Result<f64, MotionError> {
         self.begin(from);
         for stage in 1..N_STAGES {
             self.evaluate(system, from.state.t, h, stage)?;
         }
-        STAGES[N_STAGES - 1](&self.slopes, &mut self.stage);
+        Self::STAGES[N_STAGES - 1](&self.slopes, &mut self.stage);
+        let length = T::from_f64(h);
         self.next_rest.copy_from_slice(&self.rest);
         let starts = self.start.as_flattened().iter().zip(self.next_rest.as_flattened_mut());
         for ((start, rest), stage) in starts.zip(self.stage.as_flattened_mut()) {
-            *stage = compensated::add(*start, h * *stage, rest);
+            *stage = compensated::add(*start, length * *stage, rest);
         }
         write(self.stage.as_flattened(), to);
         to.t = from.state.t + h;
@@ -106,18 +109,19 @@ impl Dop853 {
     ///
     /// # Errors
     /// As [`Dop853::attempt`].
-    pub fn first_step<S: Scene + ?Sized>(
+    pub fn first_step(
         &mut self,
-        system: &mut System<'_, S>,
-        from: Knot<'_>,
+        system: &mut impl Dynamics<T>,
+        from: Knot<'_, T>,
         longest: f64,
         tolerance: Tolerance,
     ) -> Result<f64, MotionError> {
         self.begin(from);
         let n = 2 * self.n_q;
-        let norm = |x: &[f64], start: &[f64]| {
-            let scaled = x.iter().zip(start).map(|(x, y)| x / (tolerance.absolute + tolerance.relative * y.abs()));
-            (scaled.map(|x| x * x).sum::<f64>() / n.max(1) as f64).sqrt()
+        let norm = |x: &[T], start: &[T]| {
+            let scaled = x.iter().zip(start).map(|(&x, &y)| x / scale(tolerance, y.abs()));
+            let squares = scaled.fold(T::from_f64(0.0), |sum, x| sum + x * x);
+            (squares / T::from_f64(n.max(1) as f64)).sqrt().magnitude()
         };
         let (start, rates) = (self.start.as_flattened(), self.slopes[..self.n].as_flattened());
         let (size, rate) = (norm(&start[..n], start), norm(&rates[..n], start));
@@ -126,7 +130,7 @@ impl Dop853 {
         self.evaluate_euler(system, from.state.t, guess)?;
         let (first, second) = self.slopes.split_at(self.n);
         let slopes = second.as_flattened()[..n].iter().zip(first.as_flattened());
-        let change: Vec<f64> = slopes.map(|(b, a)| b - a).collect();
+        let change: Vec<T> = slopes.map(|(&b, &a)| b - a).collect();
         let bend = norm(&change, self.start.as_flattened()) / guess;
         let steepest = rate.max(bend);
         let step = if steepest <= 1e-15 {
@@ -137,47 +141,32 @@ impl Dop853 {
         Ok(step.min(100.0 * guess).min(longest))
     }
 
-    fn begin(&mut self, from: Knot<'_>) {
+    fn begin(&mut self, from: Knot<'_, T>) {
         let Knot { state, a, power } = from;
         read(self.start.as_flattened_mut(), [&state.q, &state.v, &state.work]);
         read(self.slopes[..self.n].as_flattened_mut(), [&state.v, a, power]);
     }
 
     /// `stage = start + h · sum`
-    fn combine(&mut self, h: f64, sum: Sum) {
+    fn combine(&mut self, h: f64, sum: Sum<T>) {
+        let h = T::from_f64(h);
         sum(&self.slopes, &mut self.stage);
         let starts = self.start.as_flattened();
-        self.stage.as_flattened_mut().iter_mut().zip(starts).for_each(|(stage, start)| *stage = start + h * *stage);
+        self.stage.as_flattened_mut().iter_mut().zip(starts).for_each(|(stage, start)| *stage = *start + h * *stage);
     }
 
     /// The slope of a stage.
-    fn evaluate<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        t: f64,
-        h: f64,
-        stage: usize,
-    ) -> Result<(), MotionError> {
-        self.combine(h, STAGES[stage - 1]);
+    fn evaluate(&mut self, system: &mut impl Dynamics<T>, t: f64, h: f64, stage: usize) -> Result<(), MotionError> {
+        self.combine(h, Self::STAGES[stage - 1]);
         self.slope_at_stage(system, t + NODES[stage] * h, stage)
     }
 
-    fn evaluate_euler<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        t: f64,
-        h: f64,
-    ) -> Result<(), MotionError> {
+    fn evaluate_euler(&mut self, system: &mut impl Dynamics<T>, t: f64, h: f64) -> Result<(), MotionError> {
         self.combine(h, |slopes, out| out.copy_from_slice(&slopes[..out.len()]));
         self.slope_at_stage(system, t + h, 1)
     }
 
-    fn slope_at_stage<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        t: f64,
-        stage: usize,
-    ) -> Result<(), MotionError> {
+    fn slope_at_stage(&mut self, system: &mut impl Dynamics<T>, t: f64, stage: usize) -> Result<(), MotionError> {
         let n_q = self.n_q;
         let (q, rest) = self.stage.as_flattened().split_at(n_q);
         let v = &rest[..n_q];
@@ -191,28 +180,34 @@ impl Dop853 {
         Ok(())
     }
 
-    /// Error of the motion over the tolerance, from both embedded solutions.
+    /// Error of the motion over the tolerance, from both embedded solutions; the largest where several go together.
     fn error(&mut self, h: f64, tolerance: Tolerance) -> f64 {
         let [fives, threes] = &mut self.errors;
-        ERROR_5(&self.slopes, fives);
-        ERROR_3(&self.slopes, threes);
+        error_5(&self.slopes, fives);
+        error_3(&self.slopes, threes);
         let n = 2 * self.n_q;
-        let (mut five, mut three) = (0.0, 0.0);
+        let zero = T::from_f64(0.0);
+        let (mut five, mut three) = (zero, zero);
         let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());
         for ((start, end), (of_5, of_3)) in ends.zip(fives.as_flattened().iter().zip(threes.as_flattened())) {
-            let scale = tolerance.absolute + tolerance.relative * start.abs().max(end.abs());
-            five += (of_5 / scale).powi(2);
-            three += (of_3 / scale).powi(2);
+            let scale = scale(tolerance, start.abs().max(end.abs()));
+            let (of_5, of_3) = (*of_5 / scale, *of_3 / scale);
+            five = five + of_5 * of_5;
+            three = three + of_3 * of_3;
         }
-        if five == 0.0 {
-            return 0.0;
-        }
-        h.abs() * five / ((five + 0.01 * three) * n as f64).sqrt()
+        // where both estimates are zero, so is the error
+        let norm = ((five + T::from_f64(0.01) * three) * T::from_f64(n as f64)).max(T::from_f64(f64::MIN_POSITIVE));
+        (T::from_f64(h.abs()) * five / norm.sqrt()).magnitude()
     }
 }
 
+/// What is tolerated of a number of this size.
+fn scale<T: Scalar>(tolerance: Tolerance, size: T) -> T {
+    T::from_f64(tolerance.absolute) + T::from_f64(tolerance.relative) * size
+}
+
 /// y = (q, v, w, zeros) from its parts.
-fn read(y: &mut [f64], parts: [&[f64]; 3]) {
+fn read<T: Copy>(y: &mut [T], parts: [&[T]; 3]) {
     let mut rest = y;
     for part in parts {
         let (this, others) = rest.split_at_mut(part.len());
@@ -221,7 +216,7 @@ fn read(y: &mut [f64], parts: [&[f64]; 3]) {
     }
 }
 
-fn write(y: &[f64], to: &mut State) {
+fn write<T: Copy>(y: &[T], to: &mut State<T>) {
     let (q, rest) = y.split_at(to.q.len());
     let (v, rest) = rest.split_at(to.v.len());
     to.q.copy_from_slice(q);

@@ -1,21 +1,23 @@
 //! Sums of slopes, the inner loop of a step: weights known to the compiler, numbers side by side.
 
+use crate::scalar::Scalar;
+
 /// Numbers of y that are computed side by side; y is filled up with zeros to a whole number of blocks.
-pub type Block = [f64; WIDTH];
+pub type Block<T> = [T; WIDTH];
 pub const WIDTH: usize = 4;
 
 /// A sum over stages: from the slopes of all stages, each as long as the result.
-pub type Sum = fn(&[Block], &mut [Block]);
+pub type Sum<T> = fn(&[Block<T>], &mut [Block<T>]);
 
 /// `Σ weight · slope`, in the order of the weights. To be inlined where these are literals.
 #[inline(always)]
-pub fn sum<const N: usize>(weights: [(usize, f64); N], slopes: &[Block], out: &mut [Block]) {
+pub fn sum<const N: usize, T: Scalar>(weights: [(usize, f64); N], slopes: &[Block<T>], out: &mut [Block<T>]) {
     let length = out.len();
-    let rows: [&[Block]; N] = std::array::from_fn(|k| &slopes[weights[k].0 * length..][..length]);
+    let rows: [&[Block<T>]; N] = std::array::from_fn(|k| &slopes[weights[k].0 * length..][..length]);
     for (i, out) in out.iter_mut().enumerate() {
-        let mut sum = [0.0; WIDTH];
+        let mut sum = [T::from_f64(0.0); WIDTH];
         for (row, (_, weight)) in rows.iter().zip(weights) {
-            sum.iter_mut().zip(row[i]).for_each(|(sum, slope)| *sum += weight * slope);
+            sum.iter_mut().zip(row[i]).for_each(|(sum, slope)| *sum = *sum + T::from_f64(weight) * slope);
         }
         *out = sum;
     }

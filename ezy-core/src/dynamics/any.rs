@@ -1,0 +1,121 @@
+//! A scene in other numbers than `f64`: several trajectories side by side, or one with its derivatives.
+
+use super::projection::{MAX_PASSES, tolerance_at};
+use super::{MotionError, System};
+use crate::model::{DeficientRows, Equations, Scene, SceneInfo};
+use crate::scalar::Scalar;
+
+/// What a method needs of a scene in numbers `T`.
+pub trait Dynamics<T: Scalar> {
+    /// Accelerations and multipliers, as [`System::accelerations`].
+    ///
+    /// # Errors
+    /// [`MotionError`] when K is singular.
+    fn accelerations(&mut self, t: f64, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Result<(), MotionError>;
+
+    /// Power of each effect, W, as [`System::power`].
+    fn power(&self, t: f64, q: &[T], v: &[T], lambda: &[T], out: &mut [T]);
+}
+
+impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
+    #[inline]
+    fn accelerations(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), MotionError> {
+        self.accelerations(t, q, v, a, lambda)
+    }
+
+    #[inline]
+    fn power(&self, t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {
+        self.power(t, q, v, lambda, out);
+    }
+}
+
+/// A scene in numbers `T`, solved by its generated elimination; it integrates no works.
+pub struct SystemOf<'s, S: ?Sized, T> {
+    scene: &'s S,
+    info: &'static SceneInfo,
+    /// Inputs, then constants.
+    fixed: Vec<T>,
+    residual: Vec<T>,
+    delta: Vec<T>,
+}
+
+impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
+    /// With `fixed` as what the kernels read as `c`: inputs, then constants.
+    pub fn new(scene: &'s S, info: &'static SceneInfo, fixed: Vec<T>) -> Self {
+        let zeros = |n: usize| vec![T::from_f64(0.0); n];
+        Self { scene, info, fixed, residual: zeros(info.n_rows()), delta: zeros(info.n_coordinates()) }
+    }
+
+    /// Brings `q` and `v` back onto the rows, in the metric of the masses: positions, then velocities at the projected
+    /// positions. Derivatives follow the rows, too.
+    ///
+    /// # Errors
+    /// As [`System::project`].
+    pub fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError> {
+        let n_h = self.info.n_position_rows;
+        let mut passes = 0;
+        loop {
+            self.scene.position_constraint(&self.fixed, T::from_f64(t), q, &mut self.residual[..n_h]);
+            let (residual, tolerance) = (largest(&self.residual[..n_h]), tolerance_at(largest(q)));
+            if residual <= tolerance {
+                break;
+            }
+            if !residual.is_finite() {
+                return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
+            }
+            if passes == MAX_PASSES {
+                let worst = self.residual[..n_h].iter().position(|c| c.extent() == residual).unwrap_or(0);
+                let row = self.info.rows[worst].name;
+                return Err(MotionError::ProjectionStalled { t, residual, row, passes, tolerance });
+            }
+            self.residual[n_h..].fill(T::from_f64(0.0));
+            self.correct(t, q)?;
+            q.iter_mut().zip(&self.delta).for_each(|(q, delta)| *q = *q + *delta);
+            passes += 1;
+        }
+        self.scene.velocity_constraint(&self.fixed, T::from_f64(t), q, v, &mut self.residual);
+        self.correct(t, q)?;
+        v.iter_mut().zip(&self.delta).for_each(|(v, delta)| *v = *v + *delta);
+        Ok(())
+    }
+
+    /// Correction for the residual in the buffer, into the buffer.
+    fn correct(&mut self, t: f64, q: &[T]) -> Result<(), MotionError> {
+        let time = T::from_f64(t);
+        let deficient = self.scene.correction(&self.fixed, time, q, &self.residual, &mut self.delta);
+        self.check(deficient, t)
+    }
+
+    fn check(&self, deficient: DeficientRows, t: f64) -> Result<(), MotionError> {
+        if deficient.none() {
+            return Ok(());
+        }
+        let row = (deficient.0.trailing_zeros() as usize).min(self.info.n_rows().saturating_sub(1));
+        Err(MotionError::LostPivot { t, row: self.info.rows[row].name })
+    }
+}
+
+impl<S: Equations<T> + ?Sized, T: Scalar> Dynamics<T> for SystemOf<'_, S, T> {
+    #[inline]
+    fn accelerations(&mut self, t: f64, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Result<(), MotionError> {
+        let deficient = self.scene.accelerations(&self.fixed, T::from_f64(t), q, v, a, lambda);
+        self.check(deficient, t)
+    }
+
+    fn power(&self, _t: f64, _q: &[T], _v: &[T], _lambda: &[T], _out: &mut [T]) {}
+}
+
+/// Largest extent; NaN when there is one.
+fn largest<T: Scalar>(x: &[T]) -> f64 {
+    x.iter().fold(0.0, |m: f64, x| {
+        let extent = x.extent();
+        if extent > m || extent.is_nan() { extent } else { m }
+    })
+}

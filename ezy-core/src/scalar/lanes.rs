@@ -1,0 +1,158 @@
+//! Several `f64` side by side.
+
+mod sin_cos;
+#[cfg(test)]
+mod tests;
+
+use super::Scalar;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `L` numbers that go through the same operations, one a trajectory; 4 and 8 fill vector registers.
+///
+/// Each lane has the result that `f64` alone would have, but for sine and cosine: those are computed in lanes, to 1 unit in
+/// the last place, and may differ from the system's in that.
+///
+/// Vector registers of four or eight numbers need `-C target-cpu=x86-64-v3` or better.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(32))]
+pub struct Lanes<const L: usize>(pub [f64; L]);
+
+impl<const L: usize> Lanes<L> {
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        let mut out = self.0;
+        out.iter_mut().for_each(|x| *x = f(*x));
+        Self(out)
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut out = self.0;
+        out.iter_mut().zip(other.0).for_each(|(x, y)| *x = f(*x, y));
+        Self(out)
+    }
+}
+
+macro_rules! operator {
+    ($operator:ident, $method:ident) => {
+        impl<const L: usize> $operator for Lanes<L> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, f64::$method)
+            }
+        }
+    };
+}
+
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+
+impl<const L: usize> Neg for Lanes<L> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(f64::neg)
+    }
+}
+
+impl<const L: usize> Scalar for Lanes<L> {
+    const PI: Self = Self([std::f64::consts::PI; L]);
+
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Self([x; L])
+    }
+
+    #[inline(always)]
+    fn fused(self, factor: Self, summand: Self) -> Self {
+        let mut out = self.0;
+        out.iter_mut().zip(factor.0).zip(summand.0).for_each(|((x, factor), summand)| *x = x.fused(factor, summand));
+        Self(out)
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = sin_cos::sin_cos(&self.0);
+        (Self(sin), Self(cos))
+    }
+
+    #[inline]
+    fn asin(self) -> Self {
+        self.map(f64::asin)
+    }
+
+    #[inline]
+    fn acos(self) -> Self {
+        self.map(f64::acos)
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        self.zip(x, f64::atan2)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        self.map(f64::exp)
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        self.map(f64::ln)
+    }
+
+    #[inline]
+    fn tanh(self) -> Self {
+        self.map(f64::tanh)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.map(f64::abs)
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.zip(other, f64::min)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.zip(other, f64::max)
+    }
+
+    #[inline(always)]
+    fn sign(self) -> Self {
+        self.map(Scalar::sign)
+    }
+
+    #[inline]
+    fn powf(self, exponent: Self) -> Self {
+        self.zip(exponent, f64::powf)
+    }
+
+    #[inline(always)]
+    fn is_above(self, threshold: Self) -> bool {
+        self.0.iter().zip(&threshold.0).fold(true, |all, (x, threshold)| all & (x > threshold))
+    }
+
+    #[inline(always)]
+    fn magnitude(self) -> f64 {
+        self.0.iter().fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m })
+    }
+
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.0.iter().fold(true, |all, x| all & x.is_finite())
+    }
+}

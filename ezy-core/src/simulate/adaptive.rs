@@ -1,0 +1,100 @@
+//! DOP853 with its step control.
+
+use super::reach::{Reach, is_too_short, reach};
+use crate::dynamics::{Dynamics, MotionError, State};
+use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, Tolerance};
+use crate::scalar::Scalar;
+
+/// DOP853 with the length of its next step.
+pub(super) struct Adaptive<T = f64> {
+    method: Dop853<T>,
+    control: StepControl,
+    tolerance: Tolerance,
+    /// Length of the next step, s; none before the first.
+    step_s: Option<f64>,
+    rejected: u64,
+    /// Whether values between the ends of the last step are prepared.
+    dense: bool,
+}
+
+impl<T: Scalar> Adaptive<T> {
+    pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance) -> Self {
+        Self {
+            method: Dop853::new(n_coordinates, n_rows, n_works),
+            control: StepControl::new(DOP853_ERROR_ORDER),
+            tolerance,
+            step_s: None,
+            rejected: 0,
+            dense: false,
+        }
+    }
+
+    /// Forgets the steps taken so far.
+    pub fn restart(&mut self) {
+        self.method.restart();
+        self.control = StepControl::new(DOP853_ERROR_ORDER);
+        self.step_s = None;
+    }
+
+    /// Steps that were tried and not taken.
+    pub fn n_rejected(&self) -> u64 {
+        self.rejected
+    }
+
+    /// The state at `t` between the ends of the last step, not projected; its time is left alone.
+    pub fn between(
+        &mut self,
+        system: &mut impl Dynamics<T>,
+        from: Knot<'_, T>,
+        to: Knot<'_, T>,
+        t: f64,
+        out: &mut State<T>,
+    ) -> Result<(), MotionError> {
+        if !self.dense {
+            self.method.prepare_dense(system, from, to)?;
+            self.dense = true;
+        }
+        self.method.dense_at((t - from.state.t) / (to.state.t - from.state.t), out);
+        Ok(())
+    }
+
+    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
+    pub fn step(
+        &mut self,
+        system: &mut impl Dynamics<T>,
+        from: Knot<'_, T>,
+        end: f64,
+        to: &mut State<T>,
+    ) -> Result<(), MotionError> {
+        self.dense = false;
+        let t = from.state.t;
+        let left = end - t;
+        let mut length = match self.step_s {
+            Some(step_s) => step_s,
+            None => self.method.first_step(system, from, left, self.tolerance)?,
+        };
+        loop {
+            let Reach { step_s: h, t_next } = reach(t, end, length);
+            if is_too_short(t, h) && h < left {
+                return Err(MotionError::StepCollapsed { t, step_s: h });
+            }
+            match self.method.attempt(system, from, h, self.tolerance, to) {
+                Ok(error) if error <= 1.0 => {
+                    self.method.accept();
+                    to.t = t_next;
+                    self.step_s = Some(h * self.control.accept(error));
+                    return Ok(());
+                }
+                Ok(error) => length = h * self.control.reject(error),
+                // a stage may have left the region of the motion: a shorter step may not
+                Err(error) => {
+                    length = h * self.control.reject(f64::NAN);
+                    if is_too_short(t, length) {
+                        return Err(error);
+                    }
+                }
+            }
+            self.rejected += 1;
+        }
+    }
+}

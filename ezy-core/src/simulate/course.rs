@@ -1,0 +1,85 @@
+//! The motion of a scene in numbers `T`, step by step, with both projections.
+
+use super::SetupError;
+use super::adaptive::Adaptive;
+use crate::dynamics::{Dynamics, MotionError, State, SystemOf};
+use crate::integrate::{Clock, Knot, Method, Rk4};
+use crate::model::{Equations, SceneInfo};
+use crate::scalar::Scalar;
+
+pub(super) struct Course<'s, S: ?Sized, T> {
+    system: SystemOf<'s, S, T>,
+    info: &'static SceneInfo,
+    method: Steps<T>,
+    pub now: State<T>,
+    next: State<T>,
+    a: Vec<T>,
+    lambda: Vec<T>,
+}
+
+enum Steps<T> {
+    Rk4 { method: Box<Rk4<T>>, step_s: f64 },
+    Dop853(Box<Adaptive<T>>),
+}
+
+impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
+    /// From `start`, which meets the rows.
+    pub fn new(
+        system: SystemOf<'s, S, T>,
+        info: &'static SceneInfo,
+        start: State<T>,
+        method: Method,
+    ) -> Result<Self, SetupError> {
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let method = match method {
+            Method::Rk4 { step_s } if step_s.is_finite() && step_s > 0.0 => {
+                Steps::Rk4 { method: Box::new(Rk4::new(n_q, n_c, 0)), step_s }
+            }
+            Method::Rk4 { step_s } => return Err(SetupError::Step { step_s }),
+            Method::Dop853(tolerance) => {
+                super::launch::check_tolerance(tolerance)?;
+                Steps::Dop853(Box::new(Adaptive::new(n_q, n_c, 0, tolerance)))
+            }
+            Method::Taylor(_) => return Err(SetupError::SingleNumbers { method: method.name() }),
+        };
+        let zeros = |n: usize| vec![T::from_f64(0.0); n];
+        let next = State::zeros(n_q, 0);
+        Ok(Self { system, info, method, now: start, next, a: zeros(n_q), lambda: zeros(n_c) })
+    }
+
+    /// Steps to `until_s`; after an error `now` is the last good state.
+    pub fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
+        let start = self.now.t;
+        if let Steps::Rk4 { step_s, .. } = self.method {
+            let clock = Clock::new(start, until_s, step_s);
+            return (0..clock.n_steps()).try_for_each(|n| self.step(clock.step(n), clock.time(n + 1)));
+        }
+        while self.now.t < until_s {
+            self.step(until_s - self.now.t, until_s)?;
+        }
+        Ok(())
+    }
+
+    /// A step of length `h` to `t_next`; a method that chooses its steps may stop before.
+    fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+        let Self { system, info, method, now, next, a, lambda } = self;
+        system.accelerations(now.t, &now.q, &now.v, a, lambda)?;
+        let from = Knot { state: now, a, power: &[] };
+        match method {
+            Steps::Rk4 { method, .. } => method.step(system, from, h, t_next, next)?,
+            Steps::Dop853(adaptive) => adaptive.step(system, from, t_next, next)?,
+        }
+        let broken = |x: &[T]| x.iter().position(|x| !x.is_finite());
+        let quantity = match (broken(&next.q), broken(&next.v)) {
+            (Some(i), _) => Some(info.coordinates[i].name),
+            (None, Some(i)) => Some(info.coordinates[i].velocity_name),
+            (None, None) => None,
+        };
+        if let Some(quantity) = quantity {
+            return Err(MotionError::NotFinite { t: now.t, quantity });
+        }
+        system.project(next.t, &mut next.q, &mut next.v)?;
+        std::mem::swap(now, next);
+        Ok(())
+    }
+}

@@ -1,0 +1,98 @@
+//! Runs that step together in lanes, against the same runs one by one.
+
+use ezy_core::dynamics::State;
+use ezy_core::prelude::*;
+use ezy_core::simulate::{Ensemble, SetupError};
+use ezy_models::{chain, ezy_roller};
+
+/// Rounding of 5000 steps of the driven roller, whose sensitivity is 50 after 5 s; sines differ in their last bit.
+const ROUNDING: f64 = 2e-12;
+/// Both keep to 1e-10 a step, by other steps.
+const TOLERANCE: f64 = 1e-7;
+
+type Roller = ezy_roller::Driven;
+
+/// Rollers of eight torques.
+fn rollers() -> [Roller; 8] {
+    std::array::from_fn(|i| Roller { m0: 2.0 + 0.05 * i as f64, ..Roller::default() })
+}
+
+/// Consistent starts, each with the bar at another angle.
+fn starts<const L: usize>(scenes: &[Roller; L]) -> [State; L] {
+    std::array::from_fn(|i| {
+        let mut system = System::new(&scenes[i], Backend::Auto).unwrap();
+        let mut start = system.scene_start();
+        start.give_position(5, 3.0 - 0.02 * i as f64);
+        system.consistent_start(&start).unwrap()
+    })
+}
+
+/// Largest difference of positions and velocities at `until_s` between runs that step together and the same ones alone.
+fn difference<const L: usize>(scenes: &[Roller; L], method: Method, until_s: f64) -> f64 {
+    let starts = starts(scenes);
+    let mut ensemble = Ensemble::new(scenes, starts.each_ref(), method).unwrap();
+    ensemble.advance(until_s).unwrap();
+    assert_eq!(ensemble.time(), until_s);
+    let mut worst: f64 = 0.0;
+    for (lane, scene) in scenes.iter().enumerate() {
+        let run =
+            Simulation::new(scene).method(method).give("bar.phi", starts[lane].q[5]).until(until_s).run().unwrap();
+        let (alone, together) = (run.last(), ensemble.state(lane));
+        let pairs = alone.coordinates.iter().zip(&together.q).chain(alone.velocities.iter().zip(&together.v));
+        worst = pairs.fold(worst, |worst, (x, y)| worst.max((x - y).abs()));
+    }
+    assert!(!worst.is_nan());
+    worst
+}
+
+#[test]
+fn cross_eight_runs_of_rk4_together_are_those_alone() {
+    let error = difference(&rollers(), Method::rk4(1e-3), 5.0);
+    assert!(error <= ROUNDING, "{error:.1e}");
+}
+
+#[test]
+fn cross_four_runs_of_rk4_together_are_those_alone() {
+    let scenes = rollers();
+    let error = difference(&[scenes[0], scenes[2], scenes[5], scenes[7]], Method::rk4(1e-3), 5.0);
+    assert!(error <= ROUNDING, "{error:.1e}");
+}
+
+#[test]
+fn cross_eight_runs_of_dop853_share_steps_that_keep_to_the_tolerance() {
+    let error = difference(&rollers(), Method::dop853(1e-10), 5.0);
+    assert!(error <= TOLERANCE, "{error:.1e}");
+}
+
+#[test]
+fn invariant_runs_in_two_parts_end_where_they_end_in_one() {
+    let scenes = rollers();
+    let starts = starts(&scenes);
+    let order = || Ensemble::new(&scenes, starts.each_ref(), Method::rk4(0.01)).unwrap();
+    let (mut whole, mut parts) = (order(), order());
+    whole.advance(2.0).unwrap();
+    [0.5, 2.0, 1.0].into_iter().for_each(|until_s| parts.advance(until_s).unwrap());
+    assert_eq!(whole.time(), parts.time());
+    let error = (0..8).flat_map(|lane| {
+        let (a, b) = (whole.state(lane), parts.state(lane));
+        a.q.into_iter().zip(b.q).map(|(a, b)| (a - b).abs()).collect::<Vec<_>>()
+    });
+    let error = error.fold(0.0, f64::max);
+    assert!(error <= ROUNDING, "{error:.1e}");
+}
+
+#[test]
+fn analytic_what_cannot_run_in_lanes_is_told() {
+    let scenes: [Roller; 4] = std::array::from_fn(|_| Roller::default());
+    let mut starts = starts(&scenes);
+    let refused = Ensemble::new(&scenes, starts.each_ref(), Method::taylor(1e-9)).err();
+    assert!(matches!(refused, Some(SetupError::SingleNumbers { method: "taylor" })));
+    let refused = Ensemble::new(&scenes, starts.each_ref(), Method::rk4(0.0)).err();
+    assert!(matches!(refused, Some(SetupError::Step { .. })));
+    let chains: [chain::Swing; 4] = std::array::from_fn(|_| chain::Swing::default());
+    let refused = Ensemble::new(&chains, starts.each_ref(), Method::rk4(1e-3)).err();
+    assert!(matches!(refused, Some(SetupError::System(_))));
+    starts[2].t = 1.0;
+    let refused = Ensemble::new(&scenes, starts.each_ref(), Method::rk4(1e-3)).err();
+    assert!(matches!(refused, Some(SetupError::DifferentTimes { .. })));
+}

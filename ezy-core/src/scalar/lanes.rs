@@ -1,5 +1,10 @@
 //! Several `f64` side by side.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "counted loops become vector instructions, iterators of this length do not"
+)]
+
 mod sin_cos;
 #[cfg(test)]
 mod tests;
@@ -21,14 +26,18 @@ impl<const L: usize> Lanes<L> {
     #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let mut out = self.0;
-        out.iter_mut().for_each(|x| *x = f(*x));
+        for i in 0..L {
+            out[i] = f(out[i]);
+        }
         Self(out)
     }
 
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut out = self.0;
-        out.iter_mut().zip(other.0).for_each(|(x, y)| *x = f(*x, y));
+        for i in 0..L {
+            out[i] = f(out[i], other.0[i]);
+        }
         Self(out)
     }
 }
@@ -71,7 +80,9 @@ impl<const L: usize> Scalar for Lanes<L> {
     #[inline(always)]
     fn fused(self, factor: Self, summand: Self) -> Self {
         let mut out = self.0;
-        out.iter_mut().zip(factor.0).zip(summand.0).for_each(|((x, factor), summand)| *x = x.fused(factor, summand));
+        for i in 0..L {
+            out[i] = out[i].fused(factor.0[i], summand.0[i]);
+        }
         Self(out)
     }
 
@@ -143,7 +154,11 @@ impl<const L: usize> Scalar for Lanes<L> {
 
     #[inline(always)]
     fn is_above(self, threshold: Self) -> bool {
-        self.0.iter().zip(&threshold.0).fold(true, |all, (x, threshold)| all & (x > threshold))
+        let mut all = true;
+        for i in 0..L {
+            all &= self.0[i] > threshold.0[i];
+        }
+        all
     }
 
     #[inline(always)]

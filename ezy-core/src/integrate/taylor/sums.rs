@@ -1,4 +1,4 @@
-//! The sums of all products of one order: where nearly all of a step's time goes.
+//! The sums of all products of one order: a third of the time of a step.
 
 use crate::model::{PRODUCT_GROUP, SeriesStore};
 use crate::scalar::Scalar;
@@ -21,16 +21,18 @@ fn sum_groups<T: Scalar, const WIDTH: usize>(store: &mut SeriesStore<T>, n: usiz
     let (sums, _) = sums.as_chunks_mut::<WIDTH>();
     let (left, right) = (left.as_chunks::<WIDTH>().0, right.as_chunks::<WIDTH>().0);
     let n_groups = sums.len();
+    // the newest coefficients come last, so that the processor adds up the others while it still solves for these
+    let middle = 2 * n_groups..(n - 1).max(2) * n_groups;
+    let (middle_left, middle_right) = (&left[middle.clone()], &right[middle]);
     for (group, sum) in sums.iter_mut().enumerate() {
-        let term = |total, j| fused(&left[j * n_groups + group], &right[(n - j) * n_groups + group], total);
         let mut total = [T::from_f64(0.0); WIDTH];
-        for j in 2..n - 1 {
-            total = term(total, j);
+        for (left, right) in middle_left.chunks_exact(n_groups).zip(middle_right.chunks_exact(n_groups).rev()) {
+            total = fused(&left[group], &right[group], total);
         }
-        // the newest coefficients come last, so that the processor adds up the others while it still solves for these
-        total = term(total, 1);
+        let newest = (n - 1) * n_groups + group;
+        total = fused(&left[n_groups + group], &right[newest], total);
         if n > 2 {
-            total = term(total, n - 1);
+            total = fused(&left[newest], &right[n_groups + group], total);
         }
         *sum = total;
     }

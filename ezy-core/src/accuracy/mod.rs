@@ -32,6 +32,7 @@ mod order;
 #[cfg(feature = "figures")]
 mod page;
 mod point;
+mod precise;
 mod reference;
 mod runs;
 #[cfg(feature = "figures")]

@@ -1,10 +1,12 @@
-//! The motion that all others are compared with.
+//! The motion that all others are compared with: in double-double where the scene has a Taylor series, else the tightest
+//! run of DOP853.
 
 use std::time::{Duration, Instant};
 
 use super::command::command;
 use super::error::AccuracyError;
-use super::errors::{Comparison, Scales, compare, difference};
+use super::errors::{Comparison, Errors, Scales, Size, compare, difference};
+use super::precise::{NAME, precise};
 use super::runs::{NoRun, Runs};
 use super::second::Second;
 use super::trajectory::Trajectory;
@@ -27,8 +29,12 @@ pub struct Reference {
     pub trajectory: Trajectory,
     /// Sizes of the motion.
     pub scales: Scales,
-    /// How far it is from the second best run of its kind: errors below this are not known.
+    /// What [`Reference::uncertainty`] is, as the beginning of a sentence.
+    pub doubt: &'static str,
+    /// How well it is known: errors below this are not.
     pub uncertainty: Comparison,
+    /// Why it is not in double-double, when it is not.
+    pub imprecise: Option<String>,
     /// How far it is from another method, or why none was run.
     pub second: Result<Second, String>,
 }
@@ -42,7 +48,7 @@ pub(super) enum Found {
 }
 
 impl Reference {
-    /// From the two tightest runs that reach the end within `budget`.
+    /// In double-double, compared with the two tightest runs that reach the end within `budget`, or the tightest of them.
     pub(super) fn find(runs: &Runs<'_>, budget: Duration) -> Result<Found, AccuracyError> {
         let deadline = Instant::now() + budget;
         let mut best: Vec<(Method, Run)> = Vec::new();
@@ -64,16 +70,37 @@ impl Reference {
             );
             return Err(AccuracyError::NoReference { method, outcome });
         };
-        let (trajectory, other) = (Trajectory::of(run), Trajectory::of(second_best));
-        let scales = Scales::of(&trajectory);
-        if let Some(until) = unknown_from(&trajectory, &other, &scales)? {
+        let (tightest, other) = (Trajectory::of(run), Trajectory::of(second_best));
+        let precise = precise(runs, &run.first(), tightest.times(), deadline);
+        let scales = Scales::of(precise.as_ref().unwrap_or(&tightest));
+        if let Some(until) = unknown_from(precise.as_ref().unwrap_or(&other), &tightest, &scales)? {
             return Ok(until);
         }
-        let uncertainty = compare(&trajectory, &other, &scales).unwrap_or_default();
-        let second = Second::by_rk4(runs, run.cost, &trajectory, &scales, deadline);
+        let own = compare(&tightest, &other, &scales).unwrap_or_default();
         let by = format!("dop853 {}", command(*method));
-        Ok(Found::Whole(Box::new(Self { by, trajectory, scales, uncertainty, second })))
+        Ok(Found::Whole(Box::new(match precise {
+            Ok(trajectory) => {
+                let difference = compare(&tightest, &trajectory, &scales).unwrap_or_default();
+                let second = Ok(Second { by, difference, own });
+                let (doubt, uncertainty) = ("Rounding to double changes it", rounding(&scales));
+                Self { by: NAME.to_owned(), trajectory, scales, doubt, uncertainty, imprecise: None, second }
+            }
+            Err(why) => {
+                let second = Second::by_rk4(runs, run.cost, &tightest, &scales, deadline);
+                let doubt = "The next looser run differs from it";
+                Self { by, trajectory: tightest, scales, doubt, uncertainty: own, imprecise: Some(why), second }
+            }
+        })))
     }
+}
+
+/// What is lost of numbers of these sizes when they are stored as f64.
+fn rounding(scales: &Scales) -> Comparison {
+    let half = 0.5 * f64::EPSILON;
+    let of = |scales: &[f64]| Size { absolute: half * scales.iter().fold(0.0, |m, x| f64::max(m, *x)), scaled: half };
+    let Scales { position, velocity, reaction } = scales;
+    let all = Errors { position: of(position), velocity: of(velocity), reaction: of(reaction) };
+    Comparison { end: all, grid: all }
 }
 
 /// The time from which two motions differ noticeably, if they do.

@@ -16,14 +16,27 @@ pub struct Second {
     pub by: String,
     /// How far it is from the reference.
     pub difference: Comparison,
-    /// How far its own last two approximations are apart: it cannot agree by much more than a small part of this.
+    /// How far its own last two approximations are apart.
     pub own: Comparison,
 }
+
+/// A second method may be this many times as far from the reference as its own last two runs are apart: it ends where
+/// rounding does, which is by chance nearer once than another time.
+const CONFIRMED: f64 = 100.0;
+
+/// Scaled differences that are rounding of a long run at most.
+const ROUNDING: f64 = 1e-12;
 
 /// RK4 steps for each step of the reference: with it RK4 extrapolated comes near to rounding.
 const STEPS_PER_STEP: u64 = 16;
 
 impl Second {
+    /// Whether it agrees with the reference as well as it can.
+    pub fn confirms(&self) -> bool {
+        let [difference, own] = [&self.difference, &self.own].map(|of| of.grid.position.scaled);
+        difference <= (CONFIRMED * own).max(ROUNDING)
+    }
+
     /// RK4 with two steps, extrapolated to the step zero.
     pub(super) fn by_rk4(
         runs: &Runs<'_>,

@@ -175,14 +175,18 @@ impl WorkPrecision {
         let reference = &self.reference;
         let Comparison { end, grid } = reference.uncertainty;
         let mut all = vec![format!(
-            "The reference is {}, positions and velocities projected. The next looser run differs from it by {:.1e} m or rad \
-             at the end and by {:.1e} at most; errors up to there are not known, and tables mark them with ≤.",
-            reference.by, end.position.absolute, grid.position.absolute
+            "The reference is {}, positions and velocities projected. {} by {:.1e} m or rad at the end and by {:.1e} at most; \
+             errors up to there are not known, and tables mark them with ≤.",
+            reference.by, reference.doubt, end.position.absolute, grid.position.absolute
         )];
+        all.extend(reference.imprecise.as_ref().map(|why| format!("There is none in double-double: {why}.")));
         all.push(match &reference.second {
             Ok(second) => format!(
-                "A second method, {}, differs from it by {:.1e} at most; its own two runs differ by {:.1e}.",
-                second.by, second.difference.grid.position.absolute, second.own.grid.position.absolute
+                "A second method, {}, differs from it by {:.1e} at most; its own last two runs differ by {:.1e}{}.",
+                second.by,
+                second.difference.grid.position.absolute,
+                second.own.grid.position.absolute,
+                if second.confirms() { "" } else { ", so that it does not confirm the reference" }
             ),
             Err(why) => format!("It was not validated by a second method: {why}."),
         });

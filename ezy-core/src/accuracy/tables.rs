@@ -192,7 +192,7 @@ impl WorkPrecision {
         });
         if let Some(unknown) = self.unknown {
             all.push(format!(
-                "The runs end at t = {} s in place of {} s: there, runs at the two tightest tolerances differ by {unknown:.1e} of \
+                "The runs end at t = {} s in place of {} s: there, the tightest runs differ by {unknown:.1e} of \
                  the size of the motion. The motion multiplies rounding until no digit is left, and no method of this \
                  precision gets further.",
                 self.until_s, self.asked_until_s

@@ -37,6 +37,13 @@ pub trait Scalar:
     #[must_use]
     fn fused(self, factor: Self, summand: Self) -> Self;
 
+    /// The same for the body of a loop, where it is always inlined.
+    #[must_use]
+    #[inline(always)]
+    fn fused_in_loop(self, factor: Self, summand: Self) -> Self {
+        self.fused(factor, summand)
+    }
+
     /// Sine and cosine.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);

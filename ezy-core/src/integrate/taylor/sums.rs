@@ -42,7 +42,7 @@ fn sum_groups<T: Scalar, const WIDTH: usize>(store: &mut SeriesStore<T>, n: usiz
 #[inline(always)]
 fn fused<T: Scalar, const WIDTH: usize>(left: &[T; WIDTH], right: &[T; WIDTH], mut total: [T; WIDTH]) -> [T; WIDTH] {
     for i in 0..WIDTH {
-        total[i] = left[i].fused(right[i], total[i]);
+        total[i] = left[i].fused_in_loop(right[i], total[i]);
     }
     total
 }

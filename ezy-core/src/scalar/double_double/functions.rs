@@ -4,7 +4,7 @@
 //! Newton's method from the `f64` value, which doubles the digits.
 
 use super::tables::{HALF_PI, INVERSE_FACTORIALS, LN_2, PI};
-use super::{DoubleDouble, two_product};
+use super::{DoubleDouble, product, sum, two_product};
 use crate::scalar::Scalar;
 
 /// Exponents up to which the result is in the range.
@@ -73,9 +73,14 @@ impl Scalar for DoubleDouble {
         x.into()
     }
 
-    #[inline]
+    #[inline(never)]
     fn fused(self, factor: Self, summand: Self) -> Self {
-        self * factor + summand
+        sum(product(self, factor), summand)
+    }
+
+    #[inline(always)]
+    fn fused_in_loop(self, factor: Self, summand: Self) -> Self {
+        sum(product(self, factor), summand)
     }
 
     /// Reduction by multiples of π/2 of 159 bits: for arguments up to 1e6 as accurate as the argument itself.

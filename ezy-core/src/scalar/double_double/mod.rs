@@ -101,34 +101,49 @@ fn halves(a: f64) -> (f64, f64) {
     (upper, a - upper)
 }
 
+/// a + b
+#[inline(always)]
+fn sum(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let (upper, lower) = (two_sum(a.high, b.high), two_sum(a.low, b.low));
+    let sum = quick_two_sum(upper.high, upper.low + lower.high);
+    quick_two_sum(sum.high, lower.low + sum.low)
+}
+
+/// a b
+#[inline(always)]
+fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let product = two_product(a.high, b.high);
+    let crossed = a.low * b.low + a.high * b.low + a.low * b.high;
+    quick_two_sum(product.high, product.low + crossed)
+}
+
+// Operators are calls: a kernel has hundreds of them, and inlined each is twenty instructions to be compiled for every
+// scene. What runs in loops is inlined there (`fused_in_loop`).
+
 impl Add for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
-        let (upper, lower) = (two_sum(self.high, other.high), two_sum(self.low, other.low));
-        let sum = quick_two_sum(upper.high, upper.low + lower.high);
-        quick_two_sum(sum.high, lower.low + sum.low)
+        sum(self, other)
     }
 }
 
 impl Sub for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
-        self + -other
+        sum(self, -other)
     }
 }
 
 impl Mul for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
-        let product = two_product(self.high, other.high);
-        let crossed = self.low * other.low + self.high * other.low + self.low * other.high;
-        quick_two_sum(product.high, product.low + crossed)
+        product(self, other)
     }
 }
 
@@ -136,7 +151,7 @@ impl Div for DoubleDouble {
     type Output = Self;
 
     /// Long division, digit by digit of 53 bits.
-    #[inline]
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
         let rest = self - other * first.into();

@@ -5,6 +5,7 @@
 
 use ezy_core::linalg::SparseKkt;
 use ezy_core::prelude::*;
+use ezy_core::simulate::Ensemble;
 use ezy_models::{chain, ezy_roller};
 use nalgebra::{SMatrix, SVector};
 use std::hint::black_box;
@@ -26,6 +27,8 @@ const PLAIN_LU: &str = "accelerations/plain LU of a 10 x 10 (nalgebra)";
 fn main() {
     accelerations();
     driven_run();
+    lanes::<4>();
+    lanes::<8>();
     chains();
 }
 
@@ -96,6 +99,35 @@ fn driven_run() {
             format!("{} steps, {} evaluations, {} factorisations", cost.steps, cost.evaluations, cost.factorizations);
     }
     println!("run/driven 60 s/rk4 1 ms                           {:8.1} ms  {counts}", 1e3 * seconds);
+}
+
+/// Runs of the driven roller with other torques, one after the other and together in lanes.
+fn lanes<const L: usize>() {
+    let scenes: [ezy_roller::Driven; L] =
+        std::array::from_fn(|i| ezy_roller::Driven { m0: 2.0 + 0.01 * i as f64, ..Default::default() });
+    let starts = scenes.each_ref().map(|scene| {
+        let mut system = System::new(scene, Backend::Auto).expect("the parameters are fine");
+        system.consistent_start(&system.scene_start()).expect("the driven scene starts")
+    });
+    for (name, method, until_s) in
+        [("rk4 1 ms, 10 s ", Method::rk4(1e-3), 10.0), ("dop853 1e-9, 60 s", Method::dop853(1e-9), 60.0)]
+    {
+        let (mut alone, mut together) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..N_RUNS {
+            let runs = scenes.iter().map(|scene| Simulation::new(scene).method(method).until(until_s).run());
+            alone = alone.min(runs.map(|run| run.expect("the driven scene runs").cost.seconds).sum());
+            let mut ensemble =
+                Ensemble::new(&scenes, starts.each_ref(), method).expect("the driven scene runs in lanes");
+            let began = Instant::now();
+            ensemble.advance(until_s).expect("the driven scene runs in lanes");
+            together = together.min(began.elapsed().as_secs_f64());
+        }
+        println!(
+            "run/driven/{name}/{L} in lanes             {:8.1} ms  {:.1} x faster than {L} one by one",
+            1e3 * together,
+            alone / together
+        );
+    }
 }
 
 /// Rods of the chains, and steps of their runs.

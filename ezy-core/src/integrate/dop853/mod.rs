@@ -202,6 +202,7 @@ impl<T: Scalar> Dop853<T> {
 }
 
 /// What is tolerated of a number of this size.
+#[inline(always)]
 fn scale<T: Scalar>(tolerance: Tolerance, size: T) -> T {
     T::from_f64(tolerance.absolute) + T::from_f64(tolerance.relative) * size
 }

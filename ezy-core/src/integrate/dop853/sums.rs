@@ -17,7 +17,7 @@ pub fn sum<const N: usize, T: Scalar>(weights: [(usize, f64); N], slopes: &[Bloc
     for (i, out) in out.iter_mut().enumerate() {
         let mut sum = [T::from_f64(0.0); WIDTH];
         for (row, (_, weight)) in rows.iter().zip(weights) {
-            sum.iter_mut().zip(row[i]).for_each(|(sum, slope)| *sum = *sum + T::from_f64(weight) * slope);
+            sum.iter_mut().zip(&row[i]).for_each(|(sum, slope)| *sum = *sum + T::from_f64(weight) * *slope);
         }
         *out = sum;
     }

@@ -88,17 +88,22 @@ fn plain_lu(scene: &ezy_roller::Driven, c: &[f64], t: f64, q: &[f64], v: &[f64])
 
 fn driven_run() {
     let scene = ezy_roller::Driven::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(1e-3)).until(60.0);
-    let mut seconds = f64::INFINITY;
-    let mut counts = String::new();
-    for _ in 0..N_RUNS {
-        let run = order().run().expect("the driven scene runs");
-        seconds = seconds.min(run.cost.seconds);
-        let cost = run.cost;
-        counts =
-            format!("{} steps, {} evaluations, {} factorisations", cost.steps, cost.evaluations, cost.factorizations);
+    for (name, method) in [
+        ("rk4 1 ms", Method::rk4(1e-3)),
+        ("dop853 1e-12", Method::dop853(1e-12)),
+        ("taylor 1e-12", Method::taylor(1e-12)),
+    ] {
+        let order = || Simulation::new(&scene).method(method).until(60.0);
+        let costs = (0..N_RUNS).map(|_| order().run().expect("the driven scene runs").cost);
+        let cost = costs.min_by(|a, b| a.seconds.total_cmp(&b.seconds)).expect("more than one run");
+        println!(
+            "run/driven 60 s/{name:35}{:8.2} ms  {} steps, {} evaluations, {} factorisations",
+            1e3 * cost.seconds,
+            cost.steps,
+            cost.evaluations,
+            cost.factorizations
+        );
     }
-    println!("run/driven 60 s/rk4 1 ms                           {:8.1} ms  {counts}", 1e3 * seconds);
 }
 
 /// Runs of the driven roller with other torques, one after the other and together in lanes.

@@ -10,6 +10,10 @@ pub const WIDTH: usize = 4;
 pub type Sum<T> = fn(&[Block<T>], &mut [Block<T>]);
 
 /// `Σ weight · slope`, in the order of the weights. To be inlined where these are literals.
+#[allow(
+    clippy::needless_range_loop,
+    reason = "counted loops become vector instructions, iterators of this length do not"
+)]
 #[inline(always)]
 pub fn sum<const N: usize, T: Scalar>(weights: [(usize, f64); N], slopes: &[Block<T>], out: &mut [Block<T>]) {
     let length = out.len();
@@ -17,7 +21,10 @@ pub fn sum<const N: usize, T: Scalar>(weights: [(usize, f64); N], slopes: &[Bloc
     for (i, out) in out.iter_mut().enumerate() {
         let mut sum = [T::from_f64(0.0); WIDTH];
         for (row, (_, weight)) in rows.iter().zip(weights) {
-            sum.iter_mut().zip(&row[i]).for_each(|(sum, slope)| *sum = *sum + T::from_f64(weight) * *slope);
+            let block = row[i];
+            for k in 0..WIDTH {
+                sum[k] = sum[k] + T::from_f64(weight) * block[k];
+            }
         }
         *out = sum;
     }

@@ -18,6 +18,9 @@ pub(super) enum Where {
 /// A guide runs this many times above the curve that it belongs to, where faster methods leave room.
 const GUIDE_GAP: f64 = 1.6;
 
+/// Errors up to this many times the smallest one say nothing about the order.
+const FLOOR: f64 = 10.0;
+
 impl WorkPrecision {
     /// Time against error of positions, one curve a method.
     pub(super) fn work_precision(&self, place: Where) -> Figure {
@@ -74,17 +77,20 @@ impl WorkPrecision {
         all.fold([f64::INFINITY, 0.0], |[low, high], t| [low.min(t), high.max(t)])
     }
 
-    /// The slope −1/order above the middle of a curve, which says so at its fine end.
+    /// The slope −1/order above the middle of a curve, away from the floor of rounding.
     fn with_slope(&self, figure: Figure, family: &Family, place: Where) -> Figure {
         let (x, y) = self.costs(family, place);
-        let known = self.known(place);
-        let usable: Vec<(f64, f64)> = x.into_iter().zip(y).filter(|(x, _)| *x > known && x.is_finite()).collect();
+        let least = x.iter().copied().filter(|error| *error > 0.0).fold(f64::INFINITY, f64::min);
+        let floor = FLOOR * least.max(self.known(place));
+        let usable: Vec<(f64, f64)> = x.into_iter().zip(y).filter(|(x, _)| *x > floor && x.is_finite()).collect();
         let (Some(order), true) = (family.order, usable.len() >= 4) else { return figure };
         let (first, last) = (usable.len() / 4, usable.len() - 1 - usable.len() / 4);
         let (x0, y0) = usable[first];
         let x1 = usable[last].0;
         let at = |x: f64| GUIDE_GAP * y0 * (x / x0).powf(-1.0 / f64::from(order));
-        figure.guide("", vec![x0, x1], vec![at(x0), at(x1)]).note(x1, GUIDE_GAP * at(x1), &format!("slope −1/{order}"))
+        let middle = (x0 * x1).sqrt();
+        let name = format!("slope −1/{order}");
+        figure.guide("", vec![x0, x1], vec![at(x0), at(x1)]).note(middle, GUIDE_GAP * at(middle), &name)
     }
 
     /// Largest residual against tolerance, one curve a projection; `None` for a scene without rows.

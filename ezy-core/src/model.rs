@@ -243,9 +243,9 @@ pub struct SceneInfo {
     pub abbreviations: &'static [Abbreviation],
     /// Order in which the generated elimination takes the rows.
     pub elimination: &'static [EliminationStep],
-    /// Operations of [`Scene::accelerations`].
+    /// Operations of [`Equations::accelerations`].
     pub acceleration_operations: Operations,
-    /// Operations of [`Scene::correction`].
+    /// Operations of [`Equations::correction`].
     pub correction_operations: Operations,
     /// Whether there is a Taylor series ([`Scene::series`]).
     pub series: SeriesInfo,
@@ -256,7 +256,7 @@ pub struct SceneInfo {
 }
 
 impl SceneInfo {
-    /// Whether [`Scene::accelerations`] and [`Scene::correction`] solve: not in scenes with counts.
+    /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts.
     pub const fn has_elimination(&self) -> bool {
         self.repeats.is_none()
     }

@@ -2,7 +2,7 @@
 //!
 //! | backend | needs | method |
 //! |---|---|---|
-//! | generated | M > 0 | the scene's own straight-line elimination, [`crate::model::Scene::accelerations`] |
+//! | generated | M > 0 | the scene's own straight-line elimination, [`crate::model::Equations::accelerations`] |
 //! | dense | K regular | LU with partial pivoting of the scaled K ([`DenseKkt`]) |
 //! | sparse | M > 0 | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
 

@@ -43,6 +43,9 @@ const LONG_STEPS: f64 = 1.8;
 /// Other projections than the default one take every second rung of the ladder.
 const STRIDE: usize = 2;
 
+/// A run on the grid, with works, takes about as long as so many that keep their two ends.
+const ON_GRID: usize = 2;
+
 /// A rung of a hundredth of the tolerance takes methods of order 8 less than this time as long.
 const ADAPTIVE_GROWTH: f64 = 2.0;
 
@@ -120,7 +123,7 @@ impl<'s> Accuracy<'s> {
             let share = if *variant == Variant::default() { MAIN_SHARE } else { 1.0 };
             let left = share * budget_s - spent;
             let affordable = match expected_seconds(&points, *method, *variant) {
-                Some(seconds) => seconds * (1 + repeats(seconds)) as f64 <= POINT_SHARE * left,
+                Some(seconds) => seconds * (ON_GRID + repeats(seconds)) as f64 <= POINT_SHARE * left,
                 None => left > 0.0,
             };
             let result = match affordable {
@@ -188,7 +191,7 @@ fn expected_seconds(points: &[Point], method: Method, variant: Variant) -> Optio
                 Method::Rk4 { step_s } => setting(before.method) / step_s,
                 _ => ADAPTIVE_GROWTH,
             };
-            Some(growth * measured.seconds_on_grid)
+            Some(growth * measured.seconds_min)
         }
         PointResult::Stopped(_) => None,
         PointResult::NotRun => Some(f64::INFINITY),

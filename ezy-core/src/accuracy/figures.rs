@@ -88,9 +88,10 @@ impl WorkPrecision {
         let (x0, y0) = usable[first];
         let x1 = usable[last].0;
         let at = |x: f64| GUIDE_GAP * y0 * (x / x0).powf(-1.0 / f64::from(order));
-        let middle = (x0 * x1).sqrt();
+        // nearer to the fine end, where curves are further apart
+        let x = x0 * (x1 / x0).powf(0.75);
         let name = format!("slope −1/{order}");
-        figure.guide("", vec![x0, x1], vec![at(x0), at(x1)]).note(middle, GUIDE_GAP * at(middle), &name)
+        figure.guide("", vec![x0, x1], vec![at(x0), at(x1)]).note(x, GUIDE_GAP * at(x), &name)
     }
 
     /// Largest residual against tolerance, one curve a projection; `None` for a scene without rows.

@@ -61,12 +61,16 @@ fn invariant_accuracy_writes_page_figures_and_numbers_and_says_what_to_use() {
 fn invariant_accuracy_exits_with_2_on_wrong_use() {
     let out = directory("accuracy_refused");
     let out = out.to_str().unwrap();
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 7] = [
         (&["ezyroller"], "names no scene; run one of: ezyroller/coast"),
         (&["ezyroller/coast", "--set", "m9=1", "--out", out], "parameter `m9` is not known"),
         (&["ezyroller/coast", "--start", "seat.z=1", "--out", out], "start value `seat.z` is not known"),
         (&["ezyroller/coast", "--until", "0", "--out", out], "give an end after the start"),
-        (&["ezyroller/coast", "--budget", "-1", "--out", out], "give a positive number of seconds with --budget"),
+        (
+            &["ezyroller/coast", "--budget", "-1", "--out", out],
+            "give a positive number of seconds up to 1e9 with --budget",
+        ),
+        (&["ezyroller/coast", "--budget", "1e300", "--out", out], "the budget is 1e300 s"),
         (&["ezyroller/coast", "--out", "/dev/null/x"], "choose another directory with --out"),
     ];
     for (arguments, expected) in cases {

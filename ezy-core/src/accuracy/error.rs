@@ -14,11 +14,13 @@ pub enum AccuracyError {
         /// Start and end, s.
         until_s: f64,
     },
-    /// Nothing can be measured in no time.
-    #[error("the budget is {budget_s} s; give a positive number of seconds")]
+    /// Nothing can be measured in no time, and no clock runs for ever.
+    #[error("the budget is {budget_s:?} s; give a positive number of seconds up to {longest_s:e}")]
     Budget {
         /// The budget, s.
         budget_s: f64,
+        /// The longest, s.
+        longest_s: f64,
     },
     /// There is no motion up to the end to compare with.
     #[error("there is no reference: {method} {outcome}")]

@@ -26,6 +26,9 @@ pub struct Accuracy<'s> {
 /// Seconds that a measurement takes at most, unless it is told.
 const BUDGET_S: f64 = 60.0;
 
+/// Thirty years: of more, clocks cannot tell the end.
+const LONGEST_BUDGET_S: f64 = 1e9;
+
 /// Part of the budget for the reference.
 const REFERENCE_SHARE: f64 = 0.4;
 
@@ -104,8 +107,8 @@ impl<'s> Accuracy<'s> {
     /// [`AccuracyError`]: the order cannot be carried out, or there is no reference.
     pub fn measure(self, mut progress: impl FnMut(f64, &str)) -> Result<WorkPrecision, AccuracyError> {
         let Self { scene, until_s, given, inputs, budget_s, ladder } = self;
-        if !(budget_s > 0.0 && budget_s.is_finite()) {
-            return Err(AccuracyError::Budget { budget_s });
+        if !(budget_s > 0.0 && budget_s <= LONGEST_BUDGET_S) {
+            return Err(AccuracyError::Budget { budget_s, longest_s: LONGEST_BUDGET_S });
         }
         let began = Instant::now();
         let mut runs = Runs::new(scene, given, inputs, until_s)?;

@@ -19,6 +19,11 @@ pub struct Tolerance {
     pub absolute: f64,
 }
 
+impl Tolerance {
+    /// The smallest relative tolerance: below it an error estimate is rounding.
+    pub const SMALLEST_RELATIVE: f64 = 1e-15;
+}
+
 /// A proportional-integral controller for a method whose error goes with the power `order` of the step.
 ///
 /// # Source

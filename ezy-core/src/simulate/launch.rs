@@ -13,9 +13,6 @@ use crate::record::{UnknownName, find_name, input_index};
 /// At 100 ns a step half an hour; more is a slip of the pen.
 const MAX_STEPS: f64 = 1e10;
 
-/// Below it an error estimate is rounding.
-const SMALLEST_RELATIVE_TOLERANCE: f64 = 1e-15;
-
 /// Above it there is no motion left to speak of.
 const LARGEST_TOLERANCE: f64 = 1.0;
 
@@ -130,10 +127,11 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
 pub(super) fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {
     let Tolerance { relative, absolute } = tolerance;
     let usable = |x: f64, least: f64| (least..=LARGEST_TOLERANCE).contains(&x);
-    if usable(relative, SMALLEST_RELATIVE_TOLERANCE) && usable(absolute, f64::MIN_POSITIVE) {
+    let smallest = Tolerance::SMALLEST_RELATIVE;
+    if usable(relative, smallest) && usable(absolute, f64::MIN_POSITIVE) {
         return Ok(());
     }
-    Err(SetupError::Tolerance { relative, absolute, smallest: SMALLEST_RELATIVE_TOLERANCE, largest: LARGEST_TOLERANCE })
+    Err(SetupError::Tolerance { relative, absolute, smallest, largest: LARGEST_TOLERANCE })
 }
 
 /// Holds a start value by its name.

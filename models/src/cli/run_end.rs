@@ -1,6 +1,6 @@
 //! Where a run ends, as JSON and as text.
 
-use ezy_core::integrate::Method;
+use ezy_core::integrate::{Method, Tolerance};
 use ezy_core::model::SceneInfo;
 use ezy_core::record::{EnergyState, Sample};
 use ezy_core::report::table::{Table, fixed};
@@ -123,8 +123,14 @@ pub fn remark(energy: &EnergyState, method: Method) -> String {
     };
     let (what, better) = match method {
         Method::Rk4 { step_s } => (format!("the step of {step_s} s"), format!("--step {:.0e}", step_s / 10.0)),
-        Method::Dop853(tolerance) | Method::Taylor(tolerance) => {
-            ("the tolerance".to_owned(), format!("--rtol {:.0e}", tolerance.relative / 10.0))
+        Method::Dop853(Tolerance { relative, .. }) | Method::Taylor(Tolerance { relative, .. }) => {
+            if relative <= Tolerance::SMALLEST_RELATIVE {
+                return format!(
+                    "remark: energy and work {difference} at the smallest tolerance; compare with --method rk4\n"
+                );
+            }
+            let better = (relative / 10.0).max(Tolerance::SMALLEST_RELATIVE);
+            ("the tolerance".to_owned(), format!("--rtol {better:.0e}"))
         }
     };
     format!("remark: energy and work {difference}: {what} is too large for this motion; try {better}\n")
@@ -157,6 +163,17 @@ fn motion_table(last: &Sample<'_>) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn invariant_remark_proposes_tolerances_that_a_run_accepts() {
+        let energy = EnergyState { kinetic: 1.0, potential: 0.0, work: 0.0, balance: 1.0 };
+        let remarks = [1e-3, 2e-15, 1e-15].map(|tolerance| remark(&energy, Method::taylor(tolerance)));
+        let ends =
+            ["try --rtol 1e-4\n", "try --rtol 1e-15\n", "at the smallest tolerance; compare with --method rk4\n"];
+        for (remark, end) in remarks.iter().zip(ends) {
+            assert!(remark.ends_with(end), "{remark}");
+        }
+    }
 
     #[test]
     fn invariant_energy_that_is_not_finite_is_remarked_on() {

@@ -1,11 +1,22 @@
 //! The motion in double-double: against digits that are known, and by both ways of solving.
 
+use ezy_core::dynamics::MotionError;
 use ezy_core::integrate::{PreciseError, PreciseMotion};
 use ezy_core::prelude::*;
 use ezy_core::scalar::{DoubleDouble, Scalar};
 use ezy_models::ezy_roller;
 use ezy_tests::chain::Chain;
 use ezy_tests::reference::{decimal, load_precise};
+
+ezy_core::model! {
+    /// No row stops numbers that overflow.
+    model Thrown {
+        body stone { mass: 1, inertia: 1 }
+        effect push { force at stone(0, 0): (1e308 * exp(t), 0); }
+        start home { stone at (0, 0) angle 0; at rest; }
+        scene flight { start home; until 1 s; with push; }
+    }
+}
 
 /// Rounding of 1e-32 a step in numbers of 1, made larger by 10 in 5 s; reactions of 50 N have fifty times as much.
 const DRIVEN: f64 = 1e-29;
@@ -68,6 +79,14 @@ fn invariant_energy_by_refined_factors() {
     motion.advance_to(1.0).unwrap();
     let change = (energy(motion.v()) - before).magnitude();
     assert!(change <= ENERGY, "{change:.1e} J");
+}
+
+#[test]
+fn invariant_motion_that_overflows_is_an_error() {
+    let scene = thrown::Flight::default();
+    let start = ezy_core::dynamics::State::zero(3, 0);
+    let outcome = PreciseMotion::new(&scene, &start).map(|mut motion| motion.advance_to(1.0));
+    assert!(matches!(outcome, Ok(Err(MotionError::NotFinite { .. }))));
 }
 
 #[test]

@@ -189,10 +189,19 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         increment(store, ORDER, h, &mut self.delta, &mut self.v_delta);
         self.q.iter_mut().zip(&self.delta).for_each(|(q, delta)| *q = *q + *delta);
         self.v.iter_mut().zip(&self.v_delta).for_each(|(v, delta)| *v = *v + *delta);
+        self.check_finite()?;
         self.t = t_next;
         self.n_steps += 1;
         self.project()?;
         self.expand()
+    }
+
+    fn check_finite(&self) -> Result<(), MotionError> {
+        let coordinates = self.solver.system.info().coordinates;
+        let broken = self.q.iter().zip(&self.v).zip(coordinates).find_map(|((q, v), coordinate)| {
+            (!q.is_finite()).then_some(coordinate.name).or((!v.is_finite()).then_some(coordinate.velocity_name))
+        });
+        broken.map_or(Ok(()), |quantity| Err(MotionError::NotFinite { t: self.t, quantity }))
     }
 
     fn expand(&mut self) -> Result<(), MotionError> {

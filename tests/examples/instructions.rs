@@ -1,70 +1,124 @@
-//! Machine instructions of one step of each scene of the EzyRoller, and of the models written for a scene alone.
+//! Machine instructions of scenes: of a right side, of a step of RK4 and of steps of Taylor's method.
 //!
 //! `cargo run --release --example instructions` counts with valgrind, when it is installed, and prints a table; with
-//! `-- --write` it goes into `docs/cost.md`. A scene is run for n and for 2n steps, and the difference counts, so that
+//! `-- --write` it goes into `docs/cost.md`, with `-- --check` it is compared with the table there, if that was counted with
+//! the same compiler, library and processor. Something is done n times and 2n times, and the difference counts, so that
 //! start and end of a program cancel.
 
+use ezy_core::integrate::{Method, Taylor};
+use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
+use ezy_core::prelude::{State, System};
 use ezy_core::simulate::Simulation;
-use ezy_models::ezy_roller::{Coast, Drift, Driven, DrivenOnTarmac};
-use ezy_tests::page::write_part;
+use ezy_models::{double_pendulum, ezy_roller, slider_crank};
+use ezy_tests::count_table::{CountTable, surroundings};
+use ezy_tests::page::{docs, part, write_part};
 use ezy_tests::plain_rollers::{coasting, drifting, pumped};
 use std::error::Error;
+use std::hint::black_box;
 use std::process::Command;
 
-/// Long enough that a few instructions more in a start are less than one a step.
-const N_STEPS: u64 = 2000;
-const STEP_S: f64 = 1e-3;
+type Outcome = Result<(), Box<dyn Error>>;
 
-/// Runs a scene; monomorphised for it, as a program of a user is.
-fn run<S: Scene + Default>(n_steps: u64) -> Result<(), Box<dyn Error>> {
+/// Long enough that a few instructions more in a start are less than one of what is counted.
+const N: u64 = 2000;
+/// Step of RK4, s.
+const STEP_S: f64 = 1e-3;
+/// Where a right side and a series are evaluated, s: nothing is zero by symmetry there.
+const AT_S: f64 = 0.5;
+/// Orders of Taylor's method at tolerances of about 1e-9 and 1e-16.
+const ORDERS: [usize; 2] = [12, 20];
+
+/// What is counted: the columns of the table.
+const COLUMNS: [&str; 4] = ["right side", "step of RK4", "Taylor, order 12", "Taylor, order 20"];
+
+/// Does what column `i` counts `n` times; monomorphised for the scene, as a program of a user is. False when it cannot.
+fn repeat<S: Scene + Default>(column: usize, n: u64) -> Result<bool, Box<dyn Error>> {
     let scene = S::default();
-    let method = ezy_core::integrate::Method::rk4(STEP_S);
-    Simulation::new(&scene).method(method).until(STEP_S * n_steps as f64).run()?;
-    Ok(())
+    let run = |until_s: f64| Simulation::new(&scene).method(Method::rk4(STEP_S)).until(until_s).run();
+    if column == 1 {
+        run(STEP_S * n as f64)?;
+        return Ok(true);
+    }
+    let at = run(AT_S)?;
+    let state =
+        State { t: AT_S, q: at.last().coordinates.to_vec(), v: at.last().velocities.to_vec(), work: Vec::new() };
+    let mut system = System::new(&scene, Backend::Generated)?;
+    let (mut a, mut lambda) = (vec![0.0; state.q.len()], vec![0.0; scene.info().n_rows()]);
+    if column == 0 {
+        for _ in 0..n {
+            black_box(scene.accelerations(system.fixed(), state.t, &state.q, &state.v, &mut a, &mut lambda));
+        }
+        return Ok(true);
+    }
+    let Some(mut taylor) = Taylor::new(&scene, ORDERS[column - 2], 0) else { return Ok(false) };
+    let mut to = state.clone();
+    for _ in 0..n {
+        taylor.expand(&mut system, &state, &mut a, &mut lambda)?;
+        taylor.accept();
+        taylor.advance(&system, &state, black_box(STEP_S), &mut to);
+    }
+    black_box(to);
+    Ok(true)
 }
 
-type Runner = fn(u64) -> Result<(), Box<dyn Error>>;
+type Repeat = fn(usize, u64) -> Result<bool, Box<dyn Error>>;
 
-const SCENES: [(&str, &str, Runner); 7] = [
-    ("coast", "", run::<Coast>),
-    ("driven", "", run::<Driven>),
-    ("driven_on_tarmac", "", run::<DrivenOnTarmac>),
-    ("drift", "", run::<Drift>),
-    ("coast", "model without effects", run::<coasting::Coast>),
-    ("driven", "model with the torque alone", run::<pumped::Driven>),
-    ("drift", "model with a tyre in place of the skate", run::<drifting::Drift>),
+/// Scene, model, and what is repeated of it.
+const SCENES: [(&str, &str, Repeat); 9] = [
+    ("coast", "EzyRoller", repeat::<ezy_roller::Coast>),
+    ("driven", "EzyRoller", repeat::<ezy_roller::Driven>),
+    ("driven_on_tarmac", "EzyRoller", repeat::<ezy_roller::DrivenOnTarmac>),
+    ("drift", "EzyRoller", repeat::<ezy_roller::Drift>),
+    ("coast", "without effects", repeat::<coasting::Coast>),
+    ("driven", "with the torque alone", repeat::<pumped::Driven>),
+    ("drift", "with a tyre in place of the skate", repeat::<drifting::Drift>),
+    ("swing", "DoublePendulum", repeat::<double_pendulum::Swing>),
+    ("pushed", "SliderCrank", repeat::<slider_crank::Pushed>),
 ];
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Outcome {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if let [scene, n_steps] = &arguments[..] {
-        return SCENES[scene.parse::<usize>()?].2(n_steps.parse()?);
+    if let [scene, column, n] = &arguments[..] {
+        SCENES[scene.parse::<usize>()?].2(column.parse()?, n.parse()?)?;
+        return Ok(());
     }
     if Command::new("valgrind").arg("--version").output().is_err() {
         println!("valgrind is not installed; instructions are not counted");
         return Ok(());
     }
-    let mut table = "| scene | written as | instructions of a step |\n|---|---|---:|\n".to_owned();
-    for (i, (scene, alone, _)) in SCENES.iter().enumerate() {
-        let [once, twice] = [instructions(i, N_STEPS)?, instructions(i, 2 * N_STEPS)?];
-        let written = if alone.is_empty() { "scene of the EzyRoller" } else { alone };
-        table += &format!("| `{scene}` | {written} | {} |\n", (twice - once) / N_STEPS);
+    let mut table = CountTable::new(surroundings(), &COLUMNS);
+    for (i, (scene, model, repeat)) in SCENES.iter().enumerate() {
+        let mut counts = Vec::new();
+        for column in 0..COLUMNS.len() {
+            counts.push(if repeat(column, 1)? { Some(count(i, column)?) } else { None });
+        }
+        table.push(&format!("`{scene}`, {model}"), counts);
     }
     print!("{table}");
-    if arguments == ["--write"] {
-        write_part("cost.md", "instructions", &table)?;
+    match arguments.first().map(String::as_str) {
+        Some("--write") => write_part("cost.md", "instructions", &table.to_string())?,
+        Some("--check") => {
+            let page = std::fs::read_to_string(docs("cost.md"))?;
+            let recorded = part(&page, "instructions").and_then(CountTable::read);
+            println!("{}", table.compare(&recorded.ok_or("docs/cost.md has no table of instructions")?)?);
+        }
+        _ => {}
     }
     Ok(())
 }
 
+/// Instructions of what a column counts.
+fn count(scene: usize, column: usize) -> Result<u64, Box<dyn Error>> {
+    Ok((instructions(scene, column, 2 * N)?.saturating_sub(instructions(scene, column, N)?)) / N)
+}
+
 /// Instructions of a run of this program.
-fn instructions(scene: usize, n_steps: u64) -> Result<u64, Box<dyn Error>> {
-    let program = std::env::current_exe()?;
+fn instructions(scene: usize, column: usize, n: u64) -> Result<u64, Box<dyn Error>> {
     let output = Command::new("valgrind")
         .args(["--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"])
-        .arg(program)
-        .args([scene.to_string(), n_steps.to_string()])
+        .arg(std::env::current_exe()?)
+        .args([scene.to_string(), column.to_string(), n.to_string()])
         .output()?;
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     let line = text.lines().find(|line| line.contains("I refs") || line.contains("I   refs:"));

@@ -1,6 +1,7 @@
 //! What the tests of EZY share: scenes written by hand, and the reference trajectories.
 
 pub mod chain;
+pub mod count_table;
 pub mod counted;
 pub mod crank;
 pub mod garage;

@@ -50,6 +50,9 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
     /// Steps to `until_s`; after an error `now` is the last good state.
     pub fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
         let start = self.now.t;
+        if !until_s.is_finite() {
+            return Err(MotionError::NotFinite { t: start, quantity: "the end of the run" });
+        }
         if let Steps::Rk4 { step_s, .. } = self.method {
             let clock = Clock::new(start, until_s, step_s);
             return (0..clock.n_steps()).try_for_each(|n| self.step(clock.step(n), clock.time(n + 1)));

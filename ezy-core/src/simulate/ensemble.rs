@@ -61,6 +61,11 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         let systems = scenes.iter().map(|scene| System::new(scene, Backend::Generated));
         let systems: Vec<System<'_, S>> = systems.collect::<Result<_, _>>()?;
         let info = systems[0].info();
+        let expected = info.n_coordinates();
+        let lengths = starts.iter().flat_map(|start| [start.q.len(), start.v.len()]);
+        if let Some(found) = lengths.into_iter().find(|n| *n != expected) {
+            return Err(SetupError::StartLength { expected, found });
+        }
         let fixed = packed(from_fn(|lane| systems[lane].fixed()));
         let q = packed(from_fn(|lane| &starts[lane].q[..]));
         let v = packed(from_fn(|lane| &starts[lane].v[..]));

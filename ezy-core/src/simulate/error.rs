@@ -56,6 +56,16 @@ pub enum SetupError {
         /// Time of another start, s.
         other: f64,
     },
+    /// A start has the numbers of another scene.
+    #[error(
+        "a start has {found} coordinates or velocities where the scene has {expected}; take it from a system of this scene"
+    )]
+    StartLength {
+        /// Coordinates of the scene.
+        expected: usize,
+        /// Length of what was given.
+        found: usize,
+    },
     /// What a derivative is asked by is computed, not given.
     #[error("`{name}` is not given by the start but follows from the constraints; give it a start value")]
     NotGiven {

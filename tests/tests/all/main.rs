@@ -14,6 +14,7 @@ mod exact_start;
 mod garage;
 mod hand_and_generated;
 mod large;
+mod local_order;
 mod massless;
 mod order;
 mod other_mechanisms;

@@ -35,7 +35,10 @@ pub struct Advice {
     pub closest: Option<Candidate>,
 }
 
-/// Chooses for one target. A setting counts when the next finer one that was measured reaches the target as well: a loose
+/// Finer settings that must reach a target as well.
+const N_CONFIRMING: usize = 3;
+
+/// Chooses for one target. A setting counts when the next finer ones that were measured reach the target as well: a loose
 /// setting may be lucky.
 pub fn advise(target: f64, known: f64, candidates: &[Candidate]) -> Advice {
     let mut names: Vec<&str> = candidates.iter().map(|c| c.method.name()).collect();
@@ -56,7 +59,7 @@ fn fastest_of(name: &str, target: f64, candidates: &[Candidate]) -> Option<Candi
     let mut rungs: Vec<Candidate> = candidates.iter().copied().filter(|c| c.method.name() == name).collect();
     rungs.sort_by(|a, b| setting(b.method).total_cmp(&setting(a.method)));
     let reached = |i: usize| rungs.get(i).is_none_or(|c| c.error <= target);
-    let reliable = (0..rungs.len()).filter(|&i| reached(i) && reached(i + 1));
+    let reliable = (0..rungs.len()).filter(|&i| (i..=i + N_CONFIRMING).all(reached));
     reliable.map(|i| rungs[i]).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
@@ -124,6 +127,8 @@ mod tests {
     fn analytic_advice_passes_over_a_setting_that_is_only_lucky() {
         let all = [rk4(0.1, 1e-7, 1e-4), rk4(0.05, 1e-5, 2e-4), rk4(0.02, 3e-7, 5e-4), rk4(0.01, 2e-8, 1e-3)];
         assert_eq!(advise(1e-6, 0.0, &all).best, Some(all[2]));
+        let twice = [rk4(0.1, 1e-7, 1e-4), rk4(0.05, 1e-7, 2e-4), rk4(0.02, 1e-5, 5e-4), rk4(0.01, 2e-8, 1e-3)];
+        assert_eq!(advise(1e-6, 0.0, &twice).best, Some(twice[3]));
     }
 
     #[test]

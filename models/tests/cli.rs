@@ -67,10 +67,13 @@ fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
         "front  ...   xxx",
         "order of elimination",
         "arithmetic in all",
+        "Taylor series: 16 products of series",
     ];
     for part in parts {
         assert!(show.contains(part), "{part} in {show}");
     }
+    let show = output(&["show", "singletrackcar/limit"]);
+    assert!(show.contains("no Taylor series: a law calls `abs`"), "{show}");
 }
 
 #[test]

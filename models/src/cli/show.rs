@@ -4,7 +4,7 @@ mod json;
 mod latex;
 mod text;
 
-use ezy_core::model::{EliminationStep, SceneInfo};
+use ezy_core::model::{EliminationStep, SceneInfo, SeriesInfo};
 use ezy_models::registry::find;
 
 use super::arguments::{Format, ShowArguments};
@@ -41,6 +41,23 @@ const OPERATIONS: [&str; 6] = ["mul", "add", "div", "arithmetic in all", "sin an
 fn kernels(info: &SceneInfo) -> [(&'static str, [usize; 6]); 2] {
     [("accelerations", info.acceleration_operations), ("correction", info.correction_operations)]
         .map(|(name, count)| (name, [count.mul, count.add, count.div, count.arithmetic(), count.trig, count.calls]))
+}
+
+/// Whether Taylor's method takes the scene, and what an order of it costs.
+fn series(info: &SceneInfo) -> String {
+    match info.series {
+        SeriesInfo::Analytic { n_products, operations } => {
+            let of = if info.has_elimination() { "" } else { " of one member of each row and force" };
+            let n_operations = operations.arithmetic();
+            format!(
+                "Taylor series: {n_products} products of series and {n_operations} operations besides at each order{of}"
+            )
+        }
+        SeriesInfo::NotAnalytic { function } => {
+            format!("no Taylor series: a law calls `{function}`; dop853 and rk4 take the scene")
+        }
+        SeriesInfo::Absent => "no Taylor series".to_owned(),
+    }
 }
 
 /// For each row and body which of x, y and φ the row reads: `x.x`.

@@ -5,7 +5,7 @@ use ezy_core::report::equations::{Equation, equations};
 use ezy_core::report::table::Table;
 use ezy_core::report::templates::templates;
 
-use super::{OPERATIONS, freedom, kernels, pattern, pivot};
+use super::{OPERATIONS, freedom, kernels, pattern, pivot, series};
 
 pub fn scene(info: &SceneInfo) -> String {
     let mut text = format!("{}/{}\n{}\n", info.model, info.name, info.documentation.trim());
@@ -26,6 +26,7 @@ pub fn scene(info: &SceneInfo) -> String {
         text += &format!("\n{}\n{}", item.title, indent(&item.equations.iter().map(written).collect::<String>()));
     }
     text += &equations(info).iter().map(written).collect::<String>();
+    text += &format!("\n{}\n", series(info));
     if !info.has_elimination() {
         return text;
     }

@@ -32,15 +32,31 @@ fn half_decade(m: i32) -> f64 {
 pub(super) struct Family {
     pub name: &'static str,
     pub rungs: fn(&Ladder, f64) -> Vec<Method>,
-    /// Order, where it is one: time goes with the error to the power −1/order.
+    /// Order, where it is one: time goes with the error to the power −1/order, as figures show.
+    #[cfg(feature = "figures")]
     pub order: Option<u32>,
 }
 
 /// Every method. `rungs` gets the ladder and a long step of the motion, s.
 pub(super) const FAMILIES: [Family; 3] = [
-    Family { name: "taylor", rungs: |ladder, _| with_tolerances(ladder, Method::taylor), order: None },
-    Family { name: "dop853", rungs: |ladder, _| with_tolerances(ladder, Method::dop853), order: Some(8) },
-    Family { name: "rk4", rungs: |ladder, long_s| with_steps(ladder, long_s, Method::rk4), order: Some(4) },
+    Family {
+        name: "taylor",
+        rungs: |ladder, _| with_tolerances(ladder, Method::taylor),
+        #[cfg(feature = "figures")]
+        order: None,
+    },
+    Family {
+        name: "dop853",
+        rungs: |ladder, _| with_tolerances(ladder, Method::dop853),
+        #[cfg(feature = "figures")]
+        order: Some(8),
+    },
+    Family {
+        name: "rk4",
+        rungs: |ladder, long_s| with_steps(ladder, long_s, Method::rk4),
+        #[cfg(feature = "figures")]
+        order: Some(4),
+    },
 ];
 
 fn with_tolerances(ladder: &Ladder, method: fn(f64) -> Method) -> Vec<Method> {

@@ -31,6 +31,8 @@ mod measured;
 mod order;
 #[cfg(feature = "figures")]
 mod page;
+#[cfg(feature = "figures")]
+mod page_tables;
 mod point;
 mod precise;
 mod reference;

@@ -1,0 +1,129 @@
+#[automatically_derived]
+impl ::ezy_core::model::Scene for Swing {
+    fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+        static KNOWN: ::ezy_core::layout::Known = ::ezy_core::layout::Known::new();
+        KNOWN.info(&Self::FIXED, &[self.n], |layout| self.describe(layout))
+    }
+    fn count(&self, index: usize) -> usize {
+        match index {
+            0usize => self.n,
+            _ => 0,
+        }
+    }
+    fn set_count(&mut self, index: usize, value: usize) {
+        match index {
+            0usize => self.n = value,
+            _ => {}
+        }
+    }
+    fn parameter(&self, index: usize) -> f64 {
+        match index {
+            0usize => self.l,
+            1usize => self.m,
+            2usize => self.g,
+            _ => f64::NAN,
+        }
+    }
+    fn set_parameter(&mut self, index: usize, value: f64) {
+        match index {
+            0usize => self.l = value,
+            1usize => self.m = value,
+            2usize => self.g = value,
+            _ => {}
+        }
+    }
+    fn power(
+        &self,
+        c: &[f64],
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        lambda: &[f64],
+        out: &mut [f64],
+    ) {
+        let first_link: i64 = 0;
+        out.fill(0.0);
+        let mut place = 0;
+    }
+    fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+        let first_link: i64 = 0;
+        let mut total = 0.0;
+        for at_i in 0..(self.n as i64) {
+            let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
+            let link_i_y = q[slots[0] + 1];
+            let product_2 = c[3usize] * link_i_y;
+            total += product_2;
+        }
+        total
+    }
+    fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+        let first_link: i64 = 0;
+        let mut place = 0;
+        {
+            let slots: [usize; 0] = [];
+            out[place] = 0f64;
+            place += 1;
+            out[place] = 0f64;
+            place += 1;
+        }
+        {
+            let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
+            let link_n_1_x = q[slots[0] + 0];
+            let link_n_1_phi = q[slots[0] + 2];
+            let (sin_link_n_1_phi, cos_link_n_1_phi) = f64::sin_cos(link_n_1_phi);
+            let product_6 = c[2usize] * cos_link_n_1_phi;
+            let sum_7 = link_n_1_x + product_6;
+            let link_n_1_y = q[slots[0] + 1];
+            let product_10 = c[2usize] * sin_link_n_1_phi;
+            let sum_11 = link_n_1_y + product_10;
+            out[place] = sum_7;
+            place += 1;
+            out[place] = sum_11;
+            place += 1;
+        }
+        for at_i in 1..(self.n as i64) {
+            let slots: [usize; 1] = [3 * (first_link + (at_i - 1)) as usize];
+            let link_i_1_x = q[slots[0] + 0];
+            let link_i_1_phi = q[slots[0] + 2];
+            let (sin_link_i_1_phi, cos_link_i_1_phi) = f64::sin_cos(link_i_1_phi);
+            let product_6 = c[2usize] * cos_link_i_1_phi;
+            let sum_7 = link_i_1_x + product_6;
+            let link_i_1_y = q[slots[0] + 1];
+            let product_10 = c[2usize] * sin_link_i_1_phi;
+            let sum_11 = link_i_1_y + product_10;
+            out[place] = sum_7;
+            place += 1;
+            out[place] = sum_11;
+            place += 1;
+        }
+    }
+    fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let first_link: i64 = 0;
+        let mut place = 0;
+        {
+            let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
+            let link_n_1_y = q[slots[0] + 1];
+            let product_3 = c[4usize] * link_n_1_y;
+            let link_n_1_phi = q[slots[0] + 2];
+            let sin_link_n_1_phi = f64::sin(link_n_1_phi);
+            let product_8 = c[5usize] * sin_link_n_1_phi;
+            let sum_9 = product_3 + product_8;
+            let value_10 = -sum_9;
+            out[place] = value_10;
+            place += 1;
+        }
+    }
+    fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+        let first_link: i64 = 0;
+        for at_i in 0..(self.n as i64) {
+            let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
+            start.give_position(slots[0] + 2, 0f64);
+        }
+    }
+    fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+        ::core::option::Option::Some(self)
+    }
+    fn precise(&self) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+        ::core::option::Option::Some(self)
+    }
+}

@@ -1,0 +1,429 @@
+#[automatically_derived]
+impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Coast {
+    fn constants(&self, parameters: &[T], c: &mut [T]) {
+        let parameters = ::ezy_core::kernel::array::<8usize, T>(parameters);
+        let c = ::ezy_core::kernel::array_mut::<30usize, T>(c);
+        let k1 = T::from_f64(1f64);
+        let parameter_m1 = parameters[4usize];
+        let parameter_i1 = parameters[5usize];
+        let parameter_m2 = parameters[6usize];
+        let parameter_i2 = parameters[7usize];
+        let parameter_b = parameters[1usize];
+        let parameter_d = parameters[3usize];
+        let parameter_a = parameters[0usize];
+        let parameter_c = parameters[2usize];
+        let k11 = T::PI;
+        let k12 = T::from_f64(2f64);
+        let k13 = k11 / k12;
+        let k14 = k1 / parameter_m1;
+        let k15 = k1 / parameter_i1;
+        let k16 = k1 / parameter_m2;
+        let k17 = k1 / parameter_i2;
+        let k18 = parameter_b * parameter_b;
+        let k19 = k18 * k15;
+        let k20 = parameter_d * parameter_d;
+        let k21 = k20 * k17;
+        let k22 = k14 + k19;
+        let k23 = k22 + k16;
+        let k24 = k23 + k21;
+        let k25 = parameter_b * parameter_a;
+        let k26 = k25 * k15;
+        let k27 = k26 - k14;
+        let k28 = parameter_d * parameter_c;
+        let k29 = k28 * k17;
+        let k30 = k16 - k29;
+        let k31 = k14 + k16;
+        let k32 = parameter_a * parameter_a;
+        let k33 = k32 * k15;
+        let k34 = k14 + k33;
+        let k35 = parameter_c * parameter_c;
+        let k36 = k35 * k17;
+        let k37 = k16 + k36;
+        let k38 = k1 / k34;
+        let k39 = k27 * k38;
+        let k40 = k39 * k27;
+        let k41 = k24 - k40;
+        let k42 = k40 - k19;
+        let k43 = k1 / k37;
+        let k44 = k30 * k43;
+        let k45 = k44 * k30;
+        let k46 = k41 - k45;
+        let k47 = k45 - k21;
+        let k48 = parameter_b * k15;
+        let k49 = parameter_a * k15;
+        let k50 = parameter_d * k17;
+        let k51 = parameter_c * k17;
+        let k52 = T::from_f64(0.0000000001f64);
+        let k53 = k52 * k34;
+        let k54 = k52 * k37;
+        let k55 = k24 + k31;
+        let k56 = k55 * k55;
+        let k57 = k52 * k56;
+        c[0usize] = k42;
+        c[1usize] = k47;
+        c[2usize] = k46;
+        c[3usize] = k31;
+        c[4usize] = parameter_b;
+        c[5usize] = parameter_d;
+        c[6usize] = k39;
+        c[7usize] = k44;
+        c[8usize] = k43;
+        c[9usize] = k38;
+        c[10usize] = k14;
+        c[11usize] = k48;
+        c[12usize] = k49;
+        c[13usize] = k16;
+        c[14usize] = k50;
+        c[15usize] = k51;
+        c[16usize] = k34;
+        c[17usize] = k53;
+        c[18usize] = k37;
+        c[19usize] = k54;
+        c[20usize] = k57;
+        c[21usize] = k15;
+        c[22usize] = k17;
+        c[23usize] = parameter_m1;
+        c[24usize] = parameter_i1;
+        c[25usize] = parameter_m2;
+        c[26usize] = parameter_i2;
+        c[27usize] = parameter_a;
+        c[28usize] = parameter_c;
+        c[29usize] = k13;
+    }
+    fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        out[0usize] = c[23usize];
+        out[1usize] = c[23usize];
+        out[2usize] = c[24usize];
+        out[3usize] = c[25usize];
+        out[4usize] = c[25usize];
+        out[5usize] = c[26usize];
+    }
+    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let seat_x = q[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let sum_7 = T::fused(c[4usize], cos_seat_phi, seat_x);
+        let bar_x = q[3usize];
+        let difference_9 = sum_7 - bar_x;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let sum_14 = T::fused(c[5usize], cos_bar_phi, difference_9);
+        let seat_y = q[1usize];
+        let sum_18 = T::fused(c[4usize], sin_seat_phi, seat_y);
+        let bar_y = q[4usize];
+        let difference_20 = sum_18 - bar_y;
+        let sum_23 = T::fused(c[5usize], sin_bar_phi, difference_20);
+        out[0usize] = sum_14;
+        out[1usize] = sum_23;
+    }
+    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let seat_vx = v[0usize];
+        let seat_omega = v[2usize];
+        let product_5 = c[4usize] * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let difference_9 = T::fused(-product_5, sin_seat_phi, seat_vx);
+        let bar_vx = v[3usize];
+        let difference_11 = difference_9 - bar_vx;
+        let bar_omega = v[5usize];
+        let product_14 = c[5usize] * bar_omega;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let difference_18 = T::fused(-product_14, sin_bar_phi, difference_11);
+        let seat_vy = v[1usize];
+        let bar_vy = v[4usize];
+        let difference_21 = seat_vy - bar_vy;
+        let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
+        let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
+        let product_29 = seat_omega * c[27usize];
+        let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
+        let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
+        let product_35 = bar_omega * c[28usize];
+        let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
+        let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
+        out[0usize] = difference_18;
+        out[1usize] = sum_27;
+        out[2usize] = difference_33;
+        out[3usize] = sum_39;
+    }
+    fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_4 = c[4usize] * sin_seat_phi;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_8 = c[5usize] * sin_bar_phi;
+        let product_10 = c[4usize] * cos_seat_phi;
+        let product_12 = c[5usize] * cos_bar_phi;
+        let value_15 = -product_4;
+        let value_16 = -T::from_f64(1f64);
+        let value_17 = -product_8;
+        let value_18 = -sin_seat_phi;
+        let value_19 = -c[27usize];
+        let value_20 = -sin_bar_phi;
+        out[0usize] = T::from_f64(1f64);
+        out[1usize] = value_15;
+        out[2usize] = value_16;
+        out[3usize] = value_17;
+        out[4usize] = T::from_f64(1f64);
+        out[5usize] = product_10;
+        out[6usize] = value_16;
+        out[7usize] = product_12;
+        out[8usize] = value_18;
+        out[9usize] = cos_seat_phi;
+        out[10usize] = value_19;
+        out[11usize] = value_20;
+        out[12usize] = cos_bar_phi;
+        out[13usize] = c[28usize];
+    }
+    fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let seat_omega = v[2usize];
+        let product_3 = c[4usize] * seat_omega;
+        let product_4 = seat_omega * product_3;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_8 = product_4 * cos_seat_phi;
+        let bar_omega = v[5usize];
+        let product_11 = c[5usize] * bar_omega;
+        let product_12 = bar_omega * product_11;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+        let product_18 = product_4 * sin_seat_phi;
+        let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+        let seat_vx = v[0usize];
+        let product_23 = cos_seat_phi * seat_vx;
+        let seat_vy = v[1usize];
+        let sum_26 = T::fused(sin_seat_phi, seat_vy, product_23);
+        let product_27 = seat_omega * sum_26;
+        let bar_vx = v[3usize];
+        let product_29 = cos_bar_phi * bar_vx;
+        let bar_vy = v[4usize];
+        let sum_32 = T::fused(sin_bar_phi, bar_vy, product_29);
+        let product_33 = bar_omega * sum_32;
+        let value_34 = -sum_16;
+        let value_35 = -sum_21;
+        let value_36 = -product_27;
+        let value_37 = -product_33;
+        out[0usize] = value_34;
+        out[1usize] = value_35;
+        out[2usize] = value_36;
+        out[3usize] = value_37;
+    }
+    fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        out[0usize] = T::from_f64(0f64);
+        out[1usize] = T::from_f64(0f64);
+        out[2usize] = T::from_f64(0f64);
+        out[3usize] = T::from_f64(0f64);
+        out[4usize] = T::from_f64(0f64);
+        out[5usize] = T::from_f64(0f64);
+    }
+    #[inline]
+    fn accelerations(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        v: &[T],
+        a: &mut [T],
+        lambda: &mut [T],
+    ) -> ::ezy_core::model::DeficientRows {
+        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+        let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+        let seat_vx = v[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_5 = seat_vx * cos_seat_phi;
+        let seat_vy = v[1usize];
+        let sum_9 = T::fused(seat_vy, sin_seat_phi, product_5);
+        let seat_omega = v[2usize];
+        let minus_right_side_rear = sum_9 * seat_omega;
+        let bar_vx = v[3usize];
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_15 = bar_vx * cos_bar_phi;
+        let bar_vy = v[4usize];
+        let sum_19 = T::fused(bar_vy, sin_bar_phi, product_15);
+        let bar_omega = v[5usize];
+        let minus_right_side_front = sum_19 * bar_omega;
+        let product_23 = cos_seat_phi * c[0usize];
+        let product_24 = cos_seat_phi * product_23;
+        let product_26 = cos_bar_phi * c[1usize];
+        let sum_28 = T::fused(cos_bar_phi, product_26, product_24);
+        let sum_30 = sum_28 + c[2usize];
+        let product_31 = sin_seat_phi * c[0usize];
+        let product_32 = cos_seat_phi * product_31;
+        let product_33 = sin_bar_phi * c[1usize];
+        let sum_35 = T::fused(cos_bar_phi, product_33, product_32);
+        let difference_37 = c[3usize] - sum_28;
+        let product_39 = seat_omega * c[4usize];
+        let product_40 = seat_omega * product_39;
+        let product_41 = cos_seat_phi * product_40;
+        let product_43 = bar_omega * c[5usize];
+        let product_44 = bar_omega * product_43;
+        let sum_46 = T::fused(cos_bar_phi, product_44, product_41);
+        let product_48 = minus_right_side_rear * c[6usize];
+        let difference_50 = T::fused(sin_seat_phi, product_48, -sum_46);
+        let product_52 = minus_right_side_front * c[7usize];
+        let sum_54 = T::fused(sin_bar_phi, product_52, difference_50);
+        let product_55 = sin_seat_phi * product_40;
+        let sum_57 = T::fused(sin_bar_phi, product_44, product_55);
+        let sum_59 = T::fused(cos_seat_phi, product_48, sum_57);
+        let sum_61 = T::fused(cos_bar_phi, product_52, sum_59);
+        let product_62 = sum_30 * difference_37;
+        let difference_64 = T::fused(-sum_35, sum_35, product_62);
+        let quotient_65 = T::from_f64(1f64) / difference_64;
+        let product_66 = difference_37 * sum_54;
+        let sum_68 = T::fused(sum_35, sum_61, product_66);
+        let lambda_B_x = quotient_65 * sum_68;
+        let product_70 = sum_35 * sum_54;
+        let sum_72 = T::fused(sum_30, sum_61, product_70);
+        let minus_lambda_B_y = quotient_65 * sum_72;
+        let product_74 = sin_bar_phi * lambda_B_x;
+        let sum_76 = T::fused(cos_bar_phi, minus_lambda_B_y, product_74);
+        let product_77 = c[7usize] * sum_76;
+        let minus_lambda_front = T::fused(minus_right_side_front, c[8usize], product_77);
+        let product_81 = sin_seat_phi * lambda_B_x;
+        let sum_83 = T::fused(cos_seat_phi, minus_lambda_B_y, product_81);
+        let product_84 = c[6usize] * sum_83;
+        let minus_lambda_rear = T::fused(minus_right_side_rear, c[9usize], product_84);
+        let sum_89 = T::fused(sin_seat_phi, minus_lambda_rear, lambda_B_x);
+        let product_91 = sum_89 * c[10usize];
+        let sum_93 = T::fused(cos_seat_phi, minus_lambda_rear, minus_lambda_B_y);
+        let product_94 = c[10usize] * sum_93;
+        let product_96 = sum_83 * c[11usize];
+        let difference_99 = T::fused(-minus_lambda_rear, c[12usize], product_96);
+        let difference_101 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
+        let product_103 = difference_101 * c[13usize];
+        let difference_105 = T::fused(
+            cos_bar_phi,
+            minus_lambda_front,
+            -minus_lambda_B_y,
+        );
+        let product_106 = c[13usize] * difference_105;
+        let product_108 = sum_76 * c[14usize];
+        let sum_111 = T::fused(minus_lambda_front, c[15usize], product_108);
+        let value_117 = -product_91;
+        let value_118 = -minus_lambda_B_y;
+        let value_119 = -minus_lambda_rear;
+        let value_120 = -minus_lambda_front;
+        a[0usize] = value_117;
+        a[1usize] = product_94;
+        a[2usize] = difference_99;
+        a[3usize] = product_103;
+        a[4usize] = product_106;
+        a[5usize] = sum_111;
+        lambda[0usize] = lambda_B_x;
+        lambda[1usize] = value_118;
+        lambda[2usize] = value_119;
+        lambda[3usize] = value_120;
+        ::ezy_core::model::DeficientRows(0)
+            .mark(2usize, !T::is_above(c[16usize], c[17usize]))
+            .mark(3usize, !T::is_above(c[18usize], c[19usize]))
+            .mark(0usize, !T::is_above(difference_64, c[20usize]))
+            .mark(1usize, !T::is_above(difference_64, c[20usize]))
+    }
+    #[inline]
+    fn correction(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        residual: &[T],
+        delta: &mut [T],
+    ) -> ::ezy_core::model::DeficientRows {
+        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
+        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+        let right_side_rear = residual[2usize];
+        let right_side_front = residual[3usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_7 = c[0usize] * cos_seat_phi;
+        let product_8 = cos_seat_phi * product_7;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_12 = c[1usize] * cos_bar_phi;
+        let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+        let sum_16 = sum_14 + c[2usize];
+        let product_18 = c[0usize] * sin_seat_phi;
+        let product_19 = cos_seat_phi * product_18;
+        let product_21 = c[1usize] * sin_bar_phi;
+        let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+        let difference_25 = c[3usize] - sum_14;
+        let residual_0 = residual[0usize];
+        let product_28 = right_side_rear * c[6usize];
+        let difference_30 = T::fused(-sin_seat_phi, product_28, residual_0);
+        let product_32 = right_side_front * c[7usize];
+        let difference_34 = T::fused(-sin_bar_phi, product_32, difference_30);
+        let residual_1 = residual[1usize];
+        let sum_37 = T::fused(cos_seat_phi, product_28, residual_1);
+        let sum_39 = T::fused(cos_bar_phi, product_32, sum_37);
+        let product_40 = sum_16 * difference_25;
+        let difference_42 = T::fused(-sum_23, sum_23, product_40);
+        let quotient_43 = T::from_f64(1f64) / difference_42;
+        let product_44 = difference_25 * difference_34;
+        let difference_46 = T::fused(-sum_23, sum_39, product_44);
+        let lambda_B_x = quotient_43 * difference_46;
+        let product_49 = sum_16 * sum_39;
+        let difference_50 = T::fused(-sum_23, difference_34, product_49);
+        let lambda_B_y = quotient_43 * difference_50;
+        let product_53 = cos_bar_phi * lambda_B_y;
+        let difference_54 = T::fused(-sin_bar_phi, lambda_B_x, product_53);
+        let product_55 = c[7usize] * difference_54;
+        let lambda_front = T::fused(right_side_front, c[8usize], product_55);
+        let product_60 = cos_seat_phi * lambda_B_y;
+        let difference_61 = T::fused(-sin_seat_phi, lambda_B_x, product_60);
+        let product_62 = c[6usize] * difference_61;
+        let lambda_rear = T::fused(right_side_rear, c[9usize], product_62);
+        let difference_67 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+        let product_69 = difference_67 * c[10usize];
+        let sum_71 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+        let product_72 = c[10usize] * sum_71;
+        let product_76 = lambda_rear * c[12usize];
+        let difference_77 = T::fused(-difference_61, c[11usize], product_76);
+        let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+        let product_81 = sum_79 * c[13usize];
+        let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+        let product_84 = c[13usize] * difference_83;
+        let product_86 = difference_54 * c[14usize];
+        let sum_89 = T::fused(lambda_front, c[15usize], product_86);
+        let value_95 = -product_72;
+        let value_96 = -sum_89;
+        delta[0usize] = product_69;
+        delta[1usize] = value_95;
+        delta[2usize] = difference_77;
+        delta[3usize] = product_81;
+        delta[4usize] = product_84;
+        delta[5usize] = value_96;
+        ::ezy_core::model::DeficientRows(0)
+            .mark(2usize, !T::is_above(c[16usize], c[17usize]))
+            .mark(3usize, !T::is_above(c[18usize], c[19usize]))
+            .mark(0usize, !T::is_above(difference_42, c[20usize]))
+            .mark(1usize, !T::is_above(difference_42, c[20usize]))
+    }
+}

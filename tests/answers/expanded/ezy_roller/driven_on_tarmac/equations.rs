@@ -1,0 +1,486 @@
+#[automatically_derived]
+impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
+for self::DrivenOnTarmac {
+    fn constants(&self, parameters: &[T], c: &mut [T]) {
+        let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
+        let c = ::ezy_core::kernel::array_mut::<39usize, T>(c);
+        let k1 = T::from_f64(1f64);
+        let parameter_m1 = parameters[4usize];
+        let parameter_i1 = parameters[5usize];
+        let parameter_m2 = parameters[6usize];
+        let parameter_i2 = parameters[7usize];
+        let parameter_b = parameters[1usize];
+        let parameter_d = parameters[3usize];
+        let parameter_a = parameters[0usize];
+        let parameter_c = parameters[2usize];
+        let parameter_m0 = parameters[8usize];
+        let parameter_omega = parameters[9usize];
+        let parameter_k = parameters[10usize];
+        let k14 = parameter_k * parameter_a;
+        let k15 = k14 * parameter_a;
+        let k16 = -(k14 + k14);
+        let k17 = T::PI;
+        let k18 = k1 / parameter_m1;
+        let k19 = k1 / parameter_i1;
+        let k20 = parameter_b * k19;
+        let k21 = k1 / parameter_m2;
+        let k22 = k1 / parameter_i2;
+        let k23 = parameter_d * parameter_m0;
+        let k24 = k23 * k22;
+        let k25 = parameter_a * k19;
+        let k26 = parameter_c * parameter_m0;
+        let k27 = k26 * k22;
+        let k28 = parameter_b * parameter_b;
+        let k29 = k28 * k19;
+        let k30 = parameter_d * parameter_d;
+        let k31 = k30 * k22;
+        let k32 = k18 + k29;
+        let k33 = k32 + k21;
+        let k34 = k33 + k31;
+        let k35 = parameter_b * parameter_a;
+        let k36 = k35 * k19;
+        let k37 = k36 - k18;
+        let k38 = parameter_d * parameter_c;
+        let k39 = k38 * k22;
+        let k40 = k21 - k39;
+        let k41 = k18 + k21;
+        let k42 = parameter_a * parameter_a;
+        let k43 = k42 * k19;
+        let k44 = k18 + k43;
+        let k45 = parameter_c * parameter_c;
+        let k46 = k45 * k22;
+        let k47 = k21 + k46;
+        let k48 = k1 / k44;
+        let k49 = k37 * k48;
+        let k50 = k49 * k37;
+        let k51 = k34 - k50;
+        let k52 = k50 - k29;
+        let k53 = k1 / k47;
+        let k54 = k40 * k53;
+        let k55 = k54 * k40;
+        let k56 = k51 - k55;
+        let k57 = k55 - k31;
+        let k58 = parameter_m0 * k22;
+        let k59 = parameter_d * k22;
+        let k60 = parameter_c * k22;
+        let k61 = T::from_f64(0.0000000001f64);
+        let k62 = k61 * k44;
+        let k63 = k61 * k47;
+        let k64 = k34 + k41;
+        let k65 = k64 * k64;
+        let k66 = k61 * k65;
+        c[0usize] = parameter_k;
+        c[1usize] = k14;
+        c[2usize] = k15;
+        c[3usize] = parameter_m0;
+        c[4usize] = parameter_omega;
+        c[5usize] = k18;
+        c[6usize] = k25;
+        c[7usize] = k27;
+        c[8usize] = k52;
+        c[9usize] = k57;
+        c[10usize] = k56;
+        c[11usize] = k41;
+        c[12usize] = k20;
+        c[13usize] = k49;
+        c[14usize] = k24;
+        c[15usize] = k54;
+        c[16usize] = parameter_b;
+        c[17usize] = parameter_d;
+        c[18usize] = k53;
+        c[19usize] = k48;
+        c[20usize] = k19;
+        c[21usize] = k21;
+        c[22usize] = k59;
+        c[23usize] = k58;
+        c[24usize] = k60;
+        c[25usize] = k44;
+        c[26usize] = k62;
+        c[27usize] = k47;
+        c[28usize] = k63;
+        c[29usize] = k66;
+        c[30usize] = k22;
+        c[31usize] = parameter_m1;
+        c[32usize] = parameter_i1;
+        c[33usize] = parameter_m2;
+        c[34usize] = parameter_i2;
+        c[35usize] = parameter_a;
+        c[36usize] = parameter_c;
+        c[37usize] = k16;
+        c[38usize] = k17;
+    }
+    fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        out[0usize] = c[31usize];
+        out[1usize] = c[31usize];
+        out[2usize] = c[32usize];
+        out[3usize] = c[33usize];
+        out[4usize] = c[33usize];
+        out[5usize] = c[34usize];
+    }
+    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let seat_x = q[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let sum_7 = T::fused(c[16usize], cos_seat_phi, seat_x);
+        let bar_x = q[3usize];
+        let difference_9 = sum_7 - bar_x;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let sum_14 = T::fused(c[17usize], cos_bar_phi, difference_9);
+        let seat_y = q[1usize];
+        let sum_18 = T::fused(c[16usize], sin_seat_phi, seat_y);
+        let bar_y = q[4usize];
+        let difference_20 = sum_18 - bar_y;
+        let sum_23 = T::fused(c[17usize], sin_bar_phi, difference_20);
+        out[0usize] = sum_14;
+        out[1usize] = sum_23;
+    }
+    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let seat_vx = v[0usize];
+        let seat_omega = v[2usize];
+        let product_5 = c[16usize] * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let difference_9 = T::fused(-product_5, sin_seat_phi, seat_vx);
+        let bar_vx = v[3usize];
+        let difference_11 = difference_9 - bar_vx;
+        let bar_omega = v[5usize];
+        let product_14 = c[17usize] * bar_omega;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let difference_18 = T::fused(-product_14, sin_bar_phi, difference_11);
+        let seat_vy = v[1usize];
+        let bar_vy = v[4usize];
+        let difference_21 = seat_vy - bar_vy;
+        let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
+        let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
+        let product_29 = seat_omega * c[35usize];
+        let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
+        let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
+        let product_35 = bar_omega * c[36usize];
+        let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
+        let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
+        out[0usize] = difference_18;
+        out[1usize] = sum_27;
+        out[2usize] = difference_33;
+        out[3usize] = sum_39;
+    }
+    fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_4 = c[16usize] * sin_seat_phi;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_8 = c[17usize] * sin_bar_phi;
+        let product_10 = c[16usize] * cos_seat_phi;
+        let product_12 = c[17usize] * cos_bar_phi;
+        let value_15 = -product_4;
+        let value_16 = -T::from_f64(1f64);
+        let value_17 = -product_8;
+        let value_18 = -sin_seat_phi;
+        let value_19 = -c[35usize];
+        let value_20 = -sin_bar_phi;
+        out[0usize] = T::from_f64(1f64);
+        out[1usize] = value_15;
+        out[2usize] = value_16;
+        out[3usize] = value_17;
+        out[4usize] = T::from_f64(1f64);
+        out[5usize] = product_10;
+        out[6usize] = value_16;
+        out[7usize] = product_12;
+        out[8usize] = value_18;
+        out[9usize] = cos_seat_phi;
+        out[10usize] = value_19;
+        out[11usize] = value_20;
+        out[12usize] = cos_bar_phi;
+        out[13usize] = c[36usize];
+    }
+    fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let seat_omega = v[2usize];
+        let product_3 = c[16usize] * seat_omega;
+        let product_4 = seat_omega * product_3;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_8 = product_4 * cos_seat_phi;
+        let bar_omega = v[5usize];
+        let product_11 = c[17usize] * bar_omega;
+        let product_12 = bar_omega * product_11;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+        let product_18 = product_4 * sin_seat_phi;
+        let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+        let seat_vx = v[0usize];
+        let product_23 = cos_seat_phi * seat_vx;
+        let seat_vy = v[1usize];
+        let sum_26 = T::fused(sin_seat_phi, seat_vy, product_23);
+        let product_27 = seat_omega * sum_26;
+        let bar_vx = v[3usize];
+        let product_29 = cos_bar_phi * bar_vx;
+        let bar_vy = v[4usize];
+        let sum_32 = T::fused(sin_bar_phi, bar_vy, product_29);
+        let product_33 = bar_omega * sum_32;
+        let value_34 = -sum_16;
+        let value_35 = -sum_21;
+        let value_36 = -product_27;
+        let value_37 = -product_33;
+        out[0usize] = value_34;
+        out[1usize] = value_35;
+        out[2usize] = value_36;
+        out[3usize] = value_37;
+    }
+    fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let seat_vx = v[0usize];
+        let product_3 = c[0usize] * seat_vx;
+        let seat_omega = v[2usize];
+        let product_6 = c[1usize] * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let sum_11 = T::fused(product_6, sin_seat_phi, product_3);
+        let seat_vy = v[1usize];
+        let product_15 = product_6 * cos_seat_phi;
+        let difference_16 = T::fused(-c[0usize], seat_vy, product_15);
+        let product_18 = seat_vy * cos_seat_phi;
+        let difference_19 = T::fused(-seat_vx, sin_seat_phi, product_18);
+        let product_20 = c[1usize] * difference_19;
+        let difference_23 = T::fused(-seat_omega, c[2usize], product_20);
+        let product_27 = c[4usize] * t;
+        let cos_27 = T::cos(product_27);
+        let product_29 = c[3usize] * cos_27;
+        let sum_30 = difference_23 + product_29;
+        let value_31 = -sum_11;
+        let value_32 = -product_29;
+        out[0usize] = value_31;
+        out[1usize] = difference_16;
+        out[2usize] = sum_30;
+        out[3usize] = T::from_f64(0f64);
+        out[4usize] = T::from_f64(0f64);
+        out[5usize] = value_32;
+    }
+    #[inline]
+    fn accelerations(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        v: &[T],
+        a: &mut [T],
+        lambda: &mut [T],
+    ) -> ::ezy_core::model::DeficientRows {
+        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+        let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+        let seat_vx = v[0usize];
+        let product_3 = c[0usize] * seat_vx;
+        let seat_omega = v[2usize];
+        let product_6 = c[1usize] * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let minus_force_seat_x = T::fused(product_6, sin_seat_phi, product_3);
+        let seat_vy = v[1usize];
+        let product_15 = product_6 * cos_seat_phi;
+        let force_seat_y = T::fused(-c[0usize], seat_vy, product_15);
+        let product_18 = seat_vy * cos_seat_phi;
+        let difference_19 = T::fused(-seat_vx, sin_seat_phi, product_18);
+        let product_20 = c[1usize] * difference_19;
+        let difference_23 = T::fused(-seat_omega, c[2usize], product_20);
+        let product_27 = c[4usize] * t;
+        let cos_27 = T::cos(product_27);
+        let force_seat_phi = T::fused(c[3usize], cos_27, difference_23);
+        let product_31 = sin_seat_phi * minus_force_seat_x;
+        let sum_33 = T::fused(cos_seat_phi, force_seat_y, product_31);
+        let product_35 = sum_33 * c[5usize];
+        let product_36 = seat_vx * cos_seat_phi;
+        let sum_38 = T::fused(sin_seat_phi, seat_vy, product_36);
+        let difference_40 = T::fused(-seat_omega, sum_38, product_35);
+        let right_side_rear = T::fused(-force_seat_phi, c[6usize], difference_40);
+        let bar_vx = v[3usize];
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_47 = bar_vx * cos_bar_phi;
+        let bar_vy = v[4usize];
+        let sum_51 = T::fused(bar_vy, sin_bar_phi, product_47);
+        let bar_omega = v[5usize];
+        let product_53 = sum_51 * bar_omega;
+        let minus_right_side_front = T::fused(cos_27, c[7usize], product_53);
+        let product_58 = cos_seat_phi * c[8usize];
+        let product_59 = cos_seat_phi * product_58;
+        let product_61 = cos_bar_phi * c[9usize];
+        let sum_63 = T::fused(cos_bar_phi, product_61, product_59);
+        let sum_65 = sum_63 + c[10usize];
+        let product_66 = sin_seat_phi * c[8usize];
+        let product_67 = cos_seat_phi * product_66;
+        let product_68 = sin_bar_phi * c[9usize];
+        let sum_70 = T::fused(cos_bar_phi, product_68, product_67);
+        let difference_72 = c[11usize] - sum_63;
+        let product_74 = force_seat_phi * c[12usize];
+        let sum_77 = T::fused(right_side_rear, c[13usize], product_74);
+        let product_80 = cos_27 * c[14usize];
+        let sum_83 = T::fused(minus_right_side_front, c[15usize], product_80);
+        let product_84 = sin_bar_phi * sum_83;
+        let difference_85 = T::fused(-sin_seat_phi, sum_77, product_84);
+        let product_87 = seat_omega * c[16usize];
+        let product_88 = seat_omega * product_87;
+        let difference_90 = T::fused(-cos_seat_phi, product_88, difference_85);
+        let product_92 = bar_omega * c[17usize];
+        let product_93 = bar_omega * product_92;
+        let difference_95 = T::fused(-cos_bar_phi, product_93, difference_90);
+        let difference_97 = T::fused(-minus_force_seat_x, c[5usize], difference_95);
+        let product_98 = cos_seat_phi * sum_77;
+        let difference_100 = T::fused(-cos_bar_phi, sum_83, product_98);
+        let difference_102 = T::fused(-sin_seat_phi, product_88, difference_100);
+        let difference_104 = T::fused(-sin_bar_phi, product_93, difference_102);
+        let sum_106 = T::fused(force_seat_y, c[5usize], difference_104);
+        let product_107 = sum_65 * difference_72;
+        let difference_109 = T::fused(-sum_70, sum_70, product_107);
+        let quotient_110 = T::from_f64(1f64) / difference_109;
+        let product_111 = difference_72 * difference_97;
+        let difference_113 = T::fused(-sum_70, sum_106, product_111);
+        let lambda_B_x = quotient_110 * difference_113;
+        let product_116 = sum_65 * sum_106;
+        let difference_117 = T::fused(-sum_70, difference_97, product_116);
+        let lambda_B_y = quotient_110 * difference_117;
+        let product_120 = cos_bar_phi * lambda_B_y;
+        let difference_121 = T::fused(-sin_bar_phi, lambda_B_x, product_120);
+        let product_122 = c[15usize] * difference_121;
+        let lambda_front = T::fused(-minus_right_side_front, c[18usize], product_122);
+        let product_127 = cos_seat_phi * lambda_B_y;
+        let difference_128 = T::fused(-sin_seat_phi, lambda_B_x, product_127);
+        let product_129 = c[13usize] * difference_128;
+        let lambda_rear = T::fused(right_side_rear, c[19usize], product_129);
+        let sum_133 = minus_force_seat_x + lambda_B_x;
+        let difference_135 = T::fused(sin_seat_phi, lambda_rear, -sum_133);
+        let product_136 = c[5usize] * difference_135;
+        let difference_137 = force_seat_y - lambda_B_y;
+        let difference_139 = T::fused(-cos_seat_phi, lambda_rear, difference_137);
+        let product_140 = c[5usize] * difference_139;
+        let product_143 = force_seat_phi * c[20usize];
+        let difference_144 = T::fused(-c[12usize], difference_128, product_143);
+        let sum_146 = T::fused(c[6usize], lambda_rear, difference_144);
+        let sum_148 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+        let product_150 = sum_148 * c[21usize];
+        let difference_152 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+        let product_153 = c[21usize] * difference_152;
+        let product_155 = difference_121 * c[22usize];
+        let sum_158 = T::fused(cos_27, c[23usize], product_155);
+        let sum_161 = T::fused(lambda_front, c[24usize], sum_158);
+        let value_167 = -sum_161;
+        a[0usize] = product_136;
+        a[1usize] = product_140;
+        a[2usize] = sum_146;
+        a[3usize] = product_150;
+        a[4usize] = product_153;
+        a[5usize] = value_167;
+        lambda[0usize] = lambda_B_x;
+        lambda[1usize] = lambda_B_y;
+        lambda[2usize] = lambda_rear;
+        lambda[3usize] = lambda_front;
+        ::ezy_core::model::DeficientRows(0)
+            .mark(2usize, !T::is_above(c[25usize], c[26usize]))
+            .mark(3usize, !T::is_above(c[27usize], c[28usize]))
+            .mark(0usize, !T::is_above(difference_109, c[29usize]))
+            .mark(1usize, !T::is_above(difference_109, c[29usize]))
+    }
+    #[inline]
+    fn correction(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        residual: &[T],
+        delta: &mut [T],
+    ) -> ::ezy_core::model::DeficientRows {
+        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
+        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+        let right_side_rear = residual[2usize];
+        let right_side_front = residual[3usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_7 = c[8usize] * cos_seat_phi;
+        let product_8 = cos_seat_phi * product_7;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_12 = c[9usize] * cos_bar_phi;
+        let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+        let sum_16 = sum_14 + c[10usize];
+        let product_18 = c[8usize] * sin_seat_phi;
+        let product_19 = cos_seat_phi * product_18;
+        let product_21 = c[9usize] * sin_bar_phi;
+        let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+        let difference_25 = c[11usize] - sum_14;
+        let residual_0 = residual[0usize];
+        let product_28 = right_side_rear * c[13usize];
+        let difference_30 = T::fused(-sin_seat_phi, product_28, residual_0);
+        let product_32 = right_side_front * c[15usize];
+        let difference_34 = T::fused(-sin_bar_phi, product_32, difference_30);
+        let residual_1 = residual[1usize];
+        let sum_37 = T::fused(cos_seat_phi, product_28, residual_1);
+        let sum_39 = T::fused(cos_bar_phi, product_32, sum_37);
+        let product_40 = sum_16 * difference_25;
+        let difference_42 = T::fused(-sum_23, sum_23, product_40);
+        let quotient_43 = T::from_f64(1f64) / difference_42;
+        let product_44 = difference_25 * difference_34;
+        let difference_46 = T::fused(-sum_23, sum_39, product_44);
+        let lambda_B_x = quotient_43 * difference_46;
+        let product_49 = sum_16 * sum_39;
+        let difference_50 = T::fused(-sum_23, difference_34, product_49);
+        let lambda_B_y = quotient_43 * difference_50;
+        let product_53 = cos_bar_phi * lambda_B_y;
+        let difference_54 = T::fused(-sin_bar_phi, lambda_B_x, product_53);
+        let product_55 = c[15usize] * difference_54;
+        let lambda_front = T::fused(right_side_front, c[18usize], product_55);
+        let product_60 = cos_seat_phi * lambda_B_y;
+        let difference_61 = T::fused(-sin_seat_phi, lambda_B_x, product_60);
+        let product_62 = c[13usize] * difference_61;
+        let lambda_rear = T::fused(right_side_rear, c[19usize], product_62);
+        let difference_67 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+        let product_69 = difference_67 * c[5usize];
+        let sum_71 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+        let product_72 = c[5usize] * sum_71;
+        let product_76 = lambda_rear * c[6usize];
+        let difference_77 = T::fused(-difference_61, c[12usize], product_76);
+        let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+        let product_81 = sum_79 * c[21usize];
+        let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+        let product_84 = c[21usize] * difference_83;
+        let product_86 = difference_54 * c[22usize];
+        let sum_89 = T::fused(lambda_front, c[24usize], product_86);
+        let value_95 = -product_72;
+        let value_96 = -sum_89;
+        delta[0usize] = product_69;
+        delta[1usize] = value_95;
+        delta[2usize] = difference_77;
+        delta[3usize] = product_81;
+        delta[4usize] = product_84;
+        delta[5usize] = value_96;
+        ::ezy_core::model::DeficientRows(0)
+            .mark(2usize, !T::is_above(c[25usize], c[26usize]))
+            .mark(3usize, !T::is_above(c[27usize], c[28usize]))
+            .mark(0usize, !T::is_above(difference_42, c[29usize]))
+            .mark(1usize, !T::is_above(difference_42, c[29usize]))
+    }
+}

@@ -1,0 +1,434 @@
+#[automatically_derived]
+impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ridden {
+    fn constants(&self, parameters: &[T], c: &mut [T]) {
+        let parameters = ::ezy_core::kernel::array::<8usize, T>(parameters);
+        let c = ::ezy_core::kernel::array_mut::<32usize, T>(c);
+        let k1 = T::from_f64(1f64);
+        let parameter_m1 = parameters[4usize];
+        let parameter_i1 = parameters[5usize];
+        let parameter_m2 = parameters[6usize];
+        let parameter_i2 = parameters[7usize];
+        let parameter_b = parameters[1usize];
+        let parameter_d = parameters[3usize];
+        let parameter_a = parameters[0usize];
+        let parameter_c = parameters[2usize];
+        let k11 = T::PI;
+        let k12 = T::from_f64(2f64);
+        let k13 = k11 / k12;
+        let k14 = T::from_f64(180f64);
+        let k16 = k14 / k11;
+        let k17 = k1 / parameter_m1;
+        let k18 = k1 / parameter_i1;
+        let k19 = parameter_b * k18;
+        let k20 = k1 / parameter_m2;
+        let k21 = k1 / parameter_i2;
+        let k22 = parameter_d * k21;
+        let k23 = parameter_a * k18;
+        let k24 = parameter_c * k21;
+        let k25 = parameter_b * parameter_b;
+        let k26 = k25 * k18;
+        let k27 = parameter_d * parameter_d;
+        let k28 = k27 * k21;
+        let k29 = k17 + k26;
+        let k30 = k29 + k20;
+        let k31 = k30 + k28;
+        let k32 = parameter_b * parameter_a;
+        let k33 = k32 * k18;
+        let k34 = k33 - k17;
+        let k35 = parameter_d * parameter_c;
+        let k36 = k35 * k21;
+        let k37 = k20 - k36;
+        let k38 = k17 + k20;
+        let k39 = parameter_a * parameter_a;
+        let k40 = k39 * k18;
+        let k41 = k17 + k40;
+        let k42 = parameter_c * parameter_c;
+        let k43 = k42 * k21;
+        let k44 = k20 + k43;
+        let k45 = k1 / k41;
+        let k46 = k34 * k45;
+        let k47 = k46 * k34;
+        let k48 = k31 - k47;
+        let k49 = k47 - k26;
+        let k50 = k1 / k44;
+        let k51 = k37 * k50;
+        let k52 = k51 * k37;
+        let k53 = k48 - k52;
+        let k54 = k52 - k28;
+        let k55 = T::from_f64(0.0000000001f64);
+        let k56 = k55 * k41;
+        let k57 = k55 * k44;
+        let k58 = k31 + k38;
+        let k59 = k58 * k58;
+        let k60 = k55 * k59;
+        c[1usize] = k23;
+        c[2usize] = k24;
+        c[3usize] = k49;
+        c[4usize] = k54;
+        c[5usize] = k53;
+        c[6usize] = k38;
+        c[7usize] = k19;
+        c[8usize] = k46;
+        c[9usize] = k22;
+        c[10usize] = k51;
+        c[11usize] = parameter_b;
+        c[12usize] = parameter_d;
+        c[13usize] = k50;
+        c[14usize] = k45;
+        c[15usize] = k17;
+        c[16usize] = k18;
+        c[17usize] = k20;
+        c[18usize] = k21;
+        c[19usize] = k41;
+        c[20usize] = k56;
+        c[21usize] = k44;
+        c[22usize] = k57;
+        c[23usize] = k60;
+        c[24usize] = parameter_m1;
+        c[25usize] = parameter_i1;
+        c[26usize] = parameter_m2;
+        c[27usize] = parameter_i2;
+        c[28usize] = parameter_a;
+        c[29usize] = parameter_c;
+        c[30usize] = k16;
+        c[31usize] = k13;
+    }
+    fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        out[0usize] = c[24usize];
+        out[1usize] = c[24usize];
+        out[2usize] = c[25usize];
+        out[3usize] = c[26usize];
+        out[4usize] = c[26usize];
+        out[5usize] = c[27usize];
+    }
+    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let seat_x = q[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let sum_7 = T::fused(c[11usize], cos_seat_phi, seat_x);
+        let bar_x = q[3usize];
+        let difference_9 = sum_7 - bar_x;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let sum_14 = T::fused(c[12usize], cos_bar_phi, difference_9);
+        let seat_y = q[1usize];
+        let sum_18 = T::fused(c[11usize], sin_seat_phi, seat_y);
+        let bar_y = q[4usize];
+        let difference_20 = sum_18 - bar_y;
+        let sum_23 = T::fused(c[12usize], sin_bar_phi, difference_20);
+        out[0usize] = sum_14;
+        out[1usize] = sum_23;
+    }
+    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let seat_vx = v[0usize];
+        let seat_omega = v[2usize];
+        let product_5 = c[11usize] * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let difference_9 = T::fused(-product_5, sin_seat_phi, seat_vx);
+        let bar_vx = v[3usize];
+        let difference_11 = difference_9 - bar_vx;
+        let bar_omega = v[5usize];
+        let product_14 = c[12usize] * bar_omega;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let difference_18 = T::fused(-product_14, sin_bar_phi, difference_11);
+        let seat_vy = v[1usize];
+        let bar_vy = v[4usize];
+        let difference_21 = seat_vy - bar_vy;
+        let sum_24 = T::fused(product_5, cos_seat_phi, difference_21);
+        let sum_27 = T::fused(product_14, cos_bar_phi, sum_24);
+        let product_29 = seat_omega * c[28usize];
+        let sum_31 = T::fused(seat_vx, sin_seat_phi, product_29);
+        let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
+        let product_35 = bar_omega * c[29usize];
+        let difference_37 = T::fused(-bar_vx, sin_bar_phi, product_35);
+        let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
+        out[0usize] = difference_18;
+        out[1usize] = sum_27;
+        out[2usize] = difference_33;
+        out[3usize] = sum_39;
+    }
+    fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_4 = c[11usize] * sin_seat_phi;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_8 = c[12usize] * sin_bar_phi;
+        let product_10 = c[11usize] * cos_seat_phi;
+        let product_12 = c[12usize] * cos_bar_phi;
+        let value_15 = -product_4;
+        let value_16 = -T::from_f64(1f64);
+        let value_17 = -product_8;
+        let value_18 = -sin_seat_phi;
+        let value_19 = -c[28usize];
+        let value_20 = -sin_bar_phi;
+        out[0usize] = T::from_f64(1f64);
+        out[1usize] = value_15;
+        out[2usize] = value_16;
+        out[3usize] = value_17;
+        out[4usize] = T::from_f64(1f64);
+        out[5usize] = product_10;
+        out[6usize] = value_16;
+        out[7usize] = product_12;
+        out[8usize] = value_18;
+        out[9usize] = cos_seat_phi;
+        out[10usize] = value_19;
+        out[11usize] = value_20;
+        out[12usize] = cos_bar_phi;
+        out[13usize] = c[29usize];
+    }
+    fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let seat_omega = v[2usize];
+        let product_3 = c[11usize] * seat_omega;
+        let product_4 = seat_omega * product_3;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_8 = product_4 * cos_seat_phi;
+        let bar_omega = v[5usize];
+        let product_11 = c[12usize] * bar_omega;
+        let product_12 = bar_omega * product_11;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+        let product_18 = product_4 * sin_seat_phi;
+        let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+        let seat_vx = v[0usize];
+        let product_23 = cos_seat_phi * seat_vx;
+        let seat_vy = v[1usize];
+        let sum_26 = T::fused(sin_seat_phi, seat_vy, product_23);
+        let product_27 = seat_omega * sum_26;
+        let bar_vx = v[3usize];
+        let product_29 = cos_bar_phi * bar_vx;
+        let bar_vy = v[4usize];
+        let sum_32 = T::fused(sin_bar_phi, bar_vy, product_29);
+        let product_33 = bar_omega * sum_32;
+        let value_34 = -sum_16;
+        let value_35 = -sum_21;
+        let value_36 = -product_27;
+        let value_37 = -product_33;
+        out[0usize] = value_34;
+        out[1usize] = value_35;
+        out[2usize] = value_36;
+        out[3usize] = value_37;
+    }
+    fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let torque = c[0usize];
+        let value_3 = -torque;
+        out[0usize] = T::from_f64(0f64);
+        out[1usize] = T::from_f64(0f64);
+        out[2usize] = value_3;
+        out[3usize] = T::from_f64(0f64);
+        out[4usize] = T::from_f64(0f64);
+        out[5usize] = torque;
+    }
+    #[inline]
+    fn accelerations(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        v: &[T],
+        a: &mut [T],
+        lambda: &mut [T],
+    ) -> ::ezy_core::model::DeficientRows {
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+        let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+        let seat_vx = v[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_5 = seat_vx * cos_seat_phi;
+        let seat_vy = v[1usize];
+        let sum_9 = T::fused(seat_vy, sin_seat_phi, product_5);
+        let seat_omega = v[2usize];
+        let torque = c[0usize];
+        let product_14 = c[1usize] * torque;
+        let right_side_rear = T::fused(-sum_9, seat_omega, product_14);
+        let bar_vx = v[3usize];
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_19 = bar_vx * cos_bar_phi;
+        let bar_vy = v[4usize];
+        let sum_23 = T::fused(bar_vy, sin_bar_phi, product_19);
+        let bar_omega = v[5usize];
+        let product_27 = torque * c[2usize];
+        let right_side_front = T::fused(-sum_23, bar_omega, product_27);
+        let product_30 = cos_seat_phi * c[3usize];
+        let product_31 = cos_seat_phi * product_30;
+        let product_33 = cos_bar_phi * c[4usize];
+        let sum_35 = T::fused(cos_bar_phi, product_33, product_31);
+        let sum_37 = sum_35 + c[5usize];
+        let product_38 = sin_seat_phi * c[3usize];
+        let product_39 = cos_seat_phi * product_38;
+        let product_40 = sin_bar_phi * c[4usize];
+        let sum_42 = T::fused(cos_bar_phi, product_40, product_39);
+        let difference_44 = c[6usize] - sum_35;
+        let product_46 = torque * c[7usize];
+        let difference_49 = T::fused(-right_side_rear, c[8usize], product_46);
+        let product_50 = sin_seat_phi * difference_49;
+        let product_52 = torque * c[9usize];
+        let sum_55 = T::fused(right_side_front, c[10usize], product_52);
+        let difference_57 = T::fused(-sin_bar_phi, sum_55, product_50);
+        let product_59 = seat_omega * c[11usize];
+        let product_60 = seat_omega * product_59;
+        let difference_62 = T::fused(-cos_seat_phi, product_60, difference_57);
+        let product_64 = bar_omega * c[12usize];
+        let product_65 = bar_omega * product_64;
+        let difference_67 = T::fused(-cos_bar_phi, product_65, difference_62);
+        let product_69 = cos_bar_phi * sum_55;
+        let difference_70 = T::fused(-cos_seat_phi, difference_49, product_69);
+        let difference_72 = T::fused(-sin_seat_phi, product_60, difference_70);
+        let difference_74 = T::fused(-sin_bar_phi, product_65, difference_72);
+        let product_75 = sum_37 * difference_44;
+        let difference_77 = T::fused(-sum_42, sum_42, product_75);
+        let quotient_78 = T::from_f64(1f64) / difference_77;
+        let product_79 = difference_44 * difference_67;
+        let difference_81 = T::fused(-sum_42, difference_74, product_79);
+        let lambda_B_x = quotient_78 * difference_81;
+        let product_84 = sum_37 * difference_74;
+        let difference_85 = T::fused(-sum_42, difference_67, product_84);
+        let lambda_B_y = quotient_78 * difference_85;
+        let product_88 = cos_bar_phi * lambda_B_y;
+        let difference_89 = T::fused(-sin_bar_phi, lambda_B_x, product_88);
+        let product_90 = c[10usize] * difference_89;
+        let lambda_front = T::fused(right_side_front, c[13usize], product_90);
+        let product_95 = cos_seat_phi * lambda_B_y;
+        let difference_96 = T::fused(-sin_seat_phi, lambda_B_x, product_95);
+        let product_97 = c[8usize] * difference_96;
+        let lambda_rear = T::fused(right_side_rear, c[14usize], product_97);
+        let difference_102 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+        let product_104 = difference_102 * c[15usize];
+        let sum_106 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+        let product_107 = c[15usize] * sum_106;
+        let product_108 = c[7usize] * difference_96;
+        let sum_111 = T::fused(torque, c[16usize], product_108);
+        let difference_113 = T::fused(c[1usize], lambda_rear, -sum_111);
+        let sum_115 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+        let product_117 = sum_115 * c[17usize];
+        let difference_119 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+        let product_120 = c[17usize] * difference_119;
+        let product_123 = torque * c[18usize];
+        let difference_124 = T::fused(-c[9usize], difference_89, product_123);
+        let difference_126 = T::fused(-c[2usize], lambda_front, difference_124);
+        let value_132 = -product_107;
+        a[0usize] = product_104;
+        a[1usize] = value_132;
+        a[2usize] = difference_113;
+        a[3usize] = product_117;
+        a[4usize] = product_120;
+        a[5usize] = difference_126;
+        lambda[0usize] = lambda_B_x;
+        lambda[1usize] = lambda_B_y;
+        lambda[2usize] = lambda_rear;
+        lambda[3usize] = lambda_front;
+        ::ezy_core::model::DeficientRows(0)
+            .mark(2usize, !T::is_above(c[19usize], c[20usize]))
+            .mark(3usize, !T::is_above(c[21usize], c[22usize]))
+            .mark(0usize, !T::is_above(difference_77, c[23usize]))
+            .mark(1usize, !T::is_above(difference_77, c[23usize]))
+    }
+    #[inline]
+    fn correction(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        residual: &[T],
+        delta: &mut [T],
+    ) -> ::ezy_core::model::DeficientRows {
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
+        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+        let right_side_rear = residual[2usize];
+        let right_side_front = residual[3usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_7 = c[3usize] * cos_seat_phi;
+        let product_8 = cos_seat_phi * product_7;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_12 = c[4usize] * cos_bar_phi;
+        let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+        let sum_16 = sum_14 + c[5usize];
+        let product_18 = c[3usize] * sin_seat_phi;
+        let product_19 = cos_seat_phi * product_18;
+        let product_21 = c[4usize] * sin_bar_phi;
+        let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+        let difference_25 = c[6usize] - sum_14;
+        let residual_0 = residual[0usize];
+        let product_28 = right_side_rear * c[8usize];
+        let difference_30 = T::fused(-sin_seat_phi, product_28, residual_0);
+        let product_32 = right_side_front * c[10usize];
+        let difference_34 = T::fused(-sin_bar_phi, product_32, difference_30);
+        let residual_1 = residual[1usize];
+        let sum_37 = T::fused(cos_seat_phi, product_28, residual_1);
+        let sum_39 = T::fused(cos_bar_phi, product_32, sum_37);
+        let product_40 = sum_16 * difference_25;
+        let difference_42 = T::fused(-sum_23, sum_23, product_40);
+        let quotient_43 = T::from_f64(1f64) / difference_42;
+        let product_44 = difference_25 * difference_34;
+        let difference_46 = T::fused(-sum_23, sum_39, product_44);
+        let lambda_B_x = quotient_43 * difference_46;
+        let product_49 = sum_16 * sum_39;
+        let difference_50 = T::fused(-sum_23, difference_34, product_49);
+        let lambda_B_y = quotient_43 * difference_50;
+        let product_53 = cos_bar_phi * lambda_B_y;
+        let difference_54 = T::fused(-sin_bar_phi, lambda_B_x, product_53);
+        let product_55 = c[10usize] * difference_54;
+        let lambda_front = T::fused(right_side_front, c[13usize], product_55);
+        let product_60 = cos_seat_phi * lambda_B_y;
+        let difference_61 = T::fused(-sin_seat_phi, lambda_B_x, product_60);
+        let product_62 = c[8usize] * difference_61;
+        let lambda_rear = T::fused(right_side_rear, c[14usize], product_62);
+        let difference_67 = T::fused(sin_seat_phi, lambda_rear, -lambda_B_x);
+        let product_69 = difference_67 * c[15usize];
+        let sum_71 = T::fused(cos_seat_phi, lambda_rear, lambda_B_y);
+        let product_72 = c[15usize] * sum_71;
+        let product_76 = lambda_rear * c[1usize];
+        let difference_77 = T::fused(-difference_61, c[7usize], product_76);
+        let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+        let product_81 = sum_79 * c[17usize];
+        let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+        let product_84 = c[17usize] * difference_83;
+        let product_86 = difference_54 * c[9usize];
+        let sum_89 = T::fused(lambda_front, c[2usize], product_86);
+        let value_95 = -product_72;
+        let value_96 = -sum_89;
+        delta[0usize] = product_69;
+        delta[1usize] = value_95;
+        delta[2usize] = difference_77;
+        delta[3usize] = product_81;
+        delta[4usize] = product_84;
+        delta[5usize] = value_96;
+        ::ezy_core::model::DeficientRows(0)
+            .mark(2usize, !T::is_above(c[19usize], c[20usize]))
+            .mark(3usize, !T::is_above(c[21usize], c[22usize]))
+            .mark(0usize, !T::is_above(difference_42, c[23usize]))
+            .mark(1usize, !T::is_above(difference_42, c[23usize]))
+    }
+}

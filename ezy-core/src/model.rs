@@ -12,10 +12,12 @@
 mod equations;
 mod repeats;
 mod series;
+mod slopes;
 
 pub use equations::{Equations, PreciseScene};
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::{PRODUCT_GROUP, Series, SeriesInfo, SeriesSize, SeriesStore};
+pub use slopes::SlopePlaces;
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -459,6 +461,29 @@ pub trait Scene: Equations<f64> {
 
     /// Outputs, each in its unit. Writes `n_o`.
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
+
+    /// Where the slopes of the equations of motion stand; `None` for a scene that does not know them. Scenes that `model!`
+    /// generates do.
+    fn slope_places(&self) -> Option<SlopePlaces> {
+        None
+    }
+
+    /// R_q and R_v in the order of [`Scene::slope_places`], for accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`).
+    /// At a kink of a law the slope is the mean of those on both sides.
+    #[expect(clippy::too_many_arguments, reason = "the variables of R and its two derivatives")]
+    fn slopes(
+        &self,
+        c: &[f64],
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        lambda: &[f64],
+        by_q: &mut [f64],
+        by_v: &mut [f64],
+    ) {
+        let _ = (c, t, q, v, a, lambda, by_q, by_v);
+    }
 
     /// The recurrences of its Taylor series; none where a law of the scene is not analytic.
     fn series(&self) -> Option<&dyn Series<f64>> {

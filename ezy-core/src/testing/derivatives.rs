@@ -126,21 +126,21 @@ pub fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     check("powers and potential against F v and lambda g_t", worst, tolerance, reason)
 }
 
-fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static str) -> Check {
+pub fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static str) -> Check {
     let Worst { error, n_compared, n_left_out } = worst;
     Check { name, n_compared, n_left_out, largest_error: error, tolerance, reason }
 }
 
 /// Slopes of some numbers, how far they are off, and the largest of the numbers, whose rounding the slopes carry.
-struct Difference {
+pub struct Difference {
     slopes: Vec<f64>,
     truncation: f64,
-    size: f64,
+    pub size: f64,
 }
 
 impl Difference {
     /// Compares with derivatives, except where the slopes are not good enough to tell.
-    fn compare(&self, derivatives: &[f64], size: f64, worst: &mut Worst) {
+    pub fn compare(&self, derivatives: &[f64], size: f64, worst: &mut Worst) {
         if self.truncation > LARGEST_TRUNCATION * size.max(1.0) {
             worst.n_left_out += self.slopes.len();
             return;
@@ -152,7 +152,7 @@ impl Difference {
 }
 
 /// f'(0) for `n` numbers: `(f(e) − f(−e)) / 2e` at two steps, extrapolated to step zero; a third step tells how good it is.
-fn slope(n: usize, f: impl Fn(f64, &mut [f64])) -> Difference {
+pub fn slope(n: usize, f: impl Fn(f64, &mut [f64])) -> Difference {
     let (mut ahead, mut behind) = (vec![0.0; n], vec![0.0; n]);
     let (mut slopes, mut coarser_slopes) = (vec![0.0; n], vec![0.0; n]);
     let mut size = 0.0;
@@ -171,6 +171,6 @@ fn slope(n: usize, f: impl Fn(f64, &mut [f64])) -> Difference {
     Difference { truncation: differences.fold(0.0, f64::max) / TRUNCATIONS, slopes, size }
 }
 
-fn along(q: &[f64], e: f64, v: &[f64]) -> Vec<f64> {
+pub fn along(q: &[f64], e: f64, v: &[f64]) -> Vec<f64> {
     q.iter().zip(v).map(|(q, v)| q + e * v).collect()
 }

@@ -13,6 +13,7 @@ mod energy;
 mod probe;
 mod report;
 mod series;
+mod slopes;
 mod solvers;
 
 pub use report::{Check, CheckError, CheckReport};
@@ -26,7 +27,8 @@ use probe::Probe;
 ///
 /// At 1,000 random states, the same ones each time: C_q and the velocity rows against central differences of C;
 /// [h; s] against central differences of the velocity rows along the motion; G against the velocity rows; powers and
-/// the growth of the potential energy against F·v and λ·g_t; accelerations, multipliers and mass-weighted corrections
+/// the growth of the potential energy against F·v and λ·g_t; the slopes of the equations of motion against central
+/// differences of their residual; accelerations, multipliers and mass-weighted corrections
 /// of the generated elimination and the sparse backend against the dense one, at fewer states in large scenes; the Taylor
 /// series against the equations a little later. At the
 /// start: the rank of the rows. Over a short run: the energy balance, extrapolated to step zero.
@@ -48,6 +50,7 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
         derivatives::jacobian_of_velocities(&probe),
         derivatives::power(&probe),
     ];
+    checks.extend(slopes::of_residual(&probe));
     checks.extend(solvers::backends(&probe)?);
     checks.extend(series::ahead(&probe)?);
     checks.push(energy::balance(scene, start.t)?);

@@ -8,6 +8,7 @@ mod page;
 mod repeated;
 mod scene;
 mod series;
+mod slopes;
 mod templates;
 
 use proc_macro2::{Ident, TokenStream};

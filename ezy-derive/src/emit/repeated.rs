@@ -5,6 +5,7 @@ mod describe;
 mod kernels;
 mod loops;
 mod series;
+mod slopes;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -25,6 +26,8 @@ pub fn items(model: &Model, scene: &Scene, mut templates: Templates<'_>) -> Toke
     let mut emitter = Emitter { model, templates, pool: &mut pool };
     let Methods { equations, scene: methods } = emitter.methods();
     let recurrences = series::derive(templates, &mut pool);
+    let items = slopes::derive(templates);
+    let slopes = Emitter { model, templates, pool: &mut pool }.slopes(&items);
     let templates = &*templates;
     let n_inputs = templates.inputs.len();
     let n_constants = pool.coefficients().len();
@@ -82,6 +85,7 @@ pub fn items(model: &Model, scene: &Scene, mut templates: Templates<'_>) -> Toke
                 #set_parameter
             }
             #methods
+            #slopes
             #access_to_series
         }
 

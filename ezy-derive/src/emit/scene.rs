@@ -6,9 +6,10 @@ use quote::quote;
 use super::abbreviations::Abbreviations;
 use super::constants::Constants;
 use super::kernel::{self, Body, Numbers};
-use super::{info, page, scene_type, series};
+use super::{info, page, scene_type, series, slopes};
 use crate::mechanics::Equations;
 use crate::mechanics::series::Series;
+use crate::mechanics::slopes::{Slope, Slopes};
 use crate::mechanics::solve::{self, Correction, Solver};
 use crate::model::{Model, Parameter, Scene};
 use crate::symbolic::lower::{ConstantPool, Lowering};
@@ -20,8 +21,10 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let accelerations = solve::accelerations(&mut equations, &mut pool);
     let Correction { solver: correction, residuals } = solve::correction(&mut equations, &mut pool);
     let series = Series::derive(&mut equations, &mut pool);
+    let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
+    let slopes = Slopes::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
     let Methods { equations: kernels, scene: methods } =
-        methods(&equations, &mut pool, &accelerations, &correction, &residuals);
+        methods(&equations, &mut pool, &accelerations, &correction, &residuals, &slopes);
 
     let n_constants = pool.coefficients().len();
     let n_inputs = equations.inputs.len();
@@ -100,6 +103,7 @@ fn methods(
     accelerations: &Solver,
     correction: &Solver,
     residuals: &[Symbol],
+    slopes: &Slopes,
 ) -> Methods {
     let constraints = &equations.constraints;
     let (n_q, n_c) = (equations.mass.len(), constraints.rows.len());
@@ -132,6 +136,7 @@ fn methods(
     let Body { statements, outputs } = emitter.lowered(Numbers::F64, &[equations.potential], &no_other);
     let potential = quote!(#statements #(#outputs)*);
     let start = emitter.start();
+    let slope_kernel = emitter.slopes(slopes);
     let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
     let correction = emitter.solver(correction, &[("delta", n_q)], &other);
     let n_fixed = equations.inputs.len() + emitter.pool.coefficients().len();
@@ -145,6 +150,12 @@ fn methods(
     let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
     let potential_opening =
         opening(Numbers::F64, if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);
+    let slope_opening = opening(
+        Numbers::F64,
+        &[("c", n_fixed), ("q", n_q), ("v", n_q), ("a", n_q), ("lambda", n_c)],
+        &[("by_q", slopes.by_q.len()), ("by_v", slopes.by_v.len())],
+    );
+    let slopes = slopes::methods(slope_places(slopes), quote!(#slope_opening #slope_kernel));
     let start_opening = opening(Numbers::F64, &[("c", n_fixed)], &[]);
     let accelerations_opening =
         opening(Numbers::Any, &[("c", n_fixed), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
@@ -187,6 +198,7 @@ fn methods(
             #start_opening
             #start
         }
+        #slopes
     };
     Methods { equations, scene }
 }
@@ -306,6 +318,14 @@ impl Emitter<'_> {
         quote!(#statements #(#gives)*)
     }
 
+    fn slopes(&mut self, slopes: &Slopes) -> TokenStream {
+        let other = |symbol: Symbol| slopes::source(slopes, symbol, &|i| quote!(a[#i]), &|row| quote!(lambda[#row]));
+        let Body { statements, outputs } = self.lowered(Numbers::F64, &slopes.values(), &other);
+        let (by_q, by_v) = outputs.split_at(slopes.by_q.len());
+        let (places_q, places_v) = (0..by_q.len(), 0..by_v.len());
+        quote!(#statements #(by_q[#places_q] = #by_q;)* #(by_v[#places_v] = #by_v;)*)
+    }
+
     /// Writes a solution into the named slices and returns the rows whose pivot vanished.
     fn solver(
         &mut self,
@@ -325,6 +345,19 @@ impl Emitter<'_> {
             #(#targets = #solution;)*
             ::ezy_core::model::DeficientRows(0)#(#marks)*
         }
+    }
+}
+
+fn slope_places(slopes: &Slopes) -> TokenStream {
+    let list = |slopes: &[Slope]| -> Vec<TokenStream> {
+        slopes.iter().map(|Slope { row, column, .. }| quote!((#row, #column))).collect()
+    };
+    let (by_q, by_v) = (list(&slopes.by_q), list(&slopes.by_v));
+    quote! {
+        ::core::option::Option::Some(::ezy_core::model::SlopePlaces {
+            by_q: ::std::vec![#(#by_q),*],
+            by_v: ::std::vec![#(#by_v),*],
+        })
     }
 }
 

@@ -14,6 +14,7 @@ mod kinematics;
 mod rows;
 pub mod scene;
 pub mod series;
+pub mod slopes;
 pub mod solve;
 pub mod symbols;
 mod templates;

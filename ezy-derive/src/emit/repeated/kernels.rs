@@ -22,12 +22,12 @@ pub struct Emitter<'a> {
 }
 
 /// What a kernel writes for a member: expressions, and where they go.
-struct Written<'t> {
-    loops: &'t [Loop],
-    slots: &'t [BodyId],
-    sums: Vec<SumId>,
+pub struct Written<'t> {
+    pub loops: &'t [Loop],
+    pub slots: &'t [BodyId],
+    pub sums: Vec<SumId>,
     /// From the expressions to statements.
-    put: Box<dyn Fn(Vec<TokenStream>) -> TokenStream + 't>,
+    pub put: Box<dyn Fn(Vec<TokenStream>) -> TokenStream + 't>,
 }
 
 /// The methods that read the vector of constants, by trait.
@@ -136,7 +136,7 @@ impl Emitter<'_> {
         quote!(#firsts let mut place = 0; #opening #(#loops)*)
     }
 
-    fn written(
+    pub fn written(
         &mut self,
         numbers: Numbers,
         written: &Written<'_>,

@@ -2,7 +2,7 @@
 impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Settle {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ::ezy_core::kernel::array::<4usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<8usize, T>(c);
+        let c = ::ezy_core::kernel::array_mut::<9usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m = parameters[1usize];
         let parameter_l = parameters[0usize];
@@ -28,6 +28,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Se
         c[5usize] = k18;
         c[6usize] = k19;
         c[7usize] = k13;
+        c[8usize] = parameter_l;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
         let mut place = 0;

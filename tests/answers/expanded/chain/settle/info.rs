@@ -98,7 +98,7 @@ impl Settle {
             },
         ],
         until_s: 1f64,
-        n_constants: 8usize,
+        n_constants: 9usize,
         jacobian: ::ezy_core::model::SparsityPattern {
             starts: &[0],
             columns: &[],

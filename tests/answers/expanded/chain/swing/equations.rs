@@ -2,7 +2,7 @@
 impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Swing {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ::ezy_core::kernel::array::<3usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<6usize, T>(c);
+        let c = ::ezy_core::kernel::array_mut::<7usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m = parameters[1usize];
         let parameter_l = parameters[0usize];
@@ -24,6 +24,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sw
         c[3usize] = k11;
         c[4usize] = k16;
         c[5usize] = k17;
+        c[6usize] = parameter_l;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
         let mut place = 0;

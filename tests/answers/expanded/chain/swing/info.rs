@@ -77,7 +77,7 @@ impl Swing {
         outputs: &[],
         effects: &[],
         until_s: 1f64,
-        n_constants: 6usize,
+        n_constants: 7usize,
         jacobian: ::ezy_core::model::SparsityPattern {
             starts: &[0],
             columns: &[],

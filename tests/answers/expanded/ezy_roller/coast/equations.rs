@@ -2,7 +2,7 @@
 impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Coast {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ::ezy_core::kernel::array::<8usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array_mut::<32usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -59,6 +59,8 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         let k55 = k24 + k31;
         let k56 = k55 * k55;
         let k57 = k52 * k56;
+        let k58 = parameter_b * k12;
+        let k59 = parameter_d * k12;
         c[0usize] = k42;
         c[1usize] = k47;
         c[2usize] = k46;
@@ -89,9 +91,11 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         c[27usize] = parameter_a;
         c[28usize] = parameter_c;
         c[29usize] = k13;
+        c[30usize] = k58;
+        c[31usize] = k59;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
         out[0usize] = c[23usize];
         out[1usize] = c[23usize];
@@ -101,7 +105,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[5usize] = c[26usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
@@ -122,7 +126,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -156,7 +160,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[3usize] = sum_39;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
         let seat_phi = q[2usize];
@@ -189,7 +193,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[13usize] = c[28usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -227,7 +231,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[3usize] = value_37;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
@@ -248,7 +252,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         a: &mut [T],
         lambda: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -355,7 +359,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         residual: &[T],
         delta: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<30usize, T>(c);
+        let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
         let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);

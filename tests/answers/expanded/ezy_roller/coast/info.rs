@@ -356,7 +356,7 @@ impl Coast {
         outputs: &[],
         effects: &[],
         until_s: 1f64,
-        n_constants: 30usize,
+        n_constants: 32usize,
         jacobian: ::ezy_core::model::SparsityPattern {
             starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
             columns: &[

@@ -2,7 +2,7 @@
 impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Drift {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ::ezy_core::kernel::array::<13usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array_mut::<40usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -59,6 +59,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         let k55 = k37 + k41;
         let k56 = k55 * k55;
         let k57 = k53 * k56;
+        let k58 = T::from_f64(2f64);
+        let k59 = k20 * parameter_a;
+        let k60 = parameter_b * k58;
+        let k61 = parameter_d * k58;
         c[0usize] = k14;
         c[1usize] = parameter_cornering;
         c[2usize] = parameter_a;
@@ -96,9 +100,12 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         c[34usize] = parameter_c;
         c[35usize] = k16;
         c[36usize] = k21;
+        c[37usize] = k59;
+        c[38usize] = k60;
+        c[39usize] = k61;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
         out[0usize] = c[30usize];
         out[1usize] = c[30usize];
@@ -108,7 +115,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[5usize] = c[33usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
@@ -129,7 +136,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
@@ -159,7 +166,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[2usize] = sum_33;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
         let seat_phi = q[2usize];
@@ -187,7 +194,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[10usize] = c[34usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
@@ -218,7 +225,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[2usize] = value_30;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
@@ -269,7 +276,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         a: &mut [T],
         lambda: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -390,7 +397,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         residual: &[T],
         delta: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<37usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<3usize, T>(residual);
         let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);

@@ -434,7 +434,7 @@ impl Drift {
             },
         ],
         until_s: 60f64,
-        n_constants: 37usize,
+        n_constants: 40usize,
         jacobian: ::ezy_core::model::SparsityPattern {
             starts: &[0usize, 4usize, 8usize, 11usize],
             columns: &[

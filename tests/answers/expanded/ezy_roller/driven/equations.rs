@@ -2,7 +2,7 @@
 impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Driven {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ::ezy_core::kernel::array::<10usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array_mut::<40usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -69,6 +69,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         let k65 = k32 + k39;
         let k66 = k65 * k65;
         let k67 = k62 * k66;
+        let k68 = T::from_f64(2f64);
+        let k69 = parameter_b * k68;
+        let k70 = parameter_d * k68;
         c[0usize] = k23;
         c[1usize] = parameter_omega;
         c[2usize] = k25;
@@ -107,9 +110,11 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         c[35usize] = parameter_a;
         c[36usize] = parameter_c;
         c[37usize] = k13;
+        c[38usize] = k69;
+        c[39usize] = k70;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
         out[0usize] = c[31usize];
         out[1usize] = c[31usize];
@@ -119,7 +124,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[5usize] = c[34usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
@@ -140,7 +145,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -174,7 +179,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[3usize] = sum_39;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
         let seat_phi = q[2usize];
@@ -207,7 +212,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[13usize] = c[36usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -245,7 +250,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[3usize] = value_37;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
@@ -270,7 +275,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         a: &mut [T],
         lambda: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -389,7 +394,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         residual: &[T],
         delta: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<38usize, T>(c);
+        let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
         let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);

@@ -393,7 +393,7 @@ impl Driven {
             },
         ],
         until_s: 60f64,
-        n_constants: 38usize,
+        n_constants: 40usize,
         jacobian: ::ezy_core::model::SparsityPattern {
             starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
             columns: &[

@@ -3,7 +3,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
 for self::DrivenOnTarmac {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array_mut::<41usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -69,6 +69,9 @@ for self::DrivenOnTarmac {
         let k64 = k34 + k41;
         let k65 = k64 * k64;
         let k66 = k61 * k65;
+        let k67 = T::from_f64(2f64);
+        let k68 = parameter_b * k67;
+        let k69 = parameter_d * k67;
         c[0usize] = parameter_k;
         c[1usize] = k14;
         c[2usize] = k15;
@@ -108,9 +111,11 @@ for self::DrivenOnTarmac {
         c[36usize] = parameter_c;
         c[37usize] = k16;
         c[38usize] = k17;
+        c[39usize] = k68;
+        c[40usize] = k69;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
         out[0usize] = c[31usize];
         out[1usize] = c[31usize];
@@ -120,7 +125,7 @@ for self::DrivenOnTarmac {
         out[5usize] = c[34usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
@@ -141,7 +146,7 @@ for self::DrivenOnTarmac {
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -175,7 +180,7 @@ for self::DrivenOnTarmac {
         out[3usize] = sum_39;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
         let seat_phi = q[2usize];
@@ -208,7 +213,7 @@ for self::DrivenOnTarmac {
         out[13usize] = c[36usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -246,7 +251,7 @@ for self::DrivenOnTarmac {
         out[3usize] = value_37;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
@@ -287,7 +292,7 @@ for self::DrivenOnTarmac {
         a: &mut [T],
         lambda: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -412,7 +417,7 @@ for self::DrivenOnTarmac {
         residual: &[T],
         delta: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
         let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);

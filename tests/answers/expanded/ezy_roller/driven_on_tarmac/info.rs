@@ -413,7 +413,7 @@ impl DrivenOnTarmac {
             },
         ],
         until_s: 60f64,
-        n_constants: 39usize,
+        n_constants: 41usize,
         jacobian: ::ezy_core::model::SparsityPattern {
             starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
             columns: &[

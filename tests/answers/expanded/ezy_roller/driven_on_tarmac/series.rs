@@ -15,7 +15,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         t: T,
         store: &mut ::ezy_core::model::SeriesStore<T>,
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
         let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
         let seat_phi = q[2usize];
@@ -177,7 +177,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         k: usize,
         store: &mut ::ezy_core::model::SeriesStore<T>,
     ) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
         let kept_0 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 0usize);
         let q_1 = ::ezy_core::kernel::row::<6usize, T>(&store.q, k + 1usize);
@@ -303,7 +303,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
     }
     #[inline]
     fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
         let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
         let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);
@@ -399,7 +399,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
     }
     #[inline]
     fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<39usize, T>(c);
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
         let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
         let kept_1 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 1usize);

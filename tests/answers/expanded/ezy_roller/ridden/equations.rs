@@ -2,7 +2,7 @@
 impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ridden {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ::ezy_core::kernel::array::<8usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array_mut::<34usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -61,6 +61,8 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         let k58 = k31 + k38;
         let k59 = k58 * k58;
         let k60 = k55 * k59;
+        let k61 = parameter_b * k12;
+        let k62 = parameter_d * k12;
         c[1usize] = k23;
         c[2usize] = k24;
         c[3usize] = k49;
@@ -92,9 +94,11 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         c[29usize] = parameter_c;
         c[30usize] = k16;
         c[31usize] = k13;
+        c[32usize] = k61;
+        c[33usize] = k62;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
         out[0usize] = c[24usize];
         out[1usize] = c[24usize];
@@ -104,7 +108,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         out[5usize] = c[27usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
@@ -125,7 +129,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -159,7 +163,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         out[3usize] = sum_39;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
         let seat_phi = q[2usize];
@@ -192,7 +196,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         out[13usize] = c[29usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
@@ -230,7 +234,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         out[3usize] = value_37;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
@@ -253,7 +257,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         a: &mut [T],
         lambda: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
@@ -360,7 +364,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         residual: &[T],
         delta: &mut [T],
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
         let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);

@@ -396,7 +396,7 @@ impl Ridden {
             },
         ],
         until_s: 10f64,
-        n_constants: 31usize,
+        n_constants: 33usize,
         jacobian: ::ezy_core::model::SparsityPattern {
             starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
             columns: &[

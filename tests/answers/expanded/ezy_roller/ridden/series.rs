@@ -15,7 +15,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
         t: T,
         store: &mut ::ezy_core::model::SeriesStore<T>,
     ) -> ::ezy_core::model::DeficientRows {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
         let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
         let seat_phi = q[2usize];
@@ -131,7 +131,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
         k: usize,
         store: &mut ::ezy_core::model::SeriesStore<T>,
     ) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
         let convolved_0 = sums[0usize];
         let convolved_1 = sums[1usize];
@@ -189,7 +189,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
     }
     #[inline]
     fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
+        let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
         let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
         let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);

@@ -1,0 +1,106 @@
+//! How the equations of motion change with coordinates and velocities.
+//!
+//! Their residual is R = [F − M a − Gᵀ λ; −(G a + [h; s])]; M does not depend on the state.
+
+use std::collections::BTreeMap;
+
+use super::constraints::Constraints;
+use super::symbols::{Meaning, Symbols};
+use crate::symbolic::{Algebra, SumId, Symbol};
+
+/// The derivatives of R that are not zero.
+#[derive(Debug)]
+pub struct Slopes {
+    /// What they read besides time, coordinates, velocities and inputs.
+    pub reads: Vec<(Symbol, Read)>,
+    pub by_q: Vec<Slope>,
+    pub by_v: Vec<Slope>,
+}
+
+/// What a symbol stands for.
+#[derive(Debug, Clone, Copy)]
+pub enum Read {
+    /// Of a coordinate.
+    Acceleration(usize),
+    /// Of a row.
+    Multiplier(usize),
+}
+
+/// An entry: rows of R are coordinates, then rows of G.
+#[derive(Debug)]
+pub struct Slope {
+    pub row: usize,
+    pub column: usize,
+    pub value: SumId,
+}
+
+impl Slopes {
+    /// Of rows and forces together; `force` by coordinate.
+    pub fn derive(
+        algebra: &mut Algebra,
+        symbols: &mut Symbols,
+        constraints: Option<&Constraints>,
+        force: impl IntoIterator<Item = (usize, SumId)>,
+    ) -> Self {
+        let (mut residual, mut reads) = (BTreeMap::new(), Vec::new());
+        if let Some(constraints) = constraints {
+            subtract_rows(algebra, symbols, constraints, &mut residual, &mut reads);
+        }
+        for (i, part) in force {
+            let entry = residual.entry(i).or_insert(SumId::ZERO);
+            *entry = algebra.add(*entry, part);
+        }
+        let mut slopes = Self { reads, by_q: Vec::new(), by_v: Vec::new() };
+        for (row, sum) in residual {
+            for symbol in algebra.symbols_of(sum) {
+                let (entries, column) = match symbols.meaning(symbol) {
+                    Meaning::Coordinate(i) => (&mut slopes.by_q, i),
+                    Meaning::Velocity(i) => (&mut slopes.by_v, i),
+                    _ => continue,
+                };
+                let value = algebra.diff(sum, symbol);
+                if !value.is_zero() {
+                    entries.push(Slope { row, column, value });
+                }
+            }
+        }
+        slopes
+    }
+
+    /// All values, those by coordinates first.
+    pub fn values(&self) -> Vec<SumId> {
+        self.by_q.iter().chain(&self.by_v).map(|slope| slope.value).collect()
+    }
+}
+
+/// Subtracts Gᵀ λ from the rows of the coordinates, and G a + [h; s] from those of G.
+fn subtract_rows(
+    algebra: &mut Algebra,
+    symbols: &mut Symbols,
+    constraints: &Constraints,
+    residual: &mut BTreeMap<usize, SumId>,
+    reads: &mut Vec<(Symbol, Read)>,
+) {
+    let n_q = symbols.n_coordinates();
+    let mut accelerations = BTreeMap::new();
+    for (row, entries) in constraints.jacobian.iter().enumerate() {
+        let multiplier = symbols.new_named(format!("multiplier_{row}"));
+        reads.push((multiplier, Read::Multiplier(row)));
+        let lambda = algebra.symbol(multiplier);
+        let mut parts = vec![constraints.convective[row]];
+        for &(i, g) in entries {
+            let acceleration = *accelerations.entry(i).or_insert_with(|| {
+                let symbol = symbols.new_named(format!("acceleration_{i}"));
+                reads.push((symbol, Read::Acceleration(i)));
+                symbol
+            });
+            let a = algebra.symbol(acceleration);
+            parts.push(algebra.mul(g, a));
+            let reaction = algebra.mul(g, lambda);
+            let force = residual.entry(i).or_insert(SumId::ZERO);
+            *force = algebra.sub(*force, reaction);
+        }
+        let sum = algebra.total(&parts);
+        residual.insert(n_q + row, algebra.neg(sum));
+    }
+}

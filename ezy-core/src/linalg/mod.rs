@@ -13,6 +13,7 @@ mod dense;
 mod lower;
 mod order;
 mod rank;
+mod refinement;
 mod scaled;
 mod sparse;
 

@@ -1,12 +1,12 @@
 //! A method with its setting, as it is typed.
 
-use crate::integrate::{Method, Tolerance};
+use crate::integrate::Method;
 
 /// The step of a method with a fixed step, s, or the relative tolerance of one that chooses its steps.
 pub fn setting(method: Method) -> f64 {
     match method {
         Method::Rk4 { step_s } => step_s,
-        Method::Dop853(Tolerance { relative, .. }) | Method::Taylor(Tolerance { relative, .. }) => relative,
+        Method::Dop853(tolerance) | Method::Taylor(tolerance) | Method::Radau(tolerance) => tolerance.relative,
     }
 }
 
@@ -14,7 +14,7 @@ pub fn setting(method: Method) -> f64 {
 pub fn command(method: Method) -> String {
     match method {
         Method::Rk4 { step_s } => format!("--step {}", number(step_s)),
-        Method::Dop853(tolerance) | Method::Taylor(tolerance) => format!("--rtol {}", number(tolerance.relative)),
+        _ => format!("--rtol {}", number(setting(method))),
     }
 }
 

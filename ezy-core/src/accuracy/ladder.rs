@@ -38,7 +38,7 @@ pub(super) struct Family {
 }
 
 /// Every method. `rungs` gets the ladder and a long step of the motion, s.
-pub(super) const FAMILIES: [Family; 3] = [
+pub(super) const FAMILIES: [Family; 4] = [
     Family {
         name: "taylor",
         rungs: |ladder, _| with_tolerances(ladder, Method::taylor),
@@ -50,6 +50,12 @@ pub(super) const FAMILIES: [Family; 3] = [
         rungs: |ladder, _| with_tolerances(ladder, Method::dop853),
         #[cfg(feature = "figures")]
         order: Some(8),
+    },
+    Family {
+        name: "radau",
+        rungs: |ladder, _| with_tolerances(ladder, Method::radau),
+        #[cfg(feature = "figures")]
+        order: Some(5),
     },
     Family {
         name: "rk4",

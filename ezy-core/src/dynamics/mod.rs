@@ -10,12 +10,14 @@ mod energy;
 mod error;
 mod free_correction;
 mod projection;
+mod residual;
 mod start;
 mod system;
 
 pub use any::{Dynamics, SystemOf};
 pub use error::{MotionError, StartError, SystemError};
 pub use projection::{Metric, Projection};
+pub use residual::Slopes;
 pub use system::{Counters, System};
 
 use crate::scalar::Scalar;

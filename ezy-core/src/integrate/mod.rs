@@ -5,6 +5,7 @@ mod clock;
 mod compensated;
 mod dop853;
 mod hermite;
+mod radau;
 mod rk4;
 mod step_control;
 mod taylor;
@@ -12,6 +13,7 @@ mod taylor;
 pub use clock::Clock;
 pub use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER};
 pub use hermite::{Knot, interpolate};
+pub use radau::{Attempt, Radau, RadauControl, tolerance_of_estimate};
 pub use rk4::Rk4;
 pub use step_control::{StepControl, Tolerance};
 pub use taylor::{PreciseError, PreciseMotion, Taylor, taylor_order};
@@ -28,6 +30,8 @@ pub enum Method {
     Dop853(Tolerance),
     /// Taylor's method, with order and steps that keep to a tolerance; for scenes whose laws are analytic.
     Taylor(Tolerance),
+    /// The implicit method Radau IIA of order 5, with steps that keep to a tolerance; for stiff scenes.
+    Radau(Tolerance),
 }
 
 impl Method {
@@ -47,12 +51,26 @@ impl Method {
         Self::Taylor(Tolerance { relative: tolerance, absolute: tolerance })
     }
 
+    /// Radau IIA of order 5, with one number for the relative and the absolute tolerance (m, rad, m/s, rad/s).
+    pub const fn radau(tolerance: f64) -> Self {
+        Self::Radau(Tolerance { relative: tolerance, absolute: tolerance })
+    }
+
+    /// What a method that chooses its steps keeps to; none for one with a fixed step.
+    pub const fn tolerance(self) -> Option<Tolerance> {
+        match self {
+            Self::Rk4 { .. } => None,
+            Self::Dop853(tolerance) | Self::Taylor(tolerance) | Self::Radau(tolerance) => Some(tolerance),
+        }
+    }
+
     /// Name on the command line and in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rk4 { .. } => "rk4",
             Self::Dop853(_) => "dop853",
             Self::Taylor(_) => "taylor",
+            Self::Radau(_) => "radau",
         }
     }
 }

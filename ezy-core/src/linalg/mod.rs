@@ -11,6 +11,7 @@
 
 mod dense;
 mod lower;
+mod lu;
 mod order;
 mod rank;
 mod refinement;
@@ -18,6 +19,7 @@ mod scaled;
 mod sparse;
 
 pub use dense::{DenseKkt, LARGEST_DENSE};
+pub use lu::Lu;
 pub use rank::{LARGEST_DIAGNOSED, RankDiagnosis, diagnose};
 pub use sparse::{SparseKkt, SparseKktError};
 

@@ -80,6 +80,14 @@ pub enum SetupError {
         /// What is known of it.
         series: SeriesInfo,
     },
+    /// The scene does not know the slopes of its equations.
+    #[error(
+        "scene `{scene}` was written without the slopes of its equations, which radau needs; use another method, such as dop853"
+    )]
+    NoSlopes {
+        /// Name of the scene.
+        scene: &'static str,
+    },
     /// More steps than anyone waits for.
     #[error(
         "{steps:.1e} steps of {step_s} s lie between the start and the end; at most {limit:.0e} are taken: give a larger step or an earlier end"

@@ -2,16 +2,18 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
+use super::implicit::Implicit;
 use super::instantaneous::Instantaneous;
 use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{Knot, Method, Rk4, Taylor, Tolerance, interpolate, taylor_order};
+use crate::integrate::{Knot, Method, Radau, Rk4, Taylor, Tolerance, interpolate, taylor_order};
 use crate::model::Scene;
 
 pub(super) enum Integrator<'s> {
     Rk4(Box<Rk4>),
     Dop853(Box<Adaptive>),
     Taylor(Box<Taylor<'s>>, Tolerance),
+    Radau(Box<Implicit>),
 }
 
 impl<'s> Integrator<'s> {
@@ -25,6 +27,10 @@ impl<'s> Integrator<'s> {
                 Some(taylor) => Self::Taylor(Box::new(taylor), tolerance),
                 None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),
             },
+            Method::Radau(tolerance) => match Radau::new(scene, n_works) {
+                Some(radau) => Self::Radau(Box::new(Implicit::new(radau, tolerance))),
+                None => return Err(SetupError::NoSlopes { scene: info.name }),
+            },
         })
     }
 
@@ -34,12 +40,13 @@ impl<'s> Integrator<'s> {
             Self::Rk4(rk4) => rk4.restart(),
             Self::Dop853(adaptive) => adaptive.restart(),
             Self::Taylor(taylor, _) => taylor.restart(),
+            Self::Radau(implicit) => implicit.restart(),
         }
     }
 
     /// Whether it keeps to a tolerance by steps of its own length.
     pub const fn chooses_steps(&self) -> bool {
-        matches!(self, Self::Dop853(_) | Self::Taylor(..))
+        !matches!(self, Self::Rk4(_))
     }
 
     /// Steps that were tried and not taken.
@@ -47,6 +54,7 @@ impl<'s> Integrator<'s> {
         match self {
             Self::Rk4(_) | Self::Taylor(..) => 0,
             Self::Dop853(adaptive) => adaptive.n_rejected(),
+            Self::Radau(implicit) => implicit.n_rejected(),
         }
     }
 
@@ -86,6 +94,7 @@ impl<'s> Integrator<'s> {
         match self {
             Self::Rk4(rk4) => rk4.step(system, from, h, t_next, to),
             Self::Dop853(adaptive) => adaptive.step(system, from, t_next, to),
+            Self::Radau(implicit) => implicit.step(system, from, t_next, to),
             Self::Taylor(taylor, tolerance) => {
                 let (t, length) = (from.state.t, taylor.longest_step(*tolerance));
                 if is_too_short(t, length) && length < t_next - t {
@@ -116,6 +125,10 @@ impl<'s> Integrator<'s> {
             }
             Self::Taylor(taylor, _) => {
                 taylor.dense_at(system, from.state, t - from.state.t, out);
+                out.t = t;
+            }
+            Self::Radau(implicit) => {
+                implicit.between(from.state, to.state, t, out);
                 out.t = t;
             }
         }

@@ -82,7 +82,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         match self.method {
             Method::Rk4 { step_s } if step_s.is_finite() && step_s > 0.0 => Ok(step_s),
             Method::Rk4 { step_s } => Err(SetupError::Step { step_s }),
-            Method::Dop853(_) | Method::Taylor(_) => Err(SetupError::NeedsFixedStep { method: self.method.name() }),
+            _ => Err(SetupError::NeedsFixedStep { method: self.method.name() }),
         }
     }
 
@@ -107,8 +107,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
                 return Err(SetupError::TooManySamples { samples, every_s, limit });
             }
         }
-        match self.method {
-            Method::Dop853(tolerance) | Method::Taylor(tolerance) if idle => {
+        match self.method.tolerance() {
+            Some(tolerance) if idle => {
                 check_tolerance(tolerance)?;
                 Ok(Pace::Free { start: start_s, end: until_s })
             }

@@ -5,6 +5,7 @@ mod control;
 mod course;
 mod ensemble;
 mod error;
+mod implicit;
 mod input_file;
 mod input_table;
 mod instantaneous;

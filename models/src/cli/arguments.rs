@@ -158,6 +158,8 @@ pub enum MethodName {
     Dop853,
     /// Taylor's method with order and steps that keep to a tolerance
     Taylor,
+    /// Implicit method Radau IIA of order 5 with steps that keep to a tolerance, for stiff scenes
+    Radau,
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]

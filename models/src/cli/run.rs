@@ -67,6 +67,7 @@ fn method(arguments: &RunArguments) -> Result<Method, Failure> {
         },
         MethodName::Dop853 => Ok(Method::Dop853(tolerance("dop853", arguments)?)),
         MethodName::Taylor => Ok(Method::Taylor(tolerance("taylor", arguments)?)),
+        MethodName::Radau => Ok(Method::Radau(tolerance("radau", arguments)?)),
     }
 }
 

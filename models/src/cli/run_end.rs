@@ -123,7 +123,9 @@ pub fn remark(energy: &EnergyState, method: Method) -> String {
     };
     let (what, better) = match method {
         Method::Rk4 { step_s } => (format!("the step of {step_s} s"), format!("--step {:.0e}", step_s / 10.0)),
-        Method::Dop853(Tolerance { relative, .. }) | Method::Taylor(Tolerance { relative, .. }) => {
+        Method::Dop853(Tolerance { relative, .. })
+        | Method::Taylor(Tolerance { relative, .. })
+        | Method::Radau(Tolerance { relative, .. }) => {
             if relative <= Tolerance::SMALLEST_RELATIVE {
                 return format!(
                     "remark: energy and work {difference} at the smallest tolerance; compare with --method rk4\n"

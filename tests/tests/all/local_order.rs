@@ -2,7 +2,7 @@
 
 use crate::scenes::distance;
 use ezy_core::dynamics::State;
-use ezy_core::integrate::{Dop853, Knot, Rk4, Taylor, Tolerance};
+use ezy_core::integrate::{Dop853, Knot, Radau, Rk4, Taylor, Tolerance};
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_models::registry::MODELS;
@@ -25,6 +25,8 @@ const ORDER_TOLERANCE: f64 = 0.5;
 const DOP853_TOLERANCE: f64 = 1.0;
 /// Any error will do: the step is given.
 const ANY: Tolerance = Tolerance { relative: 1.0, absolute: 1.0 };
+/// The iteration of the implicit method goes on to rounding.
+const CONVERGED: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-10 };
 
 /// A scene on its way, where nothing is zero by symmetry.
 struct OnTheWay<'s> {
@@ -71,6 +73,15 @@ impl<'s> OnTheWay<'s> {
         to
     }
 
+    /// Steps in which the iteration does not converge err by anything.
+    fn radau(&mut self, h: f64) -> State {
+        let mut to = self.state.clone();
+        let from = Knot { state: &self.state, a: &self.a, power: &[] };
+        let mut method = Radau::new(self.system.scene(), 0).expect("slopes");
+        method.attempt(&mut self.system, from, h, CONVERGED, false, &mut to).unwrap();
+        to
+    }
+
     /// Where the terms of the series are as large as the state, s.
     fn radius(&mut self) -> f64 {
         let mut method = Taylor::new(self.system.scene(), ORACLE, 0).expect("a series");
@@ -106,13 +117,14 @@ type Step = fn(&mut OnTheWay<'_>, f64) -> State;
 /// A method that is better than its order in a scene, such as RK4 where forces do not vary, is no fault.
 #[test]
 fn order_of_every_method_in_every_scene() {
-    let methods: [(&str, f64, Step); 4] = [
+    let methods: [(&str, f64, Step); 5] = [
         ("rk4", 4.0 - ORDER_TOLERANCE, |on, h| on.rk4(h)),
         ("dop853", 8.0 - DOP853_TOLERANCE, |on, h| on.dop853(h)),
+        ("radau", 5.0 - ORDER_TOLERANCE, |on, h| on.radau(h)),
         ("taylor of order 8", 8.0 - ORDER_TOLERANCE, |on, h| on.taylor(8, h)),
         ("taylor of order 12", 12.0 - ORDER_TOLERANCE, |on, h| on.taylor(12, h)),
     ];
-    let mut n_measured = [0; 4];
+    let mut n_measured = [0; 5];
     let (mut n_scenes, mut faults) = (0, Vec::new());
     for entry in MODELS.iter().flat_map(|model| model.scenes) {
         let scene = (entry.new)();

@@ -22,6 +22,7 @@ mod outputs;
 mod paid_when_asked;
 mod precise;
 mod projection;
+mod radau;
 mod rank;
 mod recording;
 mod repeats;

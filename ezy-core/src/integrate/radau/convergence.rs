@@ -1,0 +1,104 @@
+//! When the simplified Newton iteration has converged.
+
+use crate::integrate::Tolerance;
+
+/// Passes of the iteration after which a step is given up.
+pub const MAX_PASSES: u32 = 7;
+/// The iteration ends when its error is below this part of the tolerance, or below the root of the tolerance.
+const PART: f64 = 0.03;
+/// No change is resolved below this many units of rounding.
+const ROUNDING: f64 = 10.0 * f64::EPSILON;
+/// A step this many times as long after an iteration that goes nowhere.
+pub const SHORTEN: f64 = 0.5;
+/// A pass has to leave less than this of the error.
+const SLOWEST: f64 = 0.99;
+/// Power of the share of the iteration before that the first pass of the next one goes by.
+const FORGET: f64 = 0.8;
+/// What a pass leaves of the error when the first one is the last: the iteration converged at once.
+const AT_ONCE: f64 = 1e-3;
+
+/// Follows the changes of the passes of one iteration.
+///
+/// # Source
+/// Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.8, (8.10) and (8.11).
+pub struct Convergence {
+    goal: f64,
+    n_passes: u32,
+    /// Error after a pass over its change.
+    share: f64,
+    last_change: f64,
+    last_ratio: f64,
+    rate: f64,
+}
+
+/// What to do after a pass.
+pub enum Verdict {
+    GoOn,
+    Converged,
+    /// A step this many times as long may converge.
+    Diverged {
+        factor: f64,
+    },
+}
+
+impl Convergence {
+    /// `share` is that of the iteration before.
+    pub fn new(tolerance: Tolerance, share: f64) -> Self {
+        let goal = (ROUNDING / tolerance.relative).max(PART.min(tolerance.relative.sqrt()));
+        let share = share.max(f64::EPSILON).powf(FORGET);
+        Self { goal, n_passes: 0, share, last_change: 0.0, last_ratio: 0.0, rate: AT_ONCE }
+    }
+
+    /// Judges a pass that changed the stages by `change` tolerances.
+    pub fn judge(&mut self, change: f64) -> Verdict {
+        self.n_passes += 1;
+        if !change.is_finite() {
+            return Verdict::Diverged { factor: SHORTEN };
+        }
+        if self.n_passes > 1 {
+            let ratio = change / self.last_change;
+            self.rate = if self.n_passes == 2 { ratio } else { (ratio * self.last_ratio).sqrt() };
+            self.last_ratio = ratio;
+            if change == 0.0 {
+                return Verdict::Converged;
+            }
+            if self.rate >= SLOWEST {
+                return Verdict::Diverged { factor: SHORTEN };
+            }
+            // a geometric series of changes; the first one may be large by a poor guess, and the ratio small by that
+            let share = self.rate / (1.0 - self.rate);
+            self.share = if self.n_passes == 2 { share.max(self.share) } else { share };
+        }
+        self.last_change = change.max(f64::EPSILON);
+        let left = self.share * change;
+        if left <= self.goal {
+            return Verdict::Converged;
+        }
+        if self.n_passes == 1 {
+            return Verdict::GoOn;
+        }
+        let Some(n_left) = (MAX_PASSES - 1).checked_sub(self.n_passes) else {
+            return Verdict::Diverged { factor: SHORTEN };
+        };
+        let expected = left * self.rate.powi(n_left as i32) / self.goal;
+        if expected < 1.0 {
+            return Verdict::GoOn;
+        }
+        let power = -1.0 / f64::from(5 + n_left);
+        Verdict::Diverged { factor: 0.8 * expected.min(20.0).powf(power) }
+    }
+
+    /// What a pass leaves of the error.
+    pub fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// What is left of the error after a pass, over the change of that pass.
+    pub fn share(&self) -> f64 {
+        self.share
+    }
+
+    pub fn n_passes(&self) -> u32 {
+        self.n_passes
+    }
+}

@@ -1,0 +1,143 @@
+//! Entries of the matrices of the simplified Newton iteration, before they are factored.
+
+use crate::dynamics::Slopes;
+use crate::linalg::Lu;
+use crate::model::{SceneInfo, SlopePlaces};
+use nalgebra::ComplexField;
+
+/// K, R_v and R_q of `N(μ) = K − [R_v/μ + R_q/μ² | 0]` at common places.
+///
+/// Rows and columns are scaled so that their largest entries are one. The rows of G get a small diagonal besides, [`DAMPING`]:
+/// rows that repeat others then leave N regular, and the iteration converges as before, since its residual is exact.
+pub struct Entries {
+    n_q: usize,
+    /// Where entries stand, by rows.
+    starts: Vec<usize>,
+    columns: Vec<usize>,
+    /// K, R_v and R_q.
+    fixed: Vec<f64>,
+    by_v: Vec<f64>,
+    by_q: Vec<f64>,
+    places: Places,
+    row_scale: Vec<f64>,
+    column_scale: Vec<f64>,
+}
+
+/// Places of what is written.
+struct Places {
+    mass: Vec<usize>,
+    jacobian: Vec<usize>,
+    transposed: Vec<usize>,
+    by_q: Vec<usize>,
+    by_v: Vec<usize>,
+}
+
+/// Part of a scaled row's largest entry on the diagonal of the rows of G: far above what rounding leaves of rows that repeat
+/// others, far below what would slow the iteration.
+const DAMPING: f64 = 1e-11;
+
+impl Entries {
+    pub fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Self {
+        let (n_q, n) = (info.n_coordinates(), info.n_unknowns());
+        let jacobian = || info.jacobian.entries().map(|(_, row, column)| (row, column));
+        let mass: Vec<_> = (0..n_q).map(|i| (i, i)).collect();
+        let rows: Vec<_> = jacobian().map(|(row, column)| (n_q + row, column)).collect();
+        let transposed: Vec<_> = jacobian().map(|(row, column)| (column, n_q + row)).collect();
+        let SlopePlaces { by_q, by_v } = slopes;
+        let mut all = [&mass[..], &rows, &transposed, by_q, by_v].concat();
+        all.sort_unstable();
+        all.dedup();
+        let places = |entries: &[(usize, usize)]| {
+            entries.iter().map(|entry| all.partition_point(|other| other < entry)).collect()
+        };
+        Self {
+            n_q,
+            places: Places {
+                mass: places(&mass),
+                jacobian: places(&rows),
+                transposed: places(&transposed),
+                by_q: places(by_q),
+                by_v: places(by_v),
+            },
+            starts: (0..=n).map(|row| all.partition_point(|entry| entry.0 < row)).collect(),
+            fixed: vec![0.0; all.len()],
+            by_v: vec![0.0; all.len()],
+            by_q: vec![0.0; all.len()],
+            columns: all.into_iter().map(|(_, column)| column).collect(),
+            row_scale: vec![1.0; n],
+            column_scale: vec![1.0; n],
+        }
+    }
+
+    /// Number of rows and columns.
+    pub fn n(&self) -> usize {
+        self.row_scale.len()
+    }
+
+    /// Takes M, G and the slopes at one state.
+    pub fn write(&mut self, mass: &[f64], slopes: &Slopes) {
+        let Self { fixed, by_v, by_q, places, .. } = self;
+        for values in [&mut *fixed, by_v, by_q] {
+            values.fill(0.0);
+        }
+        let add = |values: &mut [f64], places: &[usize], terms: &[f64]| {
+            places.iter().zip(terms).for_each(|(place, term)| values[*place] += term);
+        };
+        add(fixed, &places.mass, mass);
+        add(fixed, &places.jacobian, &slopes.jacobian);
+        add(fixed, &places.transposed, &slopes.jacobian);
+        add(by_v, &places.by_v, &slopes.by_v);
+        add(by_q, &places.by_q, &slopes.by_q);
+    }
+
+    /// Chooses the scales for μ: first of columns, then of rows.
+    pub fn scale(&mut self, mu: f64) {
+        let Self { starts, columns, fixed, by_v, by_q, row_scale, column_scale, .. } = self;
+        let size = |place: usize| (fixed[place] - (by_v[place] + by_q[place] / mu) / mu).abs();
+        let reciprocal = |largest: f64| if largest > 0.0 { 1.0 / largest } else { 1.0 };
+        column_scale.fill(0.0);
+        for (place, &column) in columns.iter().enumerate() {
+            column_scale[column] = size(place).max(column_scale[column]);
+        }
+        column_scale.iter_mut().for_each(|scale| *scale = reciprocal(*scale));
+        for (scale, ends) in row_scale.iter_mut().zip(starts.windows(2)) {
+            let sizes = (ends[0]..ends[1]).map(|place| size(place) * column_scale[columns[place]]);
+            *scale = reciprocal(sizes.fold(0.0, f64::max));
+        }
+    }
+
+    /// Writes the scaled N(μ).
+    pub fn assemble<T: ComplexField<RealField = f64> + Copy>(&self, mu: T, lu: &mut Lu<T>) {
+        let length = T::one() / mu;
+        let matrix = lu.matrix_mut();
+        matrix.fill(T::zero());
+        for (i, row_scale) in self.row_scale.iter().enumerate() {
+            for place in self.starts[i]..self.starts[i + 1] {
+                let j = self.columns[place];
+                let slope = length * (T::from_real(self.by_v[place]) + length.scale(self.by_q[place]));
+                matrix[(i, j)] = (T::from_real(self.fixed[place]) - slope).scale(row_scale * self.column_scale[j]);
+            }
+            if i >= self.n_q {
+                matrix[(i, i)] -= T::from_real(DAMPING);
+            }
+        }
+    }
+
+    /// Solves N(μ) x = right side in place with factors of the scaled one.
+    pub fn solve<T: ComplexField<RealField = f64> + Copy>(&self, lu: &Lu<T>, x: &mut [T]) {
+        x.iter_mut().zip(&self.row_scale).for_each(|(x, scale)| *x = x.scale(*scale));
+        lu.solve(x);
+        x.iter_mut().zip(&self.column_scale).for_each(|(x, scale)| *x = x.scale(*scale));
+    }
+
+    /// `R_q of_q + R_v of_v` (`n_q + n_c`).
+    pub fn slope_along(&self, of_q: &[f64], of_v: &[f64], out: &mut [f64]) {
+        for (x, ends) in out.iter_mut().zip(self.starts.windows(2)) {
+            let places = (ends[0]..ends[1]).filter(|&place| self.columns[place] < self.n_q);
+            *x = places.fold(0.0, |sum, place| {
+                let j = self.columns[place];
+                sum + self.by_q[place] * of_q[j] + self.by_v[place] * of_v[j]
+            });
+        }
+    }
+}

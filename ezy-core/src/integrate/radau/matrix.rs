@@ -1,0 +1,71 @@
+//! The factored matrices of the simplified Newton iteration.
+
+use super::entries::Entries;
+use super::tableau::{ALPHA, BETA, GAMMA};
+use crate::dynamics::Slopes;
+use crate::linalg::Lu;
+use crate::model::{SceneInfo, SlopePlaces};
+use nalgebra::Complex;
+
+/// `N(μ) = K − [R_v/μ + R_q/μ² | 0]`, factored for the real and one of the complex eigenvalues μ of A⁻¹/h.
+pub struct Matrices {
+    entries: Entries,
+    real: Lu<f64>,
+    complex: Lu<Complex<f64>>,
+    /// h of the factors, s; none before the first.
+    step_s: Option<f64>,
+}
+
+impl Matrices {
+    pub fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Self {
+        let entries = Entries::new(info, slopes);
+        let n = entries.n();
+        Self { entries, real: Lu::new(n), complex: Lu::new(n), step_s: None }
+    }
+
+    /// h of the factors, s.
+    pub fn step_s(&self) -> Option<f64> {
+        self.step_s
+    }
+
+    /// Takes M, G and the slopes at one state; what was factored is forgotten.
+    pub fn write(&mut self, mass: &[f64], slopes: &Slopes) {
+        self.entries.write(mass, slopes);
+        self.step_s = None;
+    }
+
+    /// Factors for steps of length `h`; false when a matrix is singular.
+    pub fn factor(&mut self, h: f64) -> bool {
+        self.entries.scale(GAMMA / h);
+        self.entries.assemble(GAMMA / h, &mut self.real);
+        self.entries.assemble(Complex::new(ALPHA, BETA) / h, &mut self.complex);
+        let regular = self.real.factor() && self.complex.factor();
+        self.step_s = regular.then_some(h);
+        regular
+    }
+
+    /// Solves with the real eigenvalue, in place.
+    pub fn solve_real(&self, x: &mut [f64]) {
+        self.entries.solve(&self.real, x);
+    }
+
+    /// Solves with the complex eigenvalue, in place.
+    pub fn solve_complex(&self, x: &mut [Complex<f64>]) {
+        self.entries.solve(&self.complex, x);
+    }
+
+    /// `(μ − J)⁻¹ [of_q; of_v]` in place for the real eigenvalue μ of steps of length `h`, where J are the slopes of (v, a);
+    /// `solution` (`n_q + n_c`) is overwritten.
+    pub fn filter(&self, h: f64, of_q: &mut [f64], of_v: &mut [f64], solution: &mut [f64]) {
+        let mu = GAMMA / h;
+        // with α = μ dv − of_v and μ dq = dv + of_q: N α = R_v of_v/μ + R_q (of_v/μ + of_q)/μ
+        of_v.iter_mut().for_each(|x| *x /= mu);
+        of_q.iter_mut().zip(&*of_v).for_each(|(q, v)| *q = (*q + v) / mu);
+        self.entries.slope_along(of_q, of_v, solution);
+        self.solve_real(solution);
+        for ((q, v), alpha) in of_q.iter_mut().zip(of_v).zip(solution) {
+            *v += *alpha / mu;
+            *q += *alpha / (mu * mu);
+        }
+    }
+}

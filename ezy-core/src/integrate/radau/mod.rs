@@ -1,0 +1,255 @@
+//! Radau IIA with three stages: implicit, of order 5, for stiff scenes.
+
+mod control;
+mod convergence;
+mod dense;
+mod entries;
+mod estimate;
+mod matrix;
+mod newton;
+mod stages;
+mod tableau;
+
+use super::{Knot, Tolerance};
+use crate::dynamics::{MotionError, Slopes, State, System};
+use crate::model::Scene;
+use convergence::{Convergence, SHORTEN, Verdict};
+use matrix::Matrices;
+use newton::Newton;
+use stages::Stages;
+use tableau::{N_STAGES, NODES, Triple};
+
+pub use control::{RadauControl, tolerance_of_estimate};
+
+/// Stages of the method for q' = v, v' = a, w' = power of each effect, where a and the multipliers λ solve the equations of
+/// motion.
+///
+/// The unknowns are a and λ at the stages; positions and velocities follow from them by quadrature, so that no stage needs a
+/// factorisation of its own and massless bodies are as good as others. The method is L-stable: what decays fast, or swings
+/// faster than the steps resolve, is gone after a step. Works are integrated by the quadrature of the method and do not choose
+/// its steps. What rounding cuts off a sum is added to the next one, as in [`Rk4`](super::Rk4).
+///
+/// # Source
+/// Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.5 and IV.8.
+pub struct Radau {
+    n_works: usize,
+    stages: Stages,
+    /// Of the last accepted step.
+    before: Stages,
+    /// Length of that step, s; none at the beginning.
+    before_s: Option<f64>,
+    matrices: Matrices,
+    slopes: Slopes,
+    /// Whether the slopes are those at the start of the step under way.
+    fresh: bool,
+    newton: Newton,
+    /// What one pass of the iteration leaves of the error, in the last step.
+    rate: f64,
+    /// Error after the last pass of that iteration, over its change.
+    share: f64,
+    /// Reciprocals of what is tolerated, q then v.
+    weights: Vec<f64>,
+    /// Estimate of the error of q, v and works, and a second look at it.
+    error: State,
+    second_error: State,
+    solution: Vec<f64>,
+    /// A state with its accelerations and multipliers, for the time of a call.
+    q: Vec<f64>,
+    v: Vec<f64>,
+    a: Vec<f64>,
+    lambda: Vec<f64>,
+    powers: Triple<Vec<f64>>,
+    /// What rounding cut off the last accepted step, and what it would cut off the present one.
+    rest: State,
+    next_rest: State,
+}
+
+/// What came of a step that was tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Attempt {
+    /// The iteration converged.
+    Solved {
+        /// Error over the tolerance: the step is good when that is at most 1.
+        error: f64,
+        /// Passes of the iteration.
+        n_passes: u32,
+    },
+    /// It did not; a step this many times as long may.
+    Diverged {
+        /// Below 1.
+        factor: f64,
+    },
+}
+
+/// Slopes and factors are kept as long as a pass leaves less than this of the error.
+const FAST: f64 = 1e-3;
+/// Stands for a pass of which nothing is known.
+const SLOW: f64 = 1.0;
+/// Factors serve steps whose length differs by this part.
+const SAME_STEP: f64 = 1e-9;
+/// First step, in parts of the time in which the state changes by its own size, and the least one, s.
+const FIRST: f64 = 1e-2;
+const LEAST_FIRST_S: f64 = 1e-6;
+
+impl Radau {
+    /// Storage for steps of a scene with `n_works` works; none for one that does not know its slopes.
+    pub fn new<S: Scene + ?Sized>(scene: &S, n_works: usize) -> Option<Self> {
+        let (info, places) = (scene.info(), scene.slope_places()?);
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let (stages, state) = (Stages::zero(n_q, n_c, n_works), State::zero(n_q, n_works));
+        Some(Self {
+            n_works,
+            before: stages.clone(),
+            stages,
+            before_s: None,
+            matrices: Matrices::new(info, &places),
+            slopes: Slopes::zero(info, &places),
+            fresh: false,
+            newton: Newton::new(n_q + n_c),
+            rate: SLOW,
+            share: 1.0,
+            weights: vec![0.0; 2 * n_q],
+            error: state.clone(),
+            second_error: state.clone(),
+            solution: vec![0.0; n_q + n_c],
+            q: vec![0.0; n_q],
+            v: vec![0.0; n_q],
+            a: vec![0.0; n_q],
+            lambda: vec![0.0; n_c],
+            powers: std::array::from_fn(|_| vec![0.0; n_works]),
+            rest: state.clone(),
+            next_rest: state,
+        })
+    }
+
+    /// Forgets the steps before, at the beginning of another run or after a jump.
+    pub fn restart(&mut self) {
+        self.before_s = None;
+        self.fresh = false;
+        self.rate = SLOW;
+        self.share = 1.0;
+        for rest in [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work] {
+            rest.fill(0.0);
+        }
+    }
+
+    /// Tries a step of length `h` from `from`; writes `to`, not yet projected, when it is solved. `doubtful` says that the step
+    /// is the first one or that a longer one was rejected: an estimate that is too large is then looked at twice.
+    ///
+    /// # Errors
+    /// [`MotionError`] when accelerations at the start cannot be found.
+    /// # Cost
+    /// Three residuals and two solves a pass; two factorisations when the length of the step changes; no allocation.
+    pub fn attempt<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: Knot<'_>,
+        h: f64,
+        tolerance: Tolerance,
+        doubtful: bool,
+        to: &mut State,
+    ) -> Result<Attempt, MotionError> {
+        self.weigh(from.state, tolerance);
+        self.predict(system, from, h)?;
+        if !self.prepare_matrices(system, from.state, h) {
+            return Ok(Attempt::Diverged { factor: SHORTEN });
+        }
+        let mut convergence = Convergence::new(tolerance, self.share);
+        loop {
+            for i in 0..N_STAGES {
+                self.stages.write_state(i, from.state, &mut self.q, &mut self.v);
+                let (t, a, lambda) = (from.state.t + NODES[i] * h, &self.stages.a[i], &self.stages.lambda[i]);
+                system.residual(t, &self.q, &self.v, a, lambda, &mut self.newton.residual[i]);
+            }
+            let change = self.newton.improve(&self.matrices, &mut self.stages, h, &self.weights);
+            match convergence.judge(change) {
+                Verdict::GoOn => {}
+                Verdict::Converged => break,
+                Verdict::Diverged { factor } => {
+                    self.rate = SLOW;
+                    self.share = 1.0;
+                    return Ok(Attempt::Diverged { factor });
+                }
+            }
+        }
+        self.rate = convergence.rate();
+        self.share = convergence.share();
+        if self.n_works > 0 {
+            self.add_works(system, from.state, h);
+        }
+        self.finish(from.state, h, to);
+        let mut error = self.estimate(from, h);
+        if error >= 1.0 && doubtful {
+            error = self.look_again(system, from.state, h)?.min(error);
+        }
+        Ok(Attempt::Solved { error, n_passes: convergence.n_passes() })
+    }
+
+    /// Keeps the step that was tried last: the next one starts at its end.
+    pub fn accept(&mut self, h: f64) {
+        std::mem::swap(&mut self.stages, &mut self.before);
+        std::mem::swap(&mut self.rest, &mut self.next_rest);
+        self.before_s = Some(h);
+        self.fresh = false;
+    }
+
+    /// Whether another step of the same length would keep the factors.
+    pub fn keeps_factors(&self) -> bool {
+        self.rate <= FAST
+    }
+
+    /// A first step: a hundredth of the time in which the state would change by its own size.
+    pub fn first_step(&mut self, from: Knot<'_>, longest: f64, tolerance: Tolerance) -> f64 {
+        self.weigh(from.state, tolerance);
+        let State { q, v, .. } = from.state;
+        let ratio = estimate::norm(q, v, &self.weights) / estimate::norm(v, from.a, &self.weights);
+        let step_s = if ratio.is_finite() { (FIRST * ratio).max(LEAST_FIRST_S) } else { LEAST_FIRST_S };
+        step_s.min(longest)
+    }
+
+    fn weigh(&mut self, start: &State, tolerance: Tolerance) {
+        let numbers = start.q.iter().chain(&start.v);
+        for (weight, x) in self.weights.iter_mut().zip(numbers) {
+            *weight = 1.0 / (tolerance.absolute + tolerance.relative * x.abs());
+        }
+    }
+
+    /// First guess of the stages.
+    fn predict<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: Knot<'_>,
+        h: f64,
+    ) -> Result<(), MotionError> {
+        match self.before_s {
+            Some(before_s) => self.stages.extrapolate(&self.before, h / before_s),
+            None => {
+                let State { t, q, v, .. } = from.state;
+                system.accelerations(*t, q, v, &mut self.a, &mut self.lambda)?;
+                self.stages.hold(&self.a, &self.lambda);
+            }
+        }
+        self.stages.follow(&from.state.v, h);
+        Ok(())
+    }
+
+    /// Factors for this step, unless those of the last one serve; false when a matrix is singular.
+    fn prepare_matrices<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, start: &State, h: f64) -> bool {
+        let serves = |factored_s: f64| (factored_s - h).abs() <= SAME_STEP * h;
+        if self.rate <= FAST && self.matrices.step_s().is_some_and(serves) {
+            return true;
+        }
+        if !self.fresh {
+            // at the end of the last step, where accelerations do not carry what projection changed
+            let (a, lambda) = match self.before_s {
+                Some(_) => (&self.before.a[N_STAGES - 1], &self.before.lambda[N_STAGES - 1]),
+                None => (&self.stages.a[N_STAGES - 1], &self.stages.lambda[N_STAGES - 1]),
+            };
+            system.slopes(start.t, &start.q, &start.v, a, lambda, &mut self.slopes);
+            self.matrices.write(system.mass_matrix(), &self.slopes);
+            self.fresh = true;
+        }
+        system.count_factorization();
+        self.matrices.factor(h)
+    }
+}

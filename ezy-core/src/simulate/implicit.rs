@@ -1,0 +1,72 @@
+//! Radau IIA with its step control.
+
+use super::reach::{Reach, is_too_short, reach};
+use crate::dynamics::{MotionError, State, System};
+use crate::integrate::{Attempt, Knot, Radau, RadauControl, Tolerance, tolerance_of_estimate};
+use crate::model::Scene;
+
+/// Radau IIA with the length of its next step.
+pub(super) struct Implicit {
+    method: Radau,
+    control: RadauControl,
+    /// Of the error estimate.
+    tolerance: Tolerance,
+    /// Length of the next step, s; none before the first.
+    step_s: Option<f64>,
+    rejected: u64,
+}
+
+impl Implicit {
+    pub fn new(method: Radau, tolerance: Tolerance) -> Self {
+        let tolerance = tolerance_of_estimate(tolerance);
+        Self { method, control: RadauControl::default(), tolerance, step_s: None, rejected: 0 }
+    }
+
+    /// Forgets the steps taken so far.
+    pub fn restart(&mut self) {
+        self.method.restart();
+        self.control = RadauControl::default();
+        self.step_s = None;
+    }
+
+    /// Steps that were tried and not taken.
+    pub fn n_rejected(&self) -> u64 {
+        self.rejected
+    }
+
+    /// The state at `t` between the ends of the last step, not projected; its time is left alone.
+    pub fn between(&self, from: &State, to: &State, t: f64, out: &mut State) {
+        self.method.dense_at(from, to, (t - from.t) / (to.t - from.t), out);
+    }
+
+    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
+    pub fn step<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: Knot<'_>,
+        end: f64,
+        to: &mut State,
+    ) -> Result<(), MotionError> {
+        let t = from.state.t;
+        let left = end - t;
+        let mut length = self.step_s.unwrap_or_else(|| self.method.first_step(from, left, self.tolerance));
+        loop {
+            let Reach { step_s: h, t_next } = reach(t, end, length);
+            if is_too_short(t, h) && h < left {
+                return Err(MotionError::StepCollapsed { t, step_s: h });
+            }
+            let doubtful = self.control.is_doubtful();
+            match self.method.attempt(system, from, h, self.tolerance, doubtful, to)? {
+                Attempt::Solved { error, n_passes } if error <= 1.0 => {
+                    self.step_s = Some(self.control.accept(h, error, n_passes, self.method.keeps_factors()));
+                    self.method.accept(h);
+                    to.t = t_next;
+                    return Ok(());
+                }
+                Attempt::Solved { error, n_passes } => length = self.control.reject(h, error, n_passes),
+                Attempt::Diverged { factor } => length = self.control.diverge(h, factor),
+            }
+            self.rejected += 1;
+        }
+    }
+}

@@ -1,0 +1,262 @@
+//! Radau IIA: its order, stiff and not, its dense output, and the steps that stiffness does not hold.
+
+use crate::scenes::distance;
+use ezy_core::dynamics::State;
+use ezy_core::integrate::{Attempt, Knot, Radau, Tolerance};
+use ezy_core::model;
+use ezy_core::prelude::*;
+use ezy_core::record::Sample;
+use ezy_core::simulate::SetupError;
+use ezy_models::{double_pendulum, ezy_roller};
+use ezy_tests::garage::{case, load as load_cases, rows, worse};
+use ezy_tests::hand_roller::HandRoller;
+use ezy_tests::reference::load;
+
+model! {
+    /// A mass on a spring that is nearly a rod.
+    pub model Stiff {
+        param k: N/m = 1e9;
+        param c: N*s/m = 0;
+        body bob { mass: 1, inertia: 1 }
+        spring ground(0, 0) ~ bob(0, 0): stiffness k, length 1, damping c;
+        gravity (0, -9.81);
+        start level { bob at (1, 0) angle 0; at rest; }
+        scene swing { start level; until 1 s; }
+    }
+}
+
+model! {
+    /// A cart with a caster whose wheel trails its hinge.
+    pub model Cart {
+        param trail: m = 0.01;
+        body cart { mass: 5, inertia: 0.3 }
+        body caster { mass: 0.2, inertia: 1e-6 }
+        hinge pin: cart(0.5, 0) ~ caster(0, 0);
+        skate rear: at cart(-0.4, 0) along cart(1, 0);
+        skate wheel: at caster(-trail, 0) along caster(1, 0);
+        start askew { cart at (0.4, 0) angle 0 velocity (1, _) rate 0.4; caster angle 1.2; }
+        scene coast { start askew; until 2 s; }
+    }
+}
+
+/// Lengths of steps for orders: the coarsest resolves the motion, the finest leaves more than rounding.
+const STEPS: [f64; 3] = [0.05, 0.025, 0.0125];
+/// Slopes between steps that are not infinitely small.
+const ORDER_TOLERANCE: f64 = 0.4;
+/// The iteration goes on to rounding.
+const TIGHT: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-10 };
+
+/// The state at `end_s` after equal steps, and the one in the middle of the last step, with the time of that.
+fn equal_steps(scene: &dyn Scene, end_s: f64, h: f64) -> (State, State) {
+    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut now = system.consistent_start(&system.scene_start()).unwrap();
+    let n_works = scene.info().n_effects();
+    let (mut next, mut middle) = (now.clone(), now.clone());
+    let mut method = Radau::new(scene, n_works).unwrap();
+    let (mut a, mut lambda) = (vec![0.0; now.q.len()], vec![0.0; scene.info().n_rows()]);
+    let mut power = vec![0.0; n_works];
+    for _ in 0..(end_s / h).round() as usize {
+        system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda).unwrap();
+        system.power(now.t, &now.q, &now.v, &lambda, &mut power);
+        let from = Knot { state: &now, a: &a, power: &power };
+        let attempt = method.attempt(&mut system, from, h, TIGHT, false, &mut next).unwrap();
+        assert!(matches!(attempt, Attempt::Solved { .. }), "{attempt:?}");
+        method.accept(h);
+        method.dense_at(&now, &next, 0.5, &mut middle);
+        middle.t = now.t + 0.5 * h;
+        std::mem::swap(&mut now, &mut next);
+    }
+    (now, middle)
+}
+
+fn order(errors: [f64; 3]) -> f64 {
+    (errors[0] / errors[2]).ln() / (STEPS[0] / STEPS[2]).ln()
+}
+
+/// Where DOP853 gets to, with room for two digits.
+fn truth(scene: &dyn Scene, t: f64) -> Vec<f64> {
+    let run = Simulation::new(scene).method(Method::dop853(1e-14)).until(t).work().run().unwrap();
+    let last = run.last();
+    [last.coordinates, last.velocities, last.work].concat()
+}
+
+fn numbers(state: &State) -> Vec<f64> {
+    [&state.q[..], &state.v, &state.work].concat()
+}
+
+#[test]
+fn order_radau_is_five_with_works() {
+    let scene = ezy_roller::Driven::default();
+    let end = truth(&scene, 1.0);
+    let errors = STEPS.map(|h| distance(&numbers(&equal_steps(&scene, 1.0, h).0), &end));
+    assert!((order(errors) - 5.0).abs() <= ORDER_TOLERANCE, "order {:.2}: {errors:?}", order(errors));
+}
+
+#[test]
+fn order_radau_dense_output_is_four_with_works() {
+    let scene = ezy_roller::Driven::default();
+    let errors = STEPS.map(|h| {
+        let middle = equal_steps(&scene, 1.0, h).1;
+        distance(&numbers(&middle), &truth(&scene, middle.t))
+    });
+    // one step of order 4 has an error of order 5
+    assert!((order(errors) - 5.0).abs() <= ORDER_TOLERANCE, "order {:.2}: {errors:?}", order(errors));
+}
+
+model! {
+    /// A cart held by a stiff spring and damper to a mark that moves as sin t, and by nothing else.
+    pub model Led {
+        param k: N/m = 1e10;
+        param c: N*s/m = 2e5;
+        body cart { mass: 1, inertia: 1 }
+        force at cart(0, 0): (-k*(cart.x - sin(t)) - c*(cart.vx - cos(t)) - sin(t), 0);
+        start on_mark { cart at (0, 0) angle 0 velocity (1, 0) rate 0; }
+        scene lead { start on_mark; until 1 s; }
+    }
+}
+
+/// Where the cart settles in 1e-5 s and steps are a thousand times as long, the order is that of the stages.
+#[test]
+fn order_radau_is_three_at_least_where_a_force_is_stiff() {
+    let scene = led::Lead::default();
+    let errors = STEPS.map(|h| (equal_steps(&scene, 1.0, h).0.v[0] - 1.0_f64.cos()).abs());
+    assert!(order(errors) >= 3.0 - ORDER_TOLERANCE, "order {:.2}: {errors:?}", order(errors));
+}
+
+/// The rigid limit: extensions of N/k come to 3e-8 m, and the swing with them to 4e-8 m.
+#[test]
+fn reference_radau_swings_on_a_stiff_spring() {
+    let file = load_cases("torture");
+    // bounds of the reference
+    let (position, extension) = (1e-6, 1e-10);
+    for (name, c) in [("stiff_spring_undamped", 0.0), ("stiff_spring_damped", 2e3)] {
+        let scene = stiff::Swing { c, ..Default::default() };
+        let case = case(&file, name);
+        let states = case["states"].as_array().unwrap();
+        for (row, state) in rows(&case["rows"]).iter().zip(states) {
+            let run = Simulation::new(&scene).method(Method::radau(1e-9)).until(row[0]).run().unwrap();
+            assert!(run.outcome.reached_end(), "{name}: {}", run.outcome);
+            let [x, y] = [0, 1].map(|i| run.last().coordinates[i]);
+            let [ref_x, ref_y] = [0, 1].map(|i| state["bodies"]["M"][i].as_f64().unwrap());
+            let error = worse((x - ref_x).abs(), y - ref_y);
+            assert!(error <= position, "{name}: {error:.1e} at {} s", row[0]);
+            let error = (x.hypot(y) - 1.0 - row[1]).abs();
+            assert!(error <= extension, "{name}: extension off by {error:.1e} at {} s", row[0]);
+        }
+    }
+}
+
+#[test]
+fn analytic_radau_steps_are_not_held_by_a_damped_stiff_spring() {
+    let scene = stiff::Swing { c: 2e3, ..Default::default() };
+    let run = Simulation::new(&scene).method(Method::radau(1e-6)).until(3.0).run().unwrap();
+    // bound of the reference; the spring holds DOP853 to 1e-4 s and less
+    assert!(run.outcome.reached_end() && run.cost.steps <= 5000, "{} steps", run.cost.steps);
+}
+
+#[test]
+fn invariant_radau_keeps_the_energy_of_an_undamped_swing() {
+    let scene = stiff::Swing::default();
+    let run = Simulation::new(&scene).method(Method::radau(1e-9)).until(5.0).every(0.1).run().unwrap();
+    let energy = |s: Sample<'_>| s.energy.kinetic + s.energy.potential;
+    let worst = run.samples().fold(0.0, |m: f64, s| worse(m, energy(s) - energy(run.first())));
+    // two swings turn 9.81 J over
+    assert!(worst <= 1e-6, "{worst:.1e} J");
+}
+
+#[test]
+fn reference_radau_follows_a_caster_on_a_short_trail() {
+    let file = load_cases("torture");
+    // bound of the reference at a tolerance of 1e-9
+    let bound = 1e-7;
+    for (name, trail) in [("caster_trail_1e-2", 0.01), ("caster_trail_1e-3", 0.001)] {
+        let scene = cart::Coast { trail, ..Default::default() };
+        for state in case(&file, name)["states"].as_array().unwrap() {
+            let t = state["t"].as_f64().unwrap();
+            let run = Simulation::new(&scene).method(Method::radau(1e-9)).until(t).run().unwrap();
+            let expected = ["cart", "caster"].map(|body| {
+                let numbers = state["bodies"][body].as_array().unwrap();
+                numbers.iter().map(|x| x.as_f64().unwrap()).collect::<Vec<_>>()
+            });
+            let expected = expected.concat();
+            let (q, v) = (run.last().coordinates, run.last().velocities);
+            let found = [&q[..3], &v[..3], &q[3..], &v[3..]].concat();
+            let error = distance(&found, &expected);
+            assert!(error <= bound, "{name}: {error:.1e} at {t} s");
+        }
+    }
+}
+
+/// Once the caster has aligned, steps are those of the cart.
+#[test]
+fn analytic_radau_steps_are_not_held_by_a_caster() {
+    let trail = 1e-3;
+    let scene = cart::Coast { trail, ..Default::default() };
+    let steps =
+        |until_s: f64| Simulation::new(&scene).method(Method::radau(1e-6)).until(until_s).run().unwrap().cost.steps;
+    // the caster aligns in a few trail/v, 1 ms each
+    let (aligned, until) = (steps(0.2), steps(2.2));
+    let mean = 2.0 / (until - aligned) as f64;
+    assert!(mean >= 100.0 * trail, "{mean} s a step");
+}
+
+#[test]
+fn cross_radau_and_dop853_on_scenes_without_stiffness() {
+    let scenes: [&dyn Scene; 2] = [&ezy_roller::Driven::default(), &double_pendulum::Swing::default()];
+    for scene in scenes {
+        let end = |method| {
+            let run = Simulation::new(scene).method(method).until(2.0).work().run().unwrap();
+            [run.last().coordinates, run.last().velocities, run.last().work].concat()
+        };
+        let difference = distance(&end(Method::radau(1e-10)), &end(Method::dop853(1e-13)));
+        // a tolerance is kept per step, and the motion multiplies errors a hundred times at most
+        assert!(difference <= 1e-8, "{}: {difference:.1e}", scene.info().model);
+    }
+}
+
+#[test]
+fn order_error_follows_the_tolerance() {
+    let end = load("ezyroller_driven").into_iter().find(|r| r.t == 10.0).unwrap();
+    let scene = ezy_roller::Driven::default();
+    let error = |tolerance: f64| {
+        let run = Simulation::new(&scene).method(Method::radau(tolerance)).until(10.0).run().unwrap();
+        distance(run.last().coordinates, &end.q)
+    };
+    let [loose, tight] = [1e-6, 1e-10].map(error);
+    let order = (loose / tight).log10() / 4.0;
+    // steps go with the fifth root of the tolerance, and so does the error of a method of order five
+    assert!((0.8..=1.2).contains(&order), "error goes with the tolerance to the power {order:.2}");
+}
+
+#[test]
+fn invariant_radau_repeats_to_the_bit_and_samples_do_not_change_the_motion() {
+    let scene = ezy_roller::Driven::default();
+    let order = || Simulation::new(&scene).method(Method::radau(1e-9)).until(3.0).work();
+    let [bare, sampled] = [order().run().unwrap(), order().every(0.013).run().unwrap()];
+    assert_eq!(bare.last().coordinates, sampled.last().coordinates);
+    assert_eq!(bare.last().work, sampled.last().work);
+    assert_eq!(bare.cost.steps, sampled.cost.steps);
+}
+
+#[test]
+fn invariant_radau_samples_keep_to_the_tolerance_and_meet_the_rows() {
+    let scene = ezy_roller::Driven::default();
+    let order = |method| Simulation::new(&scene).method(method).until(2.0).every(0.01).run().unwrap();
+    let (coarse, fine) = (order(Method::radau(1e-6)), order(Method::dop853(1e-12)));
+    for (sample, exact) in coarse.samples().zip(fine.samples()) {
+        let error = distance(sample.coordinates, exact.coordinates);
+        // errors of steps add up over the steps
+        assert!(error <= 1e-5, "{error:.1e} at {} s", sample.t);
+        assert!(sample.position_residual <= 1e-12 && sample.velocity_residual <= 1e-12, "at {} s", sample.t);
+    }
+}
+
+#[test]
+fn analytic_radau_refuses_a_scene_without_slopes_and_a_stepper() {
+    let scene = HandRoller::driven();
+    let outcome = Simulation::new(&scene).method(Method::radau(1e-9)).run();
+    assert!(matches!(outcome, Err(SetupError::NoSlopes { scene: "driven" })));
+    let scene = ezy_roller::Driven::default();
+    let outcome = Simulation::new(&scene).method(Method::radau(1e-9)).stepper();
+    assert!(matches!(outcome, Err(SetupError::NeedsFixedStep { method: "radau" })));
+}

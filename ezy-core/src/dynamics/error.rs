@@ -152,7 +152,7 @@ pub enum MotionError {
     /// A number overflowed or is undefined.
     #[error(
         "{quantity} is not finite after t = {t} s: the motion has become too fast for the step, or a law is \
-         undefined there; take a smaller step or look at the state at that time"
+         undefined there; take a smaller step or tolerance, or look at the state and the forces at that time"
     )]
     NotFinite {
         /// Time of the last good state, s.
@@ -173,7 +173,7 @@ pub enum MotionError {
     /// Gauss–Newton does not come closer to C = 0.
     #[error(
         "position projection stalled at t = {t} s: |C| = {residual:.3e} after {passes} passes (tolerance \
-         {tolerance:.1e}); largest row: {row}. Take a smaller step"
+         {tolerance:.1e}); largest row: {row}. Take a smaller step or tolerance"
     )]
     ProjectionStalled {
         /// Time, s.

@@ -12,14 +12,19 @@ mod free_correction;
 mod projection;
 mod residual;
 mod start;
+mod strain;
 mod system;
+mod worst;
 
 pub use any::{Dynamics, SystemOf};
 pub use error::{MotionError, StartError, SystemError};
 pub use projection::{Metric, Projection};
 pub use residual::Slopes;
+pub use strain::{Strain, StrainSource};
 pub use system::{Counters, System};
+pub use worst::{Projected, Worst};
 
+use crate::model::SceneInfo;
 use crate::scalar::Scalar;
 
 /// The state that is integrated.
@@ -61,4 +66,13 @@ impl<T: Scalar> State<T> {
 /// Largest magnitude; NaN when there is one.
 pub(crate) fn max_abs(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m })
+}
+
+/// Name of the first coordinate or velocity that is not finite.
+pub(crate) fn not_finite<T: Scalar>(info: &SceneInfo, q: &[T], v: &[T]) -> Option<&'static str> {
+    let first = |x: &[T]| x.iter().position(|x| !x.is_finite());
+    match first(q) {
+        Some(i) => Some(info.coordinates[i].name),
+        None => first(v).map(|i| info.coordinates[i].velocity_name),
+    }
 }

@@ -1,7 +1,7 @@
 //! Back onto the constraints: positions first, then velocities at the projected positions.
 
 use super::system::Buffers;
-use super::{MotionError, System, max_abs};
+use super::{MotionError, System, Worst, max_abs};
 use crate::linalg::{DenseKkt, KktFactorization, LARGEST_DENSE};
 use crate::model::{Scene, SceneInfo};
 
@@ -98,7 +98,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
         if projection.velocities() {
             self.project_velocities(t, q, v, metric)?;
-            let (removed, correction) = (max_abs(&self.buffers.residual), max_abs(&self.buffers.delta));
+            let (removed, correction) = (self.projected.velocities_before.value, max_abs(&self.buffers.delta));
             let near_rank_loss = correction > NEAR_RANK_LOSS * removed && correction > NOTICEABLE * max_abs(v);
             if near_rank_loss && projection.positions() {
                 v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v -= delta);
@@ -114,15 +114,25 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// Largest |C(q, t)| over the position rows; zero without any.
     pub fn position_residual(&mut self, t: f64, q: &[f64]) -> f64 {
-        let residual = &mut self.buffers.residual[..self.info.n_position_rows];
-        self.scene.position_constraint(&self.fixed, t, q, residual);
-        max_abs(residual)
+        self.worst_position(t, q).value
     }
 
     /// Largest residual of all rows at velocity level: C_q v + C_t and S v + s_t.
     pub fn velocity_residual(&mut self, t: f64, q: &[f64], v: &[f64]) -> f64 {
+        self.worst_velocity(t, q, v).value
+    }
+
+    /// The position row that is farthest from being met, m or rad.
+    pub fn worst_position(&mut self, t: f64, q: &[f64]) -> Worst {
+        let residual = &mut self.buffers.residual[..self.info.n_position_rows];
+        self.scene.position_constraint(&self.fixed, t, q, residual);
+        Worst::of(residual)
+    }
+
+    /// The row that is farthest from being met at velocity level, m/s or rad/s.
+    pub fn worst_velocity(&mut self, t: f64, q: &[f64], v: &[f64]) -> Worst {
         self.scene.velocity_constraint(&self.fixed, t, q, v, &mut self.buffers.residual);
-        max_abs(&self.buffers.residual)
+        Worst::of(&self.buffers.residual)
     }
 
     /// Moves `q` onto C = 0 by Gauss–Newton, each pass at the corrected point, and returns the number of passes.
@@ -132,24 +142,27 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// [`MotionError::ProjectionStalled`] when that is not reached in 10 passes, and those of
     /// [`System::accelerations`].
     pub fn project_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<usize, MotionError> {
-        let n_h = self.info.n_position_rows;
         let tolerance = position_tolerance(q);
         let mut passes = 0;
         loop {
-            let norm = self.position_residual(t, q);
+            let worst = self.worst_position(t, q);
+            let norm = worst.value;
+            if passes == 0 {
+                self.projected.positions_before = worst;
+            }
             if norm <= POSITION_TOLERANCE || norm <= tolerance && (passes == MAX_PASSES || norm <= self.rounding(t, q))
             {
+                self.projected.positions_after = worst;
                 return Ok(passes);
             }
             if !norm.is_finite() {
                 return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
             }
             if passes == MAX_PASSES {
-                let row = self.buffers.residual[..n_h].iter().position(|c| c.abs() == norm).unwrap_or(0);
                 return Err(MotionError::ProjectionStalled {
                     t,
                     residual: norm,
-                    row: self.info.rows[row].name,
+                    row: self.info.rows[worst.row].name,
                     passes,
                     tolerance,
                 });
@@ -184,7 +197,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Errors
     /// As [`System::accelerations`].
     pub fn project_velocities(&mut self, t: f64, q: &[f64], v: &mut [f64], metric: Metric) -> Result<(), MotionError> {
-        self.scene.velocity_constraint(&self.fixed, t, q, v, &mut self.buffers.residual);
+        self.projected.velocities_before = self.worst_velocity(t, q, v);
         self.correct(t, q, metric, Level::Velocity)?;
         v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v += delta);
         Ok(())

@@ -1,7 +1,7 @@
 //! A scene with its constants, solver and buffers.
 
-use super::SystemError;
 use super::projection::Euclidean;
+use super::{Projected, SystemError};
 use crate::linalg::{Backend, DenseKkt, KktFactorization, LARGEST_DENSE, SparseKkt};
 use crate::model::{Scene, SceneInfo};
 
@@ -26,6 +26,7 @@ pub struct System<'s, S: Scene + ?Sized> {
     /// Made at the first Euclidean correction.
     pub(super) euclidean: Option<Box<Euclidean>>,
     pub(super) buffers: Buffers,
+    pub(super) projected: Projected,
     pub(super) counters: Counters,
 }
 
@@ -95,6 +96,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
                 residual: vec![0.0; n_c],
                 delta: vec![0.0; n_q],
             },
+            projected: Projected::default(),
             counters: Counters::default(),
         })
     }
@@ -127,6 +129,11 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     /// Diagonal of M.
     pub fn mass_matrix(&self) -> &[f64] {
         &self.mass
+    }
+
+    /// What the last projection found, and what it left.
+    pub fn projected(&self) -> &Projected {
+        &self.projected
     }
 
     /// Work done so far.

@@ -2,7 +2,7 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
-use crate::dynamics::{Dynamics, MotionError, State, SystemOf};
+use crate::dynamics::{Dynamics, MotionError, State, SystemOf, not_finite};
 use crate::integrate::{Clock, Knot, Method, Rk4};
 use crate::model::{Equations, SceneInfo};
 use crate::scalar::Scalar;
@@ -72,13 +72,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
             Steps::Rk4 { method, .. } => method.step(system, from, h, t_next, next)?,
             Steps::Dop853(adaptive) => adaptive.step(system, from, t_next, next)?,
         }
-        let broken = |x: &[T]| x.iter().position(|x| !x.is_finite());
-        let quantity = match (broken(&next.q), broken(&next.v)) {
-            (Some(i), _) => Some(info.coordinates[i].name),
-            (None, Some(i)) => Some(info.coordinates[i].velocity_name),
-            (None, None) => None,
-        };
-        if let Some(quantity) = quantity {
+        if let Some(quantity) = not_finite(info, &next.q, &next.v) {
             return Err(MotionError::NotFinite { t: now.t, quantity });
         }
         system.project(next.t, &mut next.q, &mut next.v)?;

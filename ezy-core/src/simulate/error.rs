@@ -100,6 +100,14 @@ pub enum SetupError {
         /// The largest number that is accepted.
         limit: f64,
     },
+    /// A limit is negative or not a number.
+    #[error("the limit {name} is {value}; give a number that is not negative, or no limit")]
+    Limit {
+        /// `max-drift` or `max-energy-error`.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// The end is before the start or not a number.
     #[error(
         "the run is to end at {until_s} s but starts at {start_s} s; give a finite end that is not before the start"

@@ -1,6 +1,7 @@
 //! From an order to a run or a stepper: what the order says is checked, then the start is assembled.
 
 use super::control::Control;
+use super::monitor::Watch;
 use super::motion::Motion;
 use super::pace::Pace;
 use super::run_loop::{Plan, RunLoop};
@@ -33,14 +34,16 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let start = self.start(&system)?;
         let control = self.take_control(&mut system)?;
         let pace = self.pace(start.t, control.is_idle())?;
+        let limits = self.limits.checked()?;
         let plan = Plan { pace, every_s: self.every_s, wanted: self.wanted };
         let state = system.consistent_start(&start)?;
         let mut motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work)?;
         motion.place(&state);
-        RunLoop::new(motion, control, plan, self.recorder, self.on_progress)?.run()
+        let watch = Watch::new(&mut motion.system, &state, limits, self.projection, self.wanted.work);
+        RunLoop::new(motion, control, plan, watch, self.recorder, self.on_progress)?.run()
     }
 
-    /// Hands the scene over to be stepped by the caller; end, recording and progress are left to the caller, too.
+    /// Hands the scene over to be stepped by the caller; end, limits, recording and progress are left to the caller, too.
     ///
     /// # Errors
     /// [`SetupError`] when the start or the step cannot be used.

@@ -3,7 +3,7 @@
 use super::SetupError;
 use super::instantaneous::Instantaneous;
 use super::integrator::Integrator;
-use crate::dynamics::{Metric, MotionError, Projection, State, System};
+use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, not_finite};
 use crate::integrate::Method;
 use crate::model::Scene;
 
@@ -64,6 +64,17 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         out.evaluate(system)
     }
 
+    /// Whether the method chooses the length of its steps.
+    pub fn chooses_steps(&self) -> bool {
+        self.integrator.chooses_steps()
+    }
+
+    /// What moves the scene hardest at `now`, which is evaluated.
+    pub fn strain(&mut self) -> Option<Strain> {
+        let Instantaneous { state, a, lambda, .. } = &self.now;
+        self.system.strain(state.t, &state.q, &state.v, a, lambda)
+    }
+
     pub fn n_rejected(&self) -> u64 {
         self.integrator.n_rejected()
     }
@@ -85,17 +96,12 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 }
 
-pub(super) fn first_not_finite(x: &[f64]) -> Option<usize> {
-    x.iter().position(|x| !x.is_finite())
-}
-
 fn check_finite<S: Scene + ?Sized>(system: &System<'_, S>, t: f64, state: &State) -> Result<(), MotionError> {
-    let coordinates = system.info().coordinates;
-    let quantity = match (first_not_finite(&state.q), first_not_finite(&state.v)) {
-        (Some(i), _) => coordinates[i].name,
-        (None, Some(i)) => coordinates[i].velocity_name,
-        (None, None) => match first_not_finite(&state.work) {
-            Some(i) => system.info().effects[i].name,
+    let info = system.info();
+    let quantity = match not_finite(info, &state.q, &state.v) {
+        Some(quantity) => quantity,
+        None => match state.work.iter().position(|work| !work.is_finite()) {
+            Some(i) => info.effects[i].name,
             // squares overflow from 1e154 m/s on
             None if !system.kinetic_energy(&state.v).is_finite() => "kinetic energy",
             None => return Ok(()),

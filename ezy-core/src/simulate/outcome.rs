@@ -1,6 +1,7 @@
 //! What a run leaves.
 
-use crate::dynamics::MotionError;
+use super::{ExceededLimit, Monitors};
+use crate::dynamics::{MotionError, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
 
@@ -11,6 +12,8 @@ pub struct Run {
     pub outcome: Outcome,
     /// What it took.
     pub cost: Cost,
+    /// What was watched on the way.
+    pub monitors: Monitors,
     pub(super) info: &'static SceneInfo,
     /// Holds the start at least.
     pub(super) record: Record,
@@ -62,6 +65,8 @@ pub enum Outcome {
         t: f64,
         /// Why.
         reason: StopReason,
+        /// What moved the scene hardest then, where the motion became too fast to follow.
+        strain: Option<Strain>,
     },
 }
 
@@ -76,7 +81,10 @@ impl std::fmt::Display for Outcome {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::ReachedEnd => f.write_str("reached the end"),
-            Self::Stopped { t, reason } => write!(f, "stopped at t = {t} s: {reason}"),
+            Self::Stopped { t, reason, strain: None } => write!(f, "stopped at t = {t} s: {reason}"),
+            Self::Stopped { t, reason, strain: Some(strain) } => {
+                write!(f, "stopped at t = {t} s: {reason}; {strain}")
+            }
         }
     }
 }
@@ -87,9 +95,24 @@ pub enum StopReason {
     /// The motion cannot be continued.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// A limit would be exceeded.
+    #[error(transparent)]
+    Limit(#[from] ExceededLimit),
     /// A sample could not be written.
     #[error(transparent)]
     Record(#[from] RecordError),
+}
+
+impl StopReason {
+    /// Whether forces or speeds at the last good state may say more.
+    pub(super) fn asks_for_strain(&self) -> bool {
+        use MotionError::{NotFinite, ProjectionStalled, StepCollapsed};
+        match self {
+            Self::Motion(error) => matches!(error, NotFinite { .. } | ProjectionStalled { .. } | StepCollapsed { .. }),
+            Self::Limit(limit) => !matches!(limit, ExceededLimit::Drift { .. }),
+            Self::Record(_) => false,
+        }
+    }
 }
 
 /// What a run took.

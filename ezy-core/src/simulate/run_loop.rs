@@ -3,10 +3,11 @@
 use super::control::Control;
 use super::instantaneous::Instantaneous;
 use super::keeper::Keeper;
-use super::motion::{Motion, first_not_finite};
+use super::monitor::Watch;
+use super::motion::Motion;
 use super::pace::Pace;
 use super::{Cost, Outcome, Run, SetupError, StopReason};
-use crate::dynamics::MotionError;
+use crate::dynamics::{MotionError, not_finite};
 use crate::model::Scene;
 use crate::record::{Recorder, Wanted};
 use std::time::Instant;
@@ -28,6 +29,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     motion: Motion<'s, S>,
     control: Control<'s>,
     plan: Plan,
+    watch: Watch,
     between: Instantaneous,
     /// Inputs of the step under way, to come back to when control of the next one fails.
     inputs: Vec<f64>,
@@ -43,6 +45,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         mut motion: Motion<'s, S>,
         mut control: Control<'s>,
         plan: Plan,
+        watch: Watch,
         recorder: Option<&'s mut dyn Recorder>,
         on_progress: Option<Box<dyn FnMut(f64) + 's>>,
     ) -> Result<Self, SetupError> {
@@ -50,15 +53,14 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let t = motion.now.state.t;
         control.act(&motion.now.state, plan.pace.step(0, t).0, &mut motion.system)?;
         motion.evaluate_now()?;
-        if let Some(i) = first_not_finite(&motion.now.a) {
-            let quantity = info.coordinates[i].name;
+        if let Some(quantity) = not_finite(info, &motion.now.a, &[]) {
             return Err(MotionError::NotFinite { t: motion.now.state.t, quantity }.into());
         }
         let mut keeper = Keeper::new(info, plan.wanted, recorder);
         keeper.keep(&mut motion.system, &motion.now)?;
         let between = Instantaneous::zero(info, plan.wanted.work);
         let inputs = motion.system.inputs().to_vec();
-        Ok(Self { motion, control, plan, between, inputs, keeper, on_progress, told: 0.0 })
+        Ok(Self { motion, control, plan, watch, between, inputs, keeper, on_progress, told: 0.0 })
     }
 
     pub fn run(mut self) -> Result<Run, SetupError> {
@@ -67,8 +69,9 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let mut outcome = Outcome::ReachedEnd;
         while self.motion.now.state.t < self.plan.pace.end() {
             if let Err(reason) = self.step(steps) {
-                outcome = Outcome::Stopped { t: self.motion.now.state.t, reason };
                 self.motion.system.inputs_mut().copy_from_slice(&self.inputs);
+                let strain = if reason.asks_for_strain() { self.motion.strain() } else { None };
+                outcome = Outcome::Stopped { t: self.motion.now.state.t, reason, strain };
                 break;
             }
             steps += 1;
@@ -79,7 +82,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             if let Err(error) = self.keeper.keep(&mut self.motion.system, &self.motion.now)
                 && outcome.reached_end()
             {
-                outcome = Outcome::Stopped { t: self.motion.now.state.t, reason: error.into() };
+                outcome = Outcome::Stopped { t: self.motion.now.state.t, reason: error.into(), strain: None };
             }
         }
         let counters = self.motion.system.counters();
@@ -90,14 +93,18 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             factorizations: counters.factorizations,
             seconds: began.elapsed().as_secs_f64(),
         };
-        Ok(Run { outcome, cost, info: self.motion.system.info(), record: self.keeper.into_record() })
+        let (info, monitors) = (self.motion.system.info(), self.watch.monitors());
+        Ok(Run { outcome, cost, monitors, info, record: self.keeper.into_record() })
     }
 
     /// One step from `now`, which stays as it is when the step fails.
     fn step(&mut self, n: u64) -> Result<(), StopReason> {
+        self.watch.admits_step(self.motion.chooses_steps())?;
         let (h, t_next) = self.plan.pace.step(n, self.motion.now.state.t);
         self.motion.advance(h, t_next)?;
         let last = self.motion.next.state.t >= self.plan.pace.end();
+        let Motion { system, now, next, .. } = &mut self.motion;
+        self.watch.look(system, now.state.t, &next.state, last)?;
         let controlled = !self.control.is_idle() && !last;
         if !controlled || self.sample_is_due_before() {
             self.motion.evaluate_next()?;

@@ -2,6 +2,7 @@
 
 use super::InputTable;
 use super::control::Law;
+use super::monitor::Limits;
 use crate::dynamics::{Metric, Projection, State};
 use crate::integrate::Method;
 use crate::linalg::Backend;
@@ -26,6 +27,7 @@ pub struct Simulation<'s, S: Scene + ?Sized> {
     pub(super) inputs: Vec<(String, InputTable)>,
     pub(super) law: Option<Law<'s>>,
     pub(super) wanted: Wanted,
+    pub(super) limits: Limits,
     pub(super) recorder: Option<&'s mut dyn Recorder>,
     pub(super) on_progress: Option<Box<dyn FnMut(f64) + 's>>,
 }
@@ -45,6 +47,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             inputs: Vec::new(),
             law: None,
             wanted: Wanted::default(),
+            limits: Limits::default(),
             recorder: None,
             on_progress: None,
         }
@@ -158,6 +161,29 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     #[must_use]
     pub fn outputs(mut self) -> Self {
         self.wanted.outputs = true;
+        self
+    }
+
+    /// Ends the run before a state in which a row is violated by more than this: at position level, m or rad, or at velocity
+    /// level, m/s or rad/s. Where both are projected a run keeps to 1e-12 by itself; without projection rows drift.
+    #[must_use]
+    pub fn max_drift(mut self, residual: f64) -> Self {
+        self.limits.drift = residual;
+        self
+    }
+
+    /// Ends the run before a state whose energy balance is more than this part of the energy turned over
+    /// ([`EnergyError::relative`](super::EnergyError::relative)). Integrates works, as [`Simulation::work`].
+    #[must_use]
+    pub fn max_energy_error(mut self, relative: f64) -> Self {
+        self.limits.energy_error = relative;
+        self.work()
+    }
+
+    /// Ends the run after so many steps; without it methods that choose their steps take twenty million at most.
+    #[must_use]
+    pub fn max_steps(mut self, steps: u64) -> Self {
+        self.limits.steps = Some(steps);
         self
     }
 

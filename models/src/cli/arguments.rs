@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use ezy_core::dynamics::{Metric, Projection};
 
-use super::value::{Assignment, parse_assignment, parse_number};
+use super::value::{Assignment, parse_assignment, parse_count, parse_number};
 
 /// Simulates planar mechanisms with wheels from equations that are derived when the program is compiled
 ///
@@ -93,6 +93,7 @@ Examples:
   ezy run ezyroller/coast --start bar.phi=pi/3 --start seat.vx=2   from another start
   ezy run ezyroller/driven --out driven.csv --every 0.01           all of the motion, as CSV
   ezy run ezyroller/driven --step 1e-4 --json                      the end, for another program
+  ezy run ezyroller/coast --project none --max-drift 1e-9          only as long as the constraints hold
   ezy run ezyroller/ridden --input torque=-0.5                     an input, held
   ezy run ezyroller/ridden --inputs torque.csv                     inputs from a table of times and values")]
 pub struct RunArguments {
@@ -120,6 +121,15 @@ pub struct RunArguments {
     /// In which metric that correction is smallest
     #[arg(long, value_enum, default_value_t)]
     pub metric: MetricName,
+    /// Stop before a row is violated by more than R: m or rad in positions, m/s or rad/s in velocities
+    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
+    pub max_drift: Option<f64>,
+    /// Stop before energy and work differ by more than this part of the energy turned over
+    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
+    pub max_energy_error: Option<f64>,
+    /// Stop after N steps [default: twenty million when the method chooses them]
+    #[arg(long, value_name = "N", value_parser = parse_count, allow_negative_numbers = true)]
+    pub max_steps: Option<u64>,
     /// Change a parameter or a count; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub set: Vec<Assignment>,

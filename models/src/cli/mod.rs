@@ -13,6 +13,7 @@ mod output;
 mod progress;
 mod run;
 mod run_end;
+mod run_monitors;
 mod show;
 mod study;
 mod value;

@@ -112,6 +112,15 @@ fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Resu
     for (name, table) in inputs(arguments, info)? {
         simulation = simulation.input(name, table);
     }
+    if let Some(residual) = arguments.max_drift {
+        simulation = simulation.max_drift(residual);
+    }
+    if let Some(relative) = arguments.max_energy_error {
+        simulation = simulation.max_energy_error(relative);
+    }
+    if let Some(steps) = arguments.max_steps {
+        simulation = simulation.max_steps(steps);
+    }
     for assignment in &arguments.start {
         simulation = simulation.give(&assignment.name, assignment.value);
     }

@@ -7,6 +7,7 @@ use ezy_core::report::table::{Table, fixed};
 use ezy_core::simulate::{Cost, Outcome, Run};
 
 use super::json::Json;
+use super::run_monitors::{monitors_json, monitors_text};
 
 /// The end as JSON. A run that could not start has the same keys, all `null` where there is nothing to tell.
 pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
@@ -52,6 +53,7 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
                 ("velocity", number(&|last| last.velocity_residual)),
             ]),
         ),
+        ("monitors", monitors_json(run.map(|run| &run.monitors))),
         (
             "cost",
             Json::object([
@@ -92,7 +94,7 @@ pub fn run_text(run: &Run, method: Method) -> String {
     let energy = last.energy;
     text += &format!(
         "\nkinetic energy {} J, potential energy {} J, work {} J, balance {:.1e} J\n\
-         largest constraint residual: positions {:.1e}, velocities {:.1e}\n\
+         constraint residual: positions {:.1e}, velocities {:.1e}\n{}\
          {} steps, {} evaluations of the accelerations, {:.3} s\n",
         fixed(energy.kinetic, 12),
         fixed(energy.potential, 12),
@@ -100,6 +102,7 @@ pub fn run_text(run: &Run, method: Method) -> String {
         energy.balance,
         last.position_residual,
         last.velocity_residual,
+        monitors_text(run),
         cost.steps,
         cost.evaluations,
         cost.seconds

@@ -25,6 +25,15 @@ pub fn parse_number(text: &str) -> Result<f64, String> {
         .ok_or_else(|| format!("`{text}` is not a finite number; write 2, -0.5, 1e-3, pi, -pi/2 or 2*pi"))
 }
 
+/// Reads a whole number that is not negative, also as `1e6`.
+pub fn parse_count(text: &str) -> Result<u64, String> {
+    let count = parse_number(text).ok().filter(|x| x.fract() == 0.0 && (0.0..=LARGEST_COUNT).contains(x));
+    count.map(|x| x as u64).ok_or_else(|| format!("`{text}` is not a whole number from 0 up; write 1000 or 1e6"))
+}
+
+/// Up to here every whole number is an `f64`.
+const LARGEST_COUNT: f64 = 9e15;
+
 fn evaluate(text: &str) -> Option<f64> {
     let (sign, magnitude) = match text.strip_prefix('-') {
         Some(rest) => (-1.0, rest),
@@ -77,6 +86,14 @@ mod tests {
     fn invariant_what_is_no_finite_number_is_refused() {
         for text in ["", "nan", "inf", "-", "1/0", "1e999", "--1", "2**3", "pi pi", "m0"] {
             assert!(parse_number(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn analytic_counts_are_whole_numbers_from_zero_up() {
+        assert_eq!((parse_count("0"), parse_count("1e6")), (Ok(0), Ok(1_000_000)));
+        for text in ["-1", "0.5", "1e300", "nan", ""] {
+            assert!(parse_count(text).is_err(), "{text}");
         }
     }
 

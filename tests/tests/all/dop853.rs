@@ -157,7 +157,7 @@ pub const FALL_S: f64 = 1.110_720_734_539_591_6;
 fn analytic_singular_force_ends_the_run_with_what_was_computed() {
     let scene = falling::Fall::default();
     let run = Simulation::new(&scene).method(Method::dop853(1e-9)).every(0.1).run().unwrap();
-    let Outcome::Stopped { t, reason: StopReason::Motion(_) } = run.outcome else { panic!("{}", run.outcome) };
+    let Outcome::Stopped { t, reason: StopReason::Motion(_), .. } = run.outcome else { panic!("{}", run.outcome) };
     // the last steps cannot resolve the last 1e-9 of the way, which takes 1e-13 s
     assert!((t - FALL_S).abs() <= 1e-6, "stopped at {t} s");
     assert_eq!((run.samples().len(), run.last().t), (13, t));

@@ -16,6 +16,7 @@ mod hand_and_generated;
 mod large;
 mod local_order;
 mod massless;
+mod monitors;
 mod order;
 mod other_mechanisms;
 mod outputs;

@@ -67,7 +67,7 @@ fn invariant_overflow_stops_with_the_last_good_state() {
     for Case { route, mut scene } in driven() {
         set(&mut *scene, &[("m0", 1e200)]);
         let run = Simulation::new(&*scene).every(1e-3).run().unwrap();
-        let Outcome::Stopped { t, reason: StopReason::Motion(reason) } = &run.outcome else {
+        let Outcome::Stopped { t, reason: StopReason::Motion(reason), .. } = &run.outcome else {
             panic!("{route}: {}", run.outcome)
         };
         assert!(matches!(reason, MotionError::NotFinite { .. }), "{route}: {reason}");

@@ -201,7 +201,7 @@ fn analytic_free_flight_takes_one_step() {
 fn analytic_singular_force_ends_the_run_with_what_was_computed() {
     let scene = falling::Fall::default();
     let run = Simulation::new(&scene).method(Method::taylor(1e-9)).every(0.1).run().unwrap();
-    let Outcome::Stopped { t, reason: StopReason::Motion(_) } = run.outcome else { panic!("{}", run.outcome) };
+    let Outcome::Stopped { t, reason: StopReason::Motion(_), .. } = run.outcome else { panic!("{}", run.outcome) };
     assert!((t - FALL_S).abs() <= 1e-6, "stopped at {t} s");
     assert_eq!((run.samples().len(), run.last().t), (13, t));
 }

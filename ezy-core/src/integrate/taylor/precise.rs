@@ -2,7 +2,7 @@
 
 use super::expansion::{OrderSolver, expand, expand_with, increment};
 use super::length::{longest_step, write_weights};
-use crate::dynamics::{MotionError, State, System, SystemError};
+use crate::dynamics::{MotionError, State, System, SystemError, not_finite};
 use crate::integrate::Tolerance;
 use crate::linalg::Backend;
 use crate::model::{DeficientRows, PreciseScene, Scene, SeriesStore};
@@ -197,10 +197,7 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     }
 
     fn check_finite(&self) -> Result<(), MotionError> {
-        let coordinates = self.solver.system.info().coordinates;
-        let broken = self.q.iter().zip(&self.v).zip(coordinates).find_map(|((q, v), coordinate)| {
-            (!q.is_finite()).then_some(coordinate.name).or((!v.is_finite()).then_some(coordinate.velocity_name))
-        });
+        let broken = not_finite(self.solver.system.info(), &self.q, &self.v);
         broken.map_or(Ok(()), |quantity| Err(MotionError::NotFinite { t: self.t, quantity }))
     }
 

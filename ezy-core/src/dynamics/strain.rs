@@ -1,0 +1,102 @@
+//! What moves a scene hardest at one state: for messages about runs that cannot be continued.
+
+use super::System;
+use crate::model::Scene;
+
+/// The coordinate with the largest acceleration at one state and what causes it, both in the metric of the masses.
+///
+/// Without convective terms accelerations are those of the applied forces, `M⁻¹ F`, less what the rows take away, so that
+/// none is larger; where one is, it comes from the speeds, by way of a reaction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strain {
+    /// Name of the coordinate.
+    pub coordinate: &'static str,
+    /// Its acceleration, m/s² or rad/s².
+    pub acceleration: f64,
+    /// Unit of the coordinate, m or rad.
+    pub unit: &'static str,
+    /// What causes it.
+    pub source: StrainSource,
+}
+
+/// What causes an acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StrainSource {
+    /// The speeds: the largest reaction in the equation of motion of the coordinate.
+    Reaction {
+        /// Name of the row.
+        row: &'static str,
+        /// The force or torque, N or N·m.
+        force: f64,
+    },
+    /// The largest applied force.
+    Applied {
+        /// Name of the coordinate that it acts on.
+        coordinate: &'static str,
+        /// The force or torque, N or N·m.
+        force: f64,
+        /// Name of the effect of largest power, if one has any.
+        effect: Option<&'static str>,
+    },
+}
+
+impl std::fmt::Display for Strain {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { coordinate, acceleration, unit, source } = self;
+        write!(f, "the largest acceleration then is that of {coordinate}, {acceleration:.3e} {unit}/s^2, by ")?;
+        match source {
+            StrainSource::Reaction { row, force } => write!(f, "the reaction of row `{row}`, {force:.3e}"),
+            StrainSource::Applied { coordinate, force, effect } => {
+                write!(f, "the force on {coordinate}, {force:.3e}")?;
+                effect.map_or(Ok(()), |effect| write!(f, "; of the effects `{effect}` has the largest power"))
+            }
+        }
+    }
+}
+
+/// An applied force with at least this part of the largest acceleration is taken for its cause.
+const PART: f64 = 0.25;
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// What moves the scene hardest at a state with accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`); none where
+    /// nothing with a mass is accelerated by a finite amount.
+    ///
+    /// # Cost
+    /// One evaluation of forces and Jacobian, and allocations.
+    pub fn strain(&mut self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64]) -> Option<Strain> {
+        let mut applied = vec![0.0; a.len()];
+        self.scene.applied_force(&self.fixed, t, q, v, &mut applied);
+        let root = |i: usize| self.mass[i].sqrt();
+        let (i, size) = largest((0..a.len()).map(|i| root(i) * a[i].abs()))?;
+        let by_force = largest(applied.iter().enumerate().map(|(i, force)| force.abs() / root(i)));
+        let source = match by_force {
+            Some((j, of_force)) if of_force >= PART * size => {
+                let effect = self.busiest_effect(t, q, v, lambda);
+                StrainSource::Applied { coordinate: self.info.coordinates[j].name, force: applied[j], effect }
+            }
+            _ => self.largest_reaction(t, q, i, lambda)?,
+        };
+        let coordinate = &self.info.coordinates[i];
+        Some(Strain { coordinate: coordinate.name, acceleration: a[i], unit: coordinate.unit, source })
+    }
+
+    /// On coordinate `i`; none without rows.
+    fn largest_reaction(&mut self, t: f64, q: &[f64], i: usize, lambda: &[f64]) -> Option<StrainSource> {
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        let entries = self.info.jacobian.entries().filter(|(_, _, column)| *column == i);
+        let reactions = entries.map(|(k, row, _)| (row, -self.buffers.jacobian[k] * lambda[row]));
+        let (row, force) = reactions.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()))?;
+        Some(StrainSource::Reaction { row: self.info.rows[row].name, force })
+    }
+
+    fn busiest_effect(&self, t: f64, q: &[f64], v: &[f64], lambda: &[f64]) -> Option<&'static str> {
+        let mut power = vec![0.0; self.info.n_effects()];
+        self.power(t, q, v, lambda, &mut power);
+        largest(power.iter().map(|power| power.abs())).map(|(i, _)| self.info.effects[i].name)
+    }
+}
+
+/// The largest positive and finite number, with its index.
+fn largest(x: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
+    x.enumerate().filter(|(_, x)| x.is_finite() && *x > 0.0).max_by(|(_, x), (_, y)| x.total_cmp(y))
+}

@@ -1,0 +1,34 @@
+//! Which row is farthest from being met.
+
+/// A residual and the row that has it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Worst {
+    /// Magnitude of the residual; NaN when there is one.
+    pub value: f64,
+    /// Index of the row, the first of several; 0 where all are zero.
+    pub row: usize,
+}
+
+impl Worst {
+    /// Of all residuals; zero without any.
+    pub(crate) fn of(residual: &[f64]) -> Self {
+        let mut worst = Self::default();
+        for (row, x) in residual.iter().enumerate() {
+            if x.abs() > worst.value || x.is_nan() {
+                worst = Self { value: x.abs(), row };
+            }
+        }
+        worst
+    }
+}
+
+/// What the last projection found, and what it left.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Projected {
+    /// Position rows before.
+    pub positions_before: Worst,
+    /// Position rows after.
+    pub positions_after: Worst,
+    /// All rows at velocity level before, at the projected positions.
+    pub velocities_before: Worst,
+}

@@ -1,0 +1,89 @@
+//! What a run must not exceed.
+
+use crate::simulate::SetupError;
+
+/// Steps that a method which chooses their length takes at most, unless the order says otherwise: a minute or so. A step of
+/// fixed length has its own limit when the run is ordered.
+const MAX_CHOSEN_STEPS: u64 = 20_000_000;
+
+/// As ordered; infinite where nothing was.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::simulate) struct Limits {
+    /// Largest residual of a row, m or rad, m/s or rad/s.
+    pub drift: f64,
+    /// Largest energy balance over the energy turned over.
+    pub energy_error: f64,
+    /// Steps.
+    pub steps: Option<u64>,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { drift: f64::INFINITY, energy_error: f64::INFINITY, steps: None }
+    }
+}
+
+impl Limits {
+    /// Limits that can be kept, or [`SetupError::Limit`].
+    pub fn checked(self) -> Result<Self, SetupError> {
+        for (name, value) in [("max-drift", self.drift), ("max-energy-error", self.energy_error)] {
+            if value.is_nan() || value < 0.0 {
+                return Err(SetupError::Limit { name, value });
+            }
+        }
+        Ok(self)
+    }
+
+    /// Steps that a run may take.
+    pub fn most_steps(&self, chooses_steps: bool) -> u64 {
+        self.steps.unwrap_or(if chooses_steps { MAX_CHOSEN_STEPS } else { u64::MAX })
+    }
+}
+
+/// A limit would be exceeded by the next state; the last one within it is the end of the run.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ExceededLimit {
+    /// A row is not met.
+    #[error(
+        "at t = {t} s the {level} residual of row `{row}` is {value:.3e}, above the limit of {limit:e} (max-drift); \
+         project positions and velocities, or take a smaller step or tolerance"
+    )]
+    Drift {
+        /// Time of the state that exceeds it, s.
+        t: f64,
+        /// `position` or `velocity`.
+        level: &'static str,
+        /// Name of the row.
+        row: &'static str,
+        /// Its residual, m or rad, m/s or rad/s.
+        value: f64,
+        /// The limit.
+        limit: f64,
+    },
+    /// Energy and work do not fit.
+    #[error(
+        "at t = {t} s energy and work differ by {joules:.3e} J, {relative:.3e} of the energy turned over, above the limit of \
+         {limit:e} (max-energy-error); take a smaller step or tolerance, or look at the forces at that time"
+    )]
+    EnergyError {
+        /// Time of the state that exceeds it, s.
+        t: f64,
+        /// The balance, J.
+        joules: f64,
+        /// The same over the energy turned over.
+        relative: f64,
+        /// The limit.
+        limit: f64,
+    },
+    /// The end is out of reach.
+    #[error(
+        "{limit} steps are taken, the limit (max-steps), the last of them {step_s:.1e} s long; allow more steps or larger \
+         errors, end earlier, or look at the speeds and forces at that time"
+    )]
+    Steps {
+        /// The limit.
+        limit: u64,
+        /// Length of the last step, s; zero without one.
+        step_s: f64,
+    },
+}

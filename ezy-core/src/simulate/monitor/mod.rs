@@ -1,0 +1,39 @@
+//! What every run watches on its way: residuals, drift, energy, steps; and the limits that end it.
+
+mod energy;
+mod limits;
+mod watch;
+
+pub use energy::EnergyError;
+pub use limits::ExceededLimit;
+pub(super) use limits::Limits;
+pub(super) use watch::Watch;
+
+/// What a run watched, over all of its steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Monitors {
+    /// Largest residual of a position row in the states that the run went through, m or rad; none without such rows.
+    pub position_residual: Option<Peak>,
+    /// Largest residual of a row at velocity level in these states, m/s or rad/s; none without rows. Looked at where the
+    /// run starts and ends and after every sixteenth step; after every step when `max_drift` was ordered.
+    pub velocity_residual: Option<Peak>,
+    /// Largest residual of a position row that a projection removed after a step; none when positions are not projected.
+    pub position_drift: Option<Peak>,
+    /// Largest residual of a row at velocity level that a projection removed; none when velocities are not projected.
+    pub velocity_drift: Option<Peak>,
+    /// Largest energy balance; none where effects do work that the run does not integrate.
+    pub energy: Option<EnergyError>,
+    /// Shortest and longest step, s; none in a run without a step. The shortest may be what was left to the end.
+    pub steps_s: Option<[f64; 2]>,
+}
+
+/// A largest value, with its time and row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// The value.
+    pub value: f64,
+    /// Its time, s.
+    pub t: f64,
+    /// Name of the row.
+    pub row: &'static str,
+}

@@ -1,0 +1,161 @@
+//! Watching, step by step.
+
+use super::energy::EnergyWatch;
+use super::{EnergyError, ExceededLimit, Limits, Monitors, Peak};
+use crate::dynamics::{Projection, State, System, Worst};
+use crate::model::{Scene, SceneInfo};
+
+/// Steps between looks at velocity rows after projection: a look costs as much as a third of an evaluation of the
+/// accelerations, and what a projection leaves is rounding.
+const N_BETWEEN_LOOKS: u64 = 16;
+
+/// The monitors of a run under way.
+pub(in crate::simulate) struct Watch {
+    info: &'static SceneInfo,
+    limits: Limits,
+    projection: Projection,
+    n_steps: u64,
+    position_residual: Peak,
+    velocity_residual: Peak,
+    position_drift: Peak,
+    velocity_drift: Peak,
+    energy: Option<EnergyWatch>,
+    shortest_s: f64,
+    longest_s: f64,
+    last_s: f64,
+}
+
+impl Watch {
+    /// From the start of a run. `work`: whether the run integrates works.
+    pub fn new<S: Scene + ?Sized>(
+        system: &mut System<'_, S>,
+        start: &State,
+        limits: Limits,
+        projection: Projection,
+        work: bool,
+    ) -> Self {
+        let info = system.info();
+        let State { t, q, v, .. } = start;
+        let peak =
+            |worst: Worst| Peak { value: worst.value, t: *t, row: info.rows.get(worst.row).map_or("", |row| row.name) };
+        let measured = work || info.n_effects() == 0;
+        Self {
+            info,
+            limits,
+            projection,
+            n_steps: 0,
+            position_residual: peak(system.worst_position(*t, q)),
+            velocity_residual: peak(system.worst_velocity(*t, q, v)),
+            position_drift: peak(Worst::default()),
+            velocity_drift: peak(Worst::default()),
+            energy: measured.then(|| EnergyWatch::new(system, start)),
+            shortest_s: f64::INFINITY,
+            longest_s: 0.0,
+            last_s: 0.0,
+        }
+    }
+
+    /// Whether another step may be taken.
+    pub fn admits_step(&self, chooses_steps: bool) -> Result<(), ExceededLimit> {
+        let limit = self.limits.most_steps(chooses_steps);
+        if self.n_steps < limit { Ok(()) } else { Err(ExceededLimit::Steps { limit, step_s: self.last_s }) }
+    }
+
+    /// Looks at the projected end of a step that began at `from`, s. A state that exceeds a limit is not counted.
+    pub fn look<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: f64,
+        state: &State,
+        last: bool,
+    ) -> Result<(), ExceededLimit> {
+        self.look_at_positions(system, state)?;
+        self.look_at_velocities(system, state, last)?;
+        if let Some(energy) = &mut self.energy {
+            let (now, limit) = (energy.balance(system, state), self.limits.energy_error);
+            if !keeps(now.relative, limit) {
+                let EnergyError { joules, relative, t } = now;
+                return Err(ExceededLimit::EnergyError { t, joules, relative, limit });
+            }
+            energy.keep(now);
+        }
+        self.n_steps += 1;
+        self.last_s = state.t - from;
+        self.shortest_s = self.shortest_s.min(self.last_s);
+        self.longest_s = self.longest_s.max(self.last_s);
+        Ok(())
+    }
+
+    fn look_at_positions<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        state: &State,
+    ) -> Result<(), ExceededLimit> {
+        if self.info.n_position_rows == 0 {
+            return Ok(());
+        }
+        let worst = if self.projection.positions() {
+            let projected = system.projected();
+            raise(&mut self.position_drift, projected.positions_before, state.t, self.info);
+            projected.positions_after
+        } else {
+            system.worst_position(state.t, &state.q)
+        };
+        self.check(worst, state.t, "position")?;
+        raise(&mut self.position_residual, worst, state.t, self.info);
+        Ok(())
+    }
+
+    fn look_at_velocities<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        state: &State,
+        last: bool,
+    ) -> Result<(), ExceededLimit> {
+        if self.projection.velocities() {
+            raise(&mut self.velocity_drift, system.projected().velocities_before, state.t, self.info);
+        }
+        let looks = last || self.limits.drift.is_finite() || self.n_steps.is_multiple_of(N_BETWEEN_LOOKS);
+        if !looks || self.info.n_rows() == 0 {
+            return Ok(());
+        }
+        let worst = system.worst_velocity(state.t, &state.q, &state.v);
+        self.check(worst, state.t, "velocity")?;
+        raise(&mut self.velocity_residual, worst, state.t, self.info);
+        Ok(())
+    }
+
+    fn check(&self, worst: Worst, t: f64, level: &'static str) -> Result<(), ExceededLimit> {
+        let limit = self.limits.drift;
+        if keeps(worst.value, limit) {
+            return Ok(());
+        }
+        Err(ExceededLimit::Drift { t, level, row: self.info.rows[worst.row].name, value: worst.value, limit })
+    }
+
+    /// What was watched.
+    pub fn monitors(&self) -> Monitors {
+        let of_positions = self.info.n_position_rows > 0;
+        let of_rows = self.info.n_rows() > 0;
+        Monitors {
+            position_residual: of_positions.then_some(self.position_residual),
+            velocity_residual: of_rows.then_some(self.velocity_residual),
+            position_drift: (of_positions && self.projection.positions()).then_some(self.position_drift),
+            velocity_drift: (of_rows && self.projection.velocities()).then_some(self.velocity_drift),
+            energy: self.energy.as_ref().map(|energy| energy.largest),
+            steps_s: (self.n_steps > 0).then_some([self.shortest_s, self.longest_s]),
+        }
+    }
+}
+
+/// Whether a limit is kept, if there is one; NaN keeps none.
+fn keeps(value: f64, limit: f64) -> bool {
+    value <= limit || limit == f64::INFINITY
+}
+
+/// A NaN stays.
+fn raise(peak: &mut Peak, worst: Worst, t: f64, info: &'static SceneInfo) {
+    if worst.value > peak.value || worst.value.is_nan() {
+        *peak = Peak { value: worst.value, t, row: info.rows[worst.row].name };
+    }
+}

@@ -1,0 +1,166 @@
+//! What runs watch on their way, and the limits that end them.
+
+use crate::scenes::{Case, coast, driven, set};
+use ezy_core::dynamics::{MotionError, StrainSource};
+use ezy_core::prelude::*;
+use ezy_core::simulate::{ExceededLimit, StopReason};
+use ezy_models::{knife_edge, pendulum};
+
+/// Where both are projected, positions of bodies of size one keep this.
+const POSITION_RESIDUAL: f64 = 1e-12;
+/// Velocities below 10 m/s and rad/s keep this: rounding of sums of products.
+const VELOCITY_RESIDUAL: f64 = 1e-13;
+
+fn reason(run: &Run) -> &StopReason {
+    let Outcome::Stopped { reason, .. } = &run.outcome else { panic!("{}", run.outcome) };
+    reason
+}
+
+#[test]
+fn invariant_monitors_of_a_projected_run_bound_every_sample() {
+    for Case { route, scene } in driven() {
+        let run = Simulation::new(&*scene).until(5.0).every(1e-3).work().run().unwrap();
+        let monitors = run.monitors;
+        let (positions, velocities) = (monitors.position_residual.unwrap(), monitors.velocity_residual.unwrap());
+        let energy = monitors.energy.unwrap();
+        assert!(positions.value <= POSITION_RESIDUAL && velocities.value <= VELOCITY_RESIDUAL, "{route}: {monitors:?}");
+        for sample in run.samples() {
+            assert!(sample.position_residual <= positions.value, "{route} at t = {}", sample.t);
+            assert!(sample.energy.balance.abs() <= energy.joules.abs(), "{route} at t = {}", sample.t);
+        }
+        let drift = monitors.position_drift.unwrap();
+        assert!(drift.value > 0.0 && ["B.x", "B.y"].contains(&drift.row), "{route}: {drift:?}");
+        assert!(drift.t > 0.0 && drift.t <= 5.0, "{route}: {drift:?}");
+    }
+}
+
+#[test]
+fn cross_drift_without_projection_is_the_residual_of_the_samples() {
+    for Case { route, scene } in driven() {
+        let order = Simulation::new(&*scene).method(Method::rk4(0.01)).project(Projection::None).max_drift(1.0);
+        let run = order.until(5.0).every(0.01).run().unwrap();
+        let monitors = run.monitors;
+        let largest = |pick: fn(&Sample<'_>) -> f64| run.samples().map(|s| pick(&s)).fold(0.0, f64::max);
+        assert_eq!(monitors.position_residual.unwrap().value, largest(|s| s.position_residual), "{route}");
+        assert_eq!(monitors.velocity_residual.unwrap().value, largest(|s| s.velocity_residual), "{route}");
+        assert_eq!((monitors.position_drift, monitors.velocity_drift), (None, None), "{route}");
+    }
+}
+
+#[test]
+fn invariant_energy_is_told_where_it_can_be() {
+    for Case { route, scene } in driven() {
+        assert_eq!(Simulation::new(&*scene).until(0.1).run().unwrap().monitors.energy, None, "{route}");
+    }
+    for Case { route, scene } in coast() {
+        assert!(Simulation::new(&*scene).until(0.1).run().unwrap().monitors.energy.is_some(), "{route}");
+    }
+}
+
+#[test]
+fn invariant_steps_are_told_from_the_shortest_to_the_longest() {
+    let scene = pendulum::Swing::default();
+    let run = Simulation::new(&scene).method(Method::rk4(0.25)).until(0.6).run().unwrap();
+    let [shortest, longest] = run.monitors.steps_s.unwrap();
+    assert!((shortest - 0.1).abs() < 1e-15 && longest == 0.25, "{shortest} {longest}");
+    assert_eq!(Simulation::new(&scene).until(0.0).run().unwrap().monitors.steps_s, None);
+}
+
+#[test]
+fn invariant_monitors_do_not_change_the_motion() {
+    for Case { route, scene } in driven() {
+        let order = || Simulation::new(&*scene).until(2.0).work();
+        let limited = order().max_drift(1.0).max_energy_error(1.0).max_steps(5000).run().unwrap();
+        let plain = order().run().unwrap();
+        assert!(limited.last().numbers().eq(plain.last().numbers()), "{route}");
+    }
+}
+
+#[test]
+fn invariant_drift_beyond_its_limit_ends_the_run_before_it() {
+    for Case { route, scene } in driven() {
+        let order = Simulation::new(&*scene).method(Method::rk4(0.01)).project(Projection::Velocities);
+        let run = order.max_drift(1e-9).run().unwrap();
+        let &StopReason::Limit(ExceededLimit::Drift { t, level, row, value, limit }) = reason(&run) else {
+            panic!("{route}: {}", run.outcome)
+        };
+        assert_eq!((level, limit), ("position", 1e-9), "{route}");
+        assert!(["B.x", "B.y"].contains(&row) && value > limit && t > run.last().t, "{route}: {row} {value:e} {t}");
+        assert!(run.last().position_residual <= limit, "{route}");
+        assert!(run.outcome.to_string().contains("(max-drift)"), "{}", run.outcome);
+    }
+}
+
+#[test]
+fn invariant_skate_that_slips_beyond_the_limit_ends_the_run() {
+    let scene = knife_edge::Cycloid::default();
+    let run =
+        Simulation::new(&scene).method(Method::rk4(0.05)).project(Projection::None).max_drift(1e-9).run().unwrap();
+    assert!(
+        matches!(reason(&run), StopReason::Limit(ExceededLimit::Drift { level: "velocity", .. })),
+        "{}",
+        run.outcome
+    );
+}
+
+#[test]
+fn invariant_energy_beyond_its_limit_ends_the_run_before_it() {
+    for Case { route, scene } in driven() {
+        let run = Simulation::new(&*scene).method(Method::rk4(0.05)).max_energy_error(1e-9).run().unwrap();
+        let &StopReason::Limit(ExceededLimit::EnergyError { t, relative, limit, .. }) = reason(&run) else {
+            panic!("{route}: {}", run.outcome)
+        };
+        assert!(relative > limit && limit == 1e-9 && t > run.last().t, "{route}: {relative:e} at t = {t}");
+        let largest = run.monitors.energy.unwrap();
+        assert!(largest.relative <= limit && largest.t <= run.last().t, "{route}: {largest:?}");
+    }
+}
+
+#[test]
+fn invariant_steps_beyond_their_limit_end_the_run_and_are_kept() {
+    let scene = pendulum::Swing::default();
+    for method in [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9)] {
+        let run = Simulation::new(&scene).method(method).max_steps(7).run().unwrap();
+        let reason = reason(&run);
+        assert!(matches!(reason, StopReason::Limit(ExceededLimit::Steps { limit: 7, .. })), "{reason}");
+        assert_eq!(run.cost.steps, 7);
+        assert!(run.last().t > 0.0);
+    }
+}
+
+#[test]
+fn invariant_limits_that_are_none_are_refused() {
+    let scene = pendulum::Swing::default();
+    for value in [f64::NAN, -1e-9] {
+        let drift = Simulation::new(&scene).max_drift(value).run().unwrap_err();
+        assert!(drift.to_string().starts_with(&format!("the limit max-drift is {value}; give")), "{drift}");
+        let energy = Simulation::new(&scene).max_energy_error(value).run().unwrap_err();
+        assert!(energy.to_string().starts_with("the limit max-energy-error is"), "{energy}");
+    }
+}
+
+#[test]
+fn invariant_runaway_names_coordinate_and_force() {
+    for Case { route, mut scene } in driven() {
+        set(&mut *scene, &[("m0", 1e200)]);
+        let run = Simulation::new(&*scene).run().unwrap();
+        let Outcome::Stopped { reason: StopReason::Motion(MotionError::NotFinite { .. }), strain, .. } = &run.outcome
+        else {
+            panic!("{route}: {}", run.outcome)
+        };
+        let StrainSource::Applied { coordinate, force, .. } = strain.as_ref().unwrap().source else {
+            panic!("{route}: {}", run.outcome)
+        };
+        assert!(coordinate.ends_with(".phi") && force.abs() > 1e199, "{route}: {}", run.outcome);
+    }
+}
+
+#[test]
+fn invariant_runaway_by_speed_names_a_reaction() {
+    let scene = knife_edge::Cycloid::default();
+    let run =
+        Simulation::new(&scene).method(Method::rk4(0.1)).give("blade.omega", 1e3).give("blade.vx", 1e3).max_steps(1);
+    let run = run.run().unwrap();
+    let Outcome::Stopped { strain: Some(strain), .. } = &run.outcome else { panic!("{}", run.outcome) };
+    assert!(matches!(strain.source, StrainSource::Reaction { row: "edge", .. }), "{strain}");
+}

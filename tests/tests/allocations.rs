@@ -88,3 +88,13 @@ fn invariant_controlled_steps_do_not_allocate() {
     };
     assert_eq!(allocations(100), allocations(1000));
 }
+
+#[test]
+fn invariant_radau_steps_do_not_allocate() {
+    let scene = ezy_roller::Driven::default();
+    let allocations = |until_s: f64| {
+        let order = Simulation::new(&scene).method(Method::radau(1e-9)).work().until(until_s);
+        allocation_counter::measure(|| assert!(order.run().unwrap().cost.steps >= 20)).count_total
+    };
+    assert_eq!(allocations(1.0), allocations(10.0));
+}

@@ -11,7 +11,7 @@ mod step_control;
 mod taylor;
 
 pub use clock::Clock;
-pub use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER};
+pub use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
 pub use hermite::{Knot, interpolate};
 pub use radau::{Attempt, Radau, RadauControl, tolerance_of_estimate};
 pub use rk4::Rk4;

@@ -2,7 +2,7 @@
 
 use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{Dynamics, MotionError, State};
-use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, Tolerance};
+use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
 
 /// DOP853 with the length of its next step.
@@ -12,6 +12,9 @@ pub(super) struct Adaptive<T = f64> {
     tolerance: Tolerance,
     /// Length of the next step, s; none before the first.
     step_s: Option<f64>,
+    /// Length of the last one, s.
+    last_s: Option<f64>,
+    watch: StiffnessWatch,
     rejected: u64,
     /// Whether values between the ends of the last step are prepared.
     dense: bool,
@@ -24,6 +27,8 @@ impl<T: Scalar> Adaptive<T> {
             control: StepControl::new(DOP853_ERROR_ORDER),
             tolerance,
             step_s: None,
+            last_s: None,
+            watch: StiffnessWatch::default(),
             rejected: 0,
             dense: false,
         }
@@ -34,6 +39,13 @@ impl<T: Scalar> Adaptive<T> {
         self.method.restart();
         self.control = StepControl::new(DOP853_ERROR_ORDER);
         self.step_s = None;
+        self.last_s = None;
+        self.watch.restart();
+    }
+
+    /// Since when stability holds the steps, s.
+    pub fn stiff_since(&self) -> Option<f64> {
+        self.watch.since()
     }
 
     /// Steps that were tried and not taken.
@@ -69,6 +81,11 @@ impl<T: Scalar> Adaptive<T> {
         self.dense = false;
         let t = from.state.t;
         let left = end - t;
+        if let Some(last_s) = self.last_s
+            && self.watch.is_due()
+        {
+            self.watch.note(self.method.stability(last_s, from), t);
+        }
         let mut length = match self.step_s {
             Some(step_s) => step_s,
             None => self.method.first_step(system, from, left, self.tolerance)?,
@@ -83,6 +100,7 @@ impl<T: Scalar> Adaptive<T> {
                     self.method.accept();
                     to.t = t_next;
                     self.step_s = Some(h * self.control.accept(error));
+                    self.last_s = Some(h);
                     return Ok(());
                 }
                 Ok(error) => length = h * self.control.reject(error),

@@ -58,6 +58,14 @@ impl<'s> Integrator<'s> {
         }
     }
 
+    /// Since when stability holds the steps of an explicit method that can tell, s.
+    pub fn stiff_since(&self) -> Option<f64> {
+        match self {
+            Self::Dop853(adaptive) => adaptive.stiff_since(),
+            _ => None,
+        }
+    }
+
     /// Accelerations, multipliers and powers at a state, and what the next step from there needs besides.
     pub fn evaluate<S: Scene + ?Sized>(
         &mut self,

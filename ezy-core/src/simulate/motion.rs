@@ -79,6 +79,10 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.integrator.n_rejected()
     }
 
+    pub fn stiff_since(&self) -> Option<f64> {
+        self.integrator.stiff_since()
+    }
+
     pub fn evaluate_now(&mut self) -> Result<(), MotionError> {
         self.integrator.evaluate(&mut self.system, &mut self.now)?;
         self.integrator.accept();

@@ -14,6 +14,9 @@ pub struct Run {
     pub cost: Cost,
     /// What was watched on the way.
     pub monitors: Monitors,
+    /// Since when stability and not accuracy held the steps of dop853, s: an implicit method, such as radau, takes longer ones.
+    /// Other methods do not tell.
+    pub stiff_since_s: Option<f64>,
     pub(super) info: &'static SceneInfo,
     /// Holds the start at least.
     pub(super) record: Record,

@@ -94,7 +94,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             seconds: began.elapsed().as_secs_f64(),
         };
         let (info, monitors) = (self.motion.system.info(), self.watch.monitors());
-        Ok(Run { outcome, cost, monitors, info, record: self.keeper.into_record() })
+        let stiff_since_s = self.motion.stiff_since();
+        Ok(Run { outcome, cost, monitors, stiff_since_s, info, record: self.keeper.into_record() })
     }
 
     /// One step from `now`, which stays as it is when the step fails.

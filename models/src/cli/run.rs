@@ -12,7 +12,7 @@ use super::names::{check_input, refuse_twice, scene_entry, scene_with};
 use super::out_file::OutFile;
 use super::output::print;
 use super::progress::Progress;
-use super::run_end::{remark, run_json, run_text};
+use super::run_end::{remarks, run_json, run_text};
 
 /// Rows of `--out` when `--every` is not given, besides the first.
 const N_ROWS: f64 = 1000.0;
@@ -33,7 +33,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         Ok(run) => {
             if arguments.json {
                 print(&format!("{}\n", run_json(scene.info(), method, Some(&run), &run.outcome.to_string())))?;
-                eprint!("{}", remark(&run.last().energy, method));
+                eprint!("{}", remarks(&run, method));
             } else {
                 print(&run_text(&run, method))?;
             }

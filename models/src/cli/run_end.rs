@@ -107,14 +107,25 @@ pub fn run_text(run: &Run, method: Method) -> String {
         cost.evaluations,
         cost.seconds
     );
-    text + &remark(&last.energy, method)
+    text + &remarks(run, method)
+}
+
+/// What there is to say about a run besides.
+pub fn remarks(run: &Run, method: Method) -> String {
+    let stiff = run.stiff_since_s.map_or_else(String::new, |t| {
+        format!(
+            "remark: from t = {t:.3} s on, or before, the steps of {} were held by stiffness, not by the tolerance; try --method radau\n",
+            method.name()
+        )
+    });
+    stiff + &remark(&run.last().energy, method)
 }
 
 /// Share of the energy turned over that may be missing at the end before the step is said to be too large.
 const LARGEST_IMBALANCE: f64 = 1e-3;
 
 /// What there is to say about a run whose energy and work do not fit.
-pub fn remark(energy: &EnergyState, method: Method) -> String {
+fn remark(energy: &EnergyState, method: Method) -> String {
     let turned_over = energy.kinetic + energy.work.abs();
     let share = energy.balance.abs() / turned_over;
     let difference = if !(energy.balance.is_finite() && turned_over.is_finite()) {

@@ -260,3 +260,24 @@ fn analytic_radau_refuses_a_scene_without_slopes_and_a_stepper() {
     let outcome = Simulation::new(&scene).method(Method::radau(1e-9)).stepper();
     assert!(matches!(outcome, Err(SetupError::NeedsFixedStep { method: "radau" })));
 }
+
+/// DOP853 counts slopes at the edge of its stability and says so.
+#[test]
+fn analytic_dop853_says_that_stiffness_holds_it() {
+    let scene = cart::Coast { trail: 1e-3, ..Default::default() };
+    let run = Simulation::new(&scene).method(Method::dop853(1e-6)).run().unwrap();
+    let since = run.stiff_since_s.expect("a remark");
+    // the caster aligns in a few milliseconds; fifty steps pass until one is looked at, and fifteen more
+    assert!((0.01..1.0).contains(&since), "since {since} s");
+    assert_eq!(Simulation::new(&scene).method(Method::radau(1e-6)).run().unwrap().stiff_since_s, None);
+}
+
+#[test]
+fn invariant_no_scene_without_stiffness_is_called_stiff() {
+    for entry in ezy_models::registry::MODELS.iter().flat_map(|model| model.scenes) {
+        let scene = (entry.new)();
+        let until_s = scene.info().until_s.min(2.0);
+        let Ok(run) = Simulation::new(&*scene).method(Method::dop853(1e-9)).until(until_s).run() else { continue };
+        assert_eq!(run.stiff_since_s, None, "{}/{}", scene.info().model, scene.info().name);
+    }
+}

@@ -1,6 +1,7 @@
 //! The method of Dormand and Prince of order 8, with error estimates of orders 5 and 3 and dense output of order 7.
 
 mod dense;
+mod stiffness;
 mod sums;
 mod tableau;
 
@@ -10,6 +11,8 @@ use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 use sums::{Block, Sum, WIDTH};
 use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, error_3, error_5, stages};
+
+pub use stiffness::StiffnessWatch;
 
 /// Order of the error estimate's power of the step.
 pub const ERROR_ORDER: i32 = 8;

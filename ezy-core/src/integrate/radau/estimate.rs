@@ -11,9 +11,9 @@ use crate::model::Scene;
 impl Radau {
     /// Works up to the stages.
     pub(super) fn add_works<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, start: &State, h: f64) {
-        for i in 0..N_STAGES {
+        for (i, c) in NODES.iter().enumerate() {
             self.stages.write_state(i, start, &mut self.q, &mut self.v);
-            system.power(start.t + NODES[i] * h, &self.q, &self.v, &self.stages.lambda[i], &mut self.powers[i]);
+            system.power(start.t + c * h, &self.q, &self.v, &self.stages.lambda[i], &mut self.powers[i]);
         }
         self.stages.add_works(&self.powers, h);
     }

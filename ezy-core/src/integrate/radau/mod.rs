@@ -156,9 +156,9 @@ impl Radau {
         }
         let mut convergence = Convergence::new(tolerance, self.share);
         loop {
-            for i in 0..N_STAGES {
+            for (i, c) in NODES.iter().enumerate() {
                 self.stages.write_state(i, from.state, &mut self.q, &mut self.v);
-                let (t, a, lambda) = (from.state.t + NODES[i] * h, &self.stages.a[i], &self.stages.lambda[i]);
+                let (t, a, lambda) = (from.state.t + c * h, &self.stages.a[i], &self.stages.lambda[i]);
                 system.residual(t, &self.q, &self.v, a, lambda, &mut self.newton.residual[i]);
             }
             let change = self.newton.improve(&self.matrices, &mut self.stages, h, &self.weights);

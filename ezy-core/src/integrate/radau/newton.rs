@@ -35,9 +35,8 @@ impl Newton {
             let (a, z) = (self.real[j], self.complex[j]);
             let (v, z_v) = (real_length * a, complex_length * z);
             let (q, z_q) = (real_length * v, complex_length * z_v);
-            for i in 0..N_STAGES {
-                let back =
-                    |real: f64, complex: Complex<f64>| T[i][0] * real + T[i][1] * complex.re + T[i][2] * complex.im;
+            for (i, row) in T.iter().enumerate() {
+                let back = |real: f64, complex: Complex<f64>| row[0] * real + row[1] * complex.re + row[2] * complex.im;
                 let (by_q, by_v) = (back(q, z_q), back(v, z_v));
                 stages.a[i][j] += back(a, z);
                 stages.v[i][j] += by_v;
@@ -45,10 +44,10 @@ impl Newton {
                 squares += (by_q * weights_q[j]).powi(2) + (by_v * weights_v[j]).powi(2);
             }
         }
-        for i in 0..N_STAGES {
+        for (i, row) in T.iter().enumerate() {
             let solutions = self.real[n_q..].iter().zip(&self.complex[n_q..]);
             for (lambda, (real, z)) in stages.lambda[i].iter_mut().zip(solutions) {
-                *lambda += T[i][0] * real + T[i][1] * z.re + T[i][2] * z.im;
+                *lambda += row[0] * real + row[1] * z.re + row[2] * z.im;
             }
         }
         (squares / (2 * N_STAGES * n_q).max(1) as f64).sqrt()

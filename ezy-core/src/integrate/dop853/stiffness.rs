@@ -1,0 +1,78 @@
+//! Whether stability holds the steps, not accuracy.
+
+use super::Dop853;
+use super::tableau::N_STAGES;
+use crate::integrate::Knot;
+use crate::scalar::Scalar;
+
+/// Edge of the region in which the method is stable, along the negative real axis, for h |λ|.
+const STABLE: f64 = 6.1;
+/// One step in so many is looked at until one is at the edge.
+const EVERY: u32 = 50;
+/// So many steps at the edge are no accident, when there are not [`N_OTHERS`] others in a row between them.
+const N_AT_EDGE: u32 = 15;
+const N_OTHERS: u32 = 6;
+
+/// Counts steps at the edge of stability.
+///
+/// # Source
+/// Shampine, Hiebert, Appl. Math. Comp. 3 (1977); Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2, and
+/// the constants of the program DOP853 there.
+#[derive(Debug, Default)]
+pub struct StiffnessWatch {
+    n_steps: u32,
+    n_at_edge: u32,
+    n_others: u32,
+    since: Option<f64>,
+}
+
+impl StiffnessWatch {
+    /// Begins again with another motion.
+    pub fn restart(&mut self) {
+        (self.n_at_edge, self.n_others) = (0, 0);
+    }
+
+    /// Whether the step that was taken last is to be looked at.
+    pub fn is_due(&mut self) -> bool {
+        self.n_steps += 1;
+        self.since.is_none() && (self.n_at_edge > 0 || self.n_steps.is_multiple_of(EVERY))
+    }
+
+    /// Notes h |λ| of the step that ended at `t`, s.
+    pub fn note(&mut self, product: f64, t: f64) {
+        if product > STABLE {
+            self.n_others = 0;
+            self.n_at_edge += 1;
+            if self.n_at_edge == N_AT_EDGE {
+                self.since = Some(t);
+            }
+        } else {
+            self.n_others += 1;
+            if self.n_others == N_OTHERS {
+                self.restart();
+            }
+        }
+    }
+
+    /// When stiffness was noticed, s.
+    pub fn since(&self) -> Option<f64> {
+        self.since
+    }
+}
+
+impl<T: Scalar> Dop853<T> {
+    /// `h |λ|` of the largest eigenvalue λ of the motion, from the last two slopes of the step of length `h` that was accepted
+    /// last and ended at `to`: both belong to its end.
+    pub fn stability(&mut self, h: f64, to: Knot<'_, T>) -> f64 {
+        let last = N_STAGES - 1;
+        self.combine(h, Self::STAGES[last - 1]);
+        let n = 2 * self.n_q;
+        let difference = |x: &[T], parts: [&[T]; 2]| {
+            let squares = x[..n].iter().zip(parts[0].iter().chain(parts[1])).map(|(x, y)| (*x - *y) * (*x - *y));
+            squares.fold(T::from_f64(0.0), |sum, square| sum + square).sqrt().magnitude()
+        };
+        let state = difference(self.stage.as_flattened(), [&to.state.q, &to.state.v]);
+        let slope = difference(self.slopes[last * self.n..].as_flattened(), [&to.state.v, to.a]);
+        if state > 0.0 { h * slope / state } else { 0.0 }
+    }
+}

@@ -36,13 +36,39 @@ pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
 }
 
+/// A number; what a file leaves out is zero.
+///
+/// # Panics
+/// When it is something else.
+pub fn number_or_zero(value: &Value) -> f64 {
+    if value.is_null() { 0.0 } else { number(value) }
+}
+
 /// Rows of numbers, the time first.
 pub fn rows(table: &Value) -> Vec<Vec<f64>> {
     list(table).iter().map(|row| list(row).iter().map(number).collect()).collect()
 }
 
-fn list(value: &Value) -> &[Value] {
-    value.as_array().unwrap_or_else(|| panic!("{value} is no list"))
+/// A list; what a file leaves out is empty.
+///
+/// # Panics
+/// When it is something else.
+pub fn list(value: &Value) -> &[Value] {
+    match value {
+        Value::Null => &[],
+        _ => value.as_array().unwrap_or_else(|| panic!("{value} is no list")),
+    }
+}
+
+/// Sets parameters of a scene by name.
+///
+/// # Panics
+/// When the scene has no such parameter.
+pub fn set(scene: &mut dyn Scene, values: &[(&str, f64)]) {
+    for (name, value) in values {
+        let i = scene.info().parameters.iter().position(|p| p.name == *name);
+        scene.set_parameter(i.unwrap_or_else(|| panic!("no parameter `{name}`")), *value);
+    }
 }
 
 /// Names of bodies in a reference, and in the model.

@@ -6,6 +6,7 @@ pub mod counted;
 pub mod crank;
 pub mod garage;
 pub mod hand_roller;
+pub mod hard;
 mod leaked;
 pub mod page;
 pub mod piloted;

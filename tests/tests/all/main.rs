@@ -13,6 +13,7 @@ mod ensemble;
 mod exact_start;
 mod garage;
 mod hand_and_generated;
+mod hard;
 mod large;
 mod local_order;
 mod massless;

@@ -2,6 +2,7 @@
 
 use ezy_core::model::Scene;
 use ezy_models::ezy_roller;
+pub use ezy_tests::garage::set;
 use ezy_tests::hand_roller::HandRoller;
 
 /// A scene under test, with the route by which its equations were made.
@@ -29,14 +30,6 @@ pub fn driven() -> Vec<Case> {
 /// Both scenes by every route.
 pub fn all() -> Vec<Case> {
     coast().into_iter().chain(driven()).collect()
-}
-
-/// Sets parameters by name.
-pub fn set(scene: &mut dyn Scene, values: &[(&str, f64)]) {
-    for (name, value) in values {
-        let i = scene.info().parameters.iter().position(|p| p.name == *name).expect("a parameter of the scene");
-        scene.set_parameter(i, *value);
-    }
 }
 
 /// Largest difference of two vectors.

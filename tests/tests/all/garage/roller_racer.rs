@@ -2,7 +2,8 @@
 
 use ezy_core::prelude::*;
 use ezy_models::roller_racer;
-use ezy_tests::garage::{Names, case, from_states, load, number, start_at};
+use ezy_tests::garage::{Names, case, from_states, load, start_at};
+use ezy_tests::hard::subject::racer_geometry;
 use serde_json::Value;
 
 /// Of the references, for all states.
@@ -15,21 +16,6 @@ const TWISTCAR: Names<'static> = &[("body", "seat"), ("steer", "handle")];
 const CASTER: Names<'static> = &[("cart", "seat"), ("caster", "handle")];
 const TRACTOR: Names<'static> = &[("tractor", "seat"), ("trailer", "handle")];
 
-/// Parameters of the two bodies of a reference's model, by name.
-fn geometry(model: &Value) -> [(&'static str, f64); 8] {
-    let (bodies, hinge, skates) = (&model["bodies"], &model["hinges"][0], &model["skates"]);
-    [
-        ("a", -number(&skates[0]["point"][0])),
-        ("b", number(&hinge["pa"][0])),
-        ("h", -number(&hinge["pb"][0])),
-        ("c", number(&skates[1]["point"][0])),
-        ("m1", number(&bodies[0]["mass"])),
-        ("i1", number(&bodies[0]["inertia"])),
-        ("m2", number(&bodies[1]["mass"])),
-        ("i2", number(&bodies[1]["inertia"])),
-    ]
-}
-
 /// Largest differences of positions and velocities of a case from a scene with its geometry and more parameters.
 fn differences(
     scene: &mut dyn Scene,
@@ -39,7 +25,7 @@ fn differences(
     step_s: f64,
     every_s: f64,
 ) -> [f64; 2] {
-    crate::scenes::set(scene, &geometry(&case["model"]));
+    crate::scenes::set(scene, &racer_geometry(&case["model"]));
     crate::scenes::set(scene, more);
     let scene = &*scene;
     let order = || start_at(Simulation::new(scene).method(Method::rk4(step_s)), &case["model"], names);

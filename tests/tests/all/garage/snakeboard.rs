@@ -2,8 +2,8 @@
 
 use ezy_core::prelude::*;
 use ezy_models::snakeboard;
-use ezy_tests::garage::{Names, case, from_states, load, number, start_at};
-use serde_json::Value;
+use ezy_tests::garage::{Names, case, from_states, load, start_at};
+use ezy_tests::hard::subject::gait;
 
 /// Of the reference, for all states.
 const STATE: f64 = 1e-8;
@@ -13,25 +13,12 @@ const SHAKEN_STEP: f64 = 8e-3;
 
 const BOARD: Names<'static> = &[("board", "board"), ("rotor", "rotor"), ("front", "front"), ("back", "back")];
 
-/// The serpentine scene with the drivers of a case.
-fn driven(case: &Value) -> snakeboard::Serpentine {
-    let mut scene = snakeboard::Serpentine::default();
-    for (i, name) in ["twist", "front", "back"].into_iter().enumerate() {
-        let driver = &case["model"]["drivers"][i];
-        for (theirs, ours) in [("c0", "offset"), ("rate", "rate"), ("amp", "swing"), ("freq", "nu"), ("phase", "phase")]
-        {
-            crate::scenes::set(&mut scene, &[(&format!("{name}_{ours}"), number(&driver[theirs]))]);
-        }
-    }
-    scene
-}
-
 #[test]
 fn reference_snakeboard_gaits_and_locked_steering() {
     let file = load("snakeboard");
     for name in ["drive_gait", "rotate_gait", "locked_steering"] {
         let case = case(&file, name);
-        let scene = driven(case);
+        let scene = gait(&case["model"]);
         let step = if name == "locked_steering" { SHAKEN_STEP } else { STEP };
         let order = || start_at(Simulation::new(&scene).method(Method::rk4(step)), &case["model"], BOARD);
         let worst = from_states(order, 0.5, &case["states"], BOARD);
@@ -56,7 +43,7 @@ const MOMENTUM: f64 = 1e-11;
 fn invariant_snakeboard_with_locked_steering_keeps_its_momentum() {
     let file = load("snakeboard");
     let case = case(&file, "locked_steering");
-    let scene = driven(case);
+    let scene = gait(&case["model"]);
     let order = start_at(Simulation::new(&scene).method(Method::rk4(5e-3)), &case["model"], BOARD);
     let run = order.until(5.0).every(0.5).run().unwrap();
     let slope = scene.front_offset.tan() / scene.r;
@@ -95,7 +82,7 @@ const THROUGH_RANK_LOSS: f64 = 1e-6;
 fn reference_snakeboard_steers_through_ninety_degrees() {
     let file = load("torture");
     let case = case(&file, "snakeboard_through_90deg");
-    let scene = driven(case);
+    let scene = gait(&case["model"]);
     let order = || start_at(Simulation::new(&scene).method(Method::rk4(5e-4)), &case["model"], BOARD);
     let worst = from_states(order, 0.01, &case["states"], BOARD);
     assert!(worst[0] <= THROUGH_RANK_LOSS, "{worst:?}");

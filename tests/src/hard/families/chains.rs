@@ -1,0 +1,91 @@
+//! Chains of rods, up to a hundred thousand.
+
+use super::*;
+use crate::hard::case::Check;
+use ezy_core::prelude::Simulation;
+use ezy_models::chain;
+
+/// Of the reference, over the amplification of errors that it states.
+const STATE: f64 = 1e-9;
+/// Of the reference, of m g L.
+const ENERGY: f64 = 1e-8;
+/// Of the reference: time of a step with ten times the rods.
+const TIME_RATIO: f64 = 12.0;
+
+pub fn cases() -> Vec<Case> {
+    let chains = [("double_1m", 2, true), ("triple_1m", 3, true), ("chain10", 10, false), ("chain100", 100, false)];
+    let mut cases: Vec<Case> = chains
+        .into_iter()
+        .map(|(name, n, is_quick)| Case {
+            name: name.to_owned(),
+            why: "errors of the start grow, by the factor that the reference states",
+            is_quick,
+            examine: Box::new(move |naive| compare(name, n, naive)),
+        })
+        .collect();
+    cases.push(case(
+        "long_chain_energy, 100 rods",
+        "elimination of n³ operations, gaps that add up along the chain",
+        false,
+        |naive| falling(100, 0.3, Method::rk4(2e-4), naive.then_some(1e-3)),
+    ));
+    cases.push(case("long_chain_energy, 1,000 rods", "the same; too long for dense elimination", false, |_| {
+        falling(1000, 0.3, Method::rk4(5e-5), None)
+    }));
+    cases.push(case(
+        "long_chain_energy, 10,000 and 100,000 rods",
+        "time of a step must grow as the length",
+        false,
+        |_| times(),
+    ));
+    cases
+}
+
+/// `n` rods; of total length and mass one where there are many.
+fn rods(n: usize) -> chain::Swing {
+    let size = if n > 3 { 1.0 / n as f64 } else { 1.0 };
+    chain::Swing { n, l: size, m: size, ..Default::default() }
+}
+
+fn compare(name: &'static str, n: usize, naive: bool) -> Findings {
+    let file = crate::garage::load("chain_pendulum");
+    let states = crate::garage::case(&file, name)["states"].clone();
+    let scene = rods(n);
+    let error = Question::at_times("angles and rates over the amplification, rad, rad/s", STATE, |i, seen| {
+        let state = &states[i];
+        let of = |k: usize| {
+            let angle = seen.q[3 * k + 2] - number(&state["angles"][k]);
+            worse(angle.abs(), seen.v[3 * k + 2] - number(&state["rates"][k]))
+        };
+        (0..n).map(of).fold(0.0, worse) / number(&state["error_amplification"])
+    });
+    let questions =
+        vec![error, Question::gaps(GAP), Question::energy(1e-9, 9.81 * scene.m * scene.l * (n * n) as f64 / 2.0)];
+    let trial = Trial { scene: &scene, given: Vec::new(), times: times_of(&states), questions };
+    trial.examine(Method::dop853(1e-12), naive.then_some(1e-3))
+}
+
+fn falling(n: usize, until_s: f64, method: Method, naive_step_s: Option<f64>) -> Findings {
+    let scene = rods(n);
+    let questions = vec![Question::gaps(GAP), Question::energy(ENERGY, 9.81)];
+    Trial { scene: &scene, given: Vec::new(), times: vec![until_s], questions }.examine(method, naive_step_s)
+}
+
+/// Times of steps, and the gaps that they leave.
+fn times() -> Findings {
+    const STEPS: u64 = 4;
+    const STEP_S: f64 = 1e-6;
+    let (mut gap, mut seconds) = (0.0, [0.0; 2]);
+    for (time, n) in seconds.iter_mut().zip([10_000, 100_000]) {
+        let scene = rods(n);
+        let order = Simulation::new(&scene).method(Method::rk4(STEP_S)).until(STEPS as f64 * STEP_S);
+        let Ok(run) = order.run() else { return Findings { by: "no run".to_owned(), ..Findings::default() } };
+        gap = worse(gap, run.last().position_residual);
+        *time = run.cost.seconds;
+    }
+    let checks = vec![
+        Check::new("gaps, m", GAP, gap),
+        Check::new("time of a step of 100,000 over 10,000 rods", TIME_RATIO, seconds[1] / seconds[0]),
+    ];
+    Findings { checks, by: format!("rk4, h = {STEP_S:e} s: {STEPS} steps"), ..Findings::default() }
+}

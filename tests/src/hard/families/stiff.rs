@@ -1,0 +1,101 @@
+//! Fast modes beside slow motion.
+
+use super::*;
+use crate::garage::rows;
+use crate::hard::case::Check;
+use crate::reference;
+use ezy_core::model::Scene;
+use ezy_models::ezy_roller;
+
+/// Of the reference: from the rigid pendulum.
+const RIGID: f64 = 1e-6;
+/// Of the reference, m.
+const EXTENSION: f64 = 1e-10;
+/// Of the reference, for a method that steps over the mode that has died out.
+const MAX_STEPS: f64 = 5000.0;
+/// Of the reference.
+const CASTER: f64 = 1e-7;
+/// Of our own run at a step of 50 µs.
+const NEAR_SINGULAR: f64 = 1e-9;
+
+pub fn cases() -> Vec<Case> {
+    vec![
+        case(
+            "stiff_spring_undamped",
+            "a spring of 1e9 N/m swings at 31,623 rad/s for ever, and a step that follows it is 1e-5 s long",
+            true,
+            |naive| spring("stiff_spring_undamped", 1.0, Method::taylor(1e-12), naive),
+        ),
+        case(
+            "stiff_spring_damped",
+            "the same mode dies within 50 ms; a method that need not follow it takes steps of 10 ms from then on",
+            false,
+            |naive| {
+                let mut findings = spring("stiff_spring_damped", 3.0, Method::radau(1e-10), naive);
+                let steps = if findings.stopped.is_none() { findings.steps as f64 } else { f64::NAN };
+                findings.checks.push(Check::new("steps to 3 s", MAX_STEPS, steps));
+                findings
+            },
+        ),
+        case(
+            "caster_trail_1e-2",
+            "a caster that trails its hinge by 1 cm turns into line within 10 ms; then its mode is stiff",
+            true,
+            |naive| {
+                let step = naive.then_some(1e-4);
+                through_states("torture", "caster_trail_1e-2", CASTER, Method::taylor(1e-12), step, |_| vec![])
+            },
+        ),
+        case("caster_trail_1e-3", "a trail of 1 mm: within 1 ms, at 800 rad/s", true, |naive| {
+            let step = naive.then_some(1e-4);
+            through_states("torture", "caster_trail_1e-3", CASTER, Method::taylor(1e-12), step, |_| vec![])
+        }),
+        case(
+            "ezyroller_near_singular",
+            "both wheels 1 cm from the hinge and the bar nearly straight: G is close to losing a rank",
+            true,
+            near_singular,
+        ),
+    ]
+}
+
+fn spring(name: &str, until_s: f64, method: Method, naive: bool) -> Findings {
+    let subject = subject("torture", name);
+    let table = rows(&subject.data["rows"]);
+    let place = Question::at_times("x and y from the rigid pendulum's, m", RIGID, |i, seen| {
+        let state = &subject.data["states"][i]["bodies"]["M"];
+        let rigid = |k: usize| number(&state[k]) - table[i][2 + k];
+        worse((seen.q[0] - rigid(0)).abs(), seen.q[1] - rigid(1))
+    });
+    let extension = Question::at_times("extension of the spring, m", EXTENSION, |i, seen| {
+        seen.q[0].hypot(seen.q[1]) - 1.0 - table[i][1]
+    });
+    let times = times_of_rows(&table).into_iter().filter(|t| *t <= until_s).collect();
+    Trial::new(&subject, times, vec![place, extension]).examine(method, naive.then_some(1e-4))
+}
+
+fn near_singular(naive: bool) -> Findings {
+    let samples = reference::load("ezyroller_near_singular");
+    let scene = ezy_roller::Coast { b: -0.19, d: -0.09, ..Default::default() };
+    let scene: &dyn Scene = &scene;
+    // the rear wheel rolls back at 1 m/s while the seat turns at 0.02 rad/s
+    let given = [
+        ("seat.x", 0.0),
+        ("seat.y", 0.0),
+        ("seat.phi", 0.0),
+        ("bar.phi", 0.05),
+        ("seat.vx", -1.0),
+        ("seat.vy", 0.2 * 0.02),
+        ("seat.omega", 0.02),
+    ];
+    let state = Question::at_times("coordinates, m, rad", NEAR_SINGULAR, |i, seen| {
+        seen.q.iter().zip(&samples[i].q).map(|(q, x)| q - x).fold(0.0, worse)
+    });
+    let trial = Trial {
+        scene,
+        given: given.map(|(name, value)| (name.to_owned(), value)).to_vec(),
+        times: samples.iter().map(|sample| sample.t).collect(),
+        questions: vec![state, Question::gaps(GAP)],
+    };
+    trial.examine(Method::taylor(1e-12), naive.then_some(1e-3))
+}

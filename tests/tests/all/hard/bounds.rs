@@ -1,0 +1,68 @@
+//! Hard cases that run in a second or two keep the bounds of their references; `examples/hard_cases.rs` runs all.
+
+use ezy_tests::hard::families::families;
+
+/// Bounds that are known to be missed; `docs/hard-cases.md` says why.
+const MISSED: [(&str, &str); 2] = [
+    ("inconsistent_positions", "largest change of a coordinate, m, rad"),
+    ("inconsistent_positions", "A02 with level rods: gaps, m"),
+];
+
+fn keeps_its_bounds(name: &str) {
+    let families = families();
+    let family = families.iter().find(|family| family.name == name).expect("a family");
+    let mut missed = Vec::new();
+    for case in family.cases.iter().filter(|case| case.is_quick) {
+        let findings = (case.examine)(false);
+        for check in findings.checks.iter().filter(|check| !check.is_met()) {
+            if !MISSED.contains(&(case.name.as_str(), check.what.as_str())) {
+                let stopped = findings.stopped.as_deref().unwrap_or_default();
+                missed.push(format!(
+                    "{}, {}: {:.1e} > {:.1e} {stopped}",
+                    case.name, check.what, check.reached, check.bound
+                ));
+            }
+        }
+    }
+    assert!(missed.is_empty(), "{}", missed.join("\n"));
+}
+
+#[test]
+fn reference_ratios_of_masses_and_bodies_without_mass() {
+    keeps_its_bounds("masses");
+}
+
+#[test]
+fn reference_redundant_rows() {
+    keeps_its_bounds("redundant");
+}
+
+#[test]
+fn reference_singular_positions() {
+    keeps_its_bounds("singular");
+}
+
+#[test]
+fn reference_fast_modes_beside_slow_motion() {
+    keeps_its_bounds("stiff");
+}
+
+#[test]
+fn reference_inconsistent_starts() {
+    keeps_its_bounds("starts");
+}
+
+#[test]
+fn reference_mechanisms_of_the_literature() {
+    keeps_its_bounds("classical");
+}
+
+#[test]
+fn reference_vehicles_without_slip() {
+    keeps_its_bounds("rolling");
+}
+
+#[test]
+fn reference_short_chains() {
+    keeps_its_bounds("chains");
+}

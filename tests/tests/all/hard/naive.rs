@@ -1,0 +1,24 @@
+//! The naive program beside which the hard cases are shown.
+
+use ezy_core::prelude::*;
+use ezy_models::double_pendulum;
+use ezy_tests::hard::naive::Naive;
+
+/// The same method and the same equations, solved by two factorisations.
+const ROUNDING: f64 = 1e-12;
+
+#[test]
+fn cross_naive_program_is_rk4_without_projection() {
+    const N: u32 = 200;
+    let scene = double_pendulum::Swing::default();
+    let h = 1e-3;
+    let order = Simulation::new(&scene).method(Method::rk4(h)).project(Projection::None);
+    let run = order.until(f64::from(N) * h).run().unwrap();
+    let mut naive = Naive::new(&scene, run.first().coordinates, run.first().velocities);
+    for i in 0..N {
+        naive.step(f64::from(i) * h, h).unwrap();
+    }
+    let last = [run.last().coordinates, run.last().velocities].concat();
+    let error = crate::scenes::distance(&naive.state, &last);
+    assert!(error <= ROUNDING, "{error:.1e}");
+}

@@ -170,7 +170,7 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
     // bound of the reference at a tolerance of 1e-9
     let bound = 1e-7;
     for (name, trail) in [("caster_trail_1e-2", 0.01), ("caster_trail_1e-3", 0.001)] {
-        let scene = cart::Coast { trail, ..Default::default() };
+        let scene = cart::Coast { trail };
         for state in case(&file, name)["states"].as_array().unwrap() {
             let t = state["t"].as_f64().unwrap();
             let run = Simulation::new(&scene).method(Method::radau(1e-9)).until(t).run().unwrap();
@@ -191,7 +191,7 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
 #[test]
 fn analytic_radau_steps_are_not_held_by_a_caster() {
     let trail = 1e-3;
-    let scene = cart::Coast { trail, ..Default::default() };
+    let scene = cart::Coast { trail };
     let steps =
         |until_s: f64| Simulation::new(&scene).method(Method::radau(1e-6)).until(until_s).run().unwrap().cost.steps;
     // the caster aligns in a few trail/v, 1 ms each
@@ -264,7 +264,7 @@ fn analytic_radau_refuses_a_scene_without_slopes_and_a_stepper() {
 /// DOP853 counts slopes at the edge of its stability and says so.
 #[test]
 fn analytic_dop853_says_that_stiffness_holds_it() {
-    let scene = cart::Coast { trail: 1e-3, ..Default::default() };
+    let scene = cart::Coast { trail: 1e-3 };
     let run = Simulation::new(&scene).method(Method::dop853(1e-6)).run().unwrap();
     let since = run.stiff_since_s.expect("a remark");
     // the caster aligns in a few milliseconds; fifty steps pass until one is looked at, and fifteen more

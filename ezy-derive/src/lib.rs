@@ -10,6 +10,8 @@ mod mechanics;
 mod model;
 mod parse;
 mod pipeline;
+#[cfg(test)]
+mod random;
 mod symbolic;
 mod units;
 mod words;

@@ -12,7 +12,11 @@ pub fn restricts_nothing(at: &Ident, row: &str) -> syn::Error {
     )
 }
 
+/// Without others the row is empty by itself: what stands in it cancels.
 pub fn dependent(at: &Ident, row: &str, others: &[&str]) -> syn::Error {
+    if others.is_empty() {
+        return restricts_nothing(at, row);
+    }
     fault_with_help(
         at,
         format_args!(
@@ -25,14 +29,15 @@ pub fn dependent(at: &Ident, row: &str, others: &[&str]) -> syn::Error {
 }
 
 pub fn dependent_as_declared(at: &Ident, row: &str, others: &[&str]) -> Warning {
-    let s = if others.len() == 1 { "s" } else { "" };
+    let fault = match others {
+        [] => "restricts no motion".to_owned(),
+        [other] => format!("repeats what `{other}` already demands"),
+        _ => format!("repeats what {} already demand", quoted(others)),
+    };
     Warning {
         span: at.span(),
         name: "row_that_repeats_others",
-        text: format!(
-            "with the declared parameters row `{row}` repeats what {} already demand{s}; runs end there unless it is removed",
-            quoted(others)
-        ),
+        text: format!("with the declared parameters row `{row}` {fault}; runs end there unless it is removed"),
     }
 }
 

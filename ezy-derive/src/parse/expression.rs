@@ -109,7 +109,7 @@ impl Parser {
                 Ok(Expr::Call { function, arguments, end: brackets.close })
             });
         }
-        if input.peek(Token![.]) {
+        if input.peek(Token![.]) && !input.peek(Token![..]) {
             input.parse::<Token![.]>()?;
             let member = name(input, "the name of a member")?;
             return Ok(Expr::Member { owner: Box::new(owner), member });

@@ -6,6 +6,15 @@ use crate::function::Function;
 impl Algebra {
     /// ∂a/∂x, with every other symbol held.
     pub fn diff(&mut self, a: SumId, x: Symbol) -> SumId {
+        if let Some(&known) = self.derivatives.get(&(a, x)) {
+            return known;
+        }
+        let derivative = self.diff_terms(a, x);
+        self.derivatives.insert((a, x), derivative);
+        derivative
+    }
+
+    fn diff_terms(&mut self, a: SumId, x: Symbol) -> SumId {
         let terms = self.terms(a).clone();
         let mut parts = Vec::new();
         for (monomial, k) in terms {

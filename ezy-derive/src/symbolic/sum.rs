@@ -50,6 +50,8 @@ pub struct Algebra {
     atoms: Interner<Atom>,
     monomials: Interner<Monomial>,
     sums: Interner<Terms>,
+    /// Of sums that were differentiated: without it the time would double with every law inside of a law.
+    pub(super) derivatives: HashMap<(SumId, Symbol), SumId>,
 }
 
 impl SumId {
@@ -73,6 +75,7 @@ impl Algebra {
             atoms: Interner::new(),
             monomials: Interner::new(),
             sums: Interner::new(),
+            derivatives: HashMap::new(),
         };
         new.monomials.intern(Vec::new());
         new.sums.intern(Vec::new());

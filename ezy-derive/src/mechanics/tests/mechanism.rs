@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use super::random::Random;
+use crate::random::Random;
 
 /// A number with the text that stands for it: itself or the name of a parameter.
 #[derive(Debug, Clone)]

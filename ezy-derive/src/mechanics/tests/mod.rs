@@ -6,7 +6,6 @@ mod equations;
 mod mechanism;
 mod models;
 mod oracle;
-mod random;
 mod run;
 mod series;
 mod solutions;
@@ -19,6 +18,7 @@ use super::symbols::Meaning;
 use super::{Equations, check};
 use crate::diag::Diagnostics;
 use crate::function::Function;
+use crate::random::Random;
 use crate::symbolic::coefficient::unsigned;
 use crate::symbolic::evaluate::Point;
 use crate::symbolic::lower::ConstantPool;
@@ -26,7 +26,6 @@ use crate::symbolic::{SumId, Symbol};
 use crate::{model, parse};
 use mechanism::Mechanism;
 use oracle::State;
-use random::Random;
 
 /// Three mechanisms of each size from 1 to 12 bodies.
 const N_MECHANISMS: u64 = 36;

@@ -190,3 +190,11 @@ fn analytic_outputs_are_scalars_in_their_units() {
     );
     assert_eq!(model.outputs[4].effect.map(|id| id.0), Some(0));
 }
+
+#[test]
+fn analytic_range_of_a_for_may_begin_at_a_count() {
+    good(
+        "pub model M { count n = 2; count m = 5; body b[m] { mass: 1, inertia: 1 }
+         for i in n..m { torque b[i]: 1; } start s { } scene c { start s; until 1 s; } }",
+    );
+}

@@ -1,7 +1,7 @@
 //! Corrections of a start: given values stay, the others take the residual away.
 
 use super::System;
-use crate::linalg::{KktFactorization, SparseKkt};
+use crate::linalg::{KktFactorization, SparseKkt, singular_values};
 use crate::model::Scene;
 use nalgebra::{DMatrix, DVector};
 
@@ -76,7 +76,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 G[(row, i)] += jacobian[k] / root_weight[column];
             }
         }
-        let svd = G.try_svd(true, true, f64::EPSILON, 0)?;
+        let svd = singular_values(G, true, true)?;
         let cutoff = (RANK_TOLERANCE * svd.singular_values.max()).max(f64::MIN_POSITIVE);
         let scaled = svd.solve(&residual, cutoff).ok()?;
         let mut step = vec![0.0; given.len()];

@@ -16,11 +16,13 @@ mod order;
 mod rank;
 mod refinement;
 mod scaled;
+mod singular;
 mod sparse;
 
 pub use dense::{DenseKkt, LARGEST_DENSE};
 pub use lu::Lu;
 pub use rank::{LARGEST_DIAGNOSED, RankDiagnosis, diagnose};
+pub(crate) use singular::singular_values;
 pub use sparse::{SparseKkt, SparseKktError};
 
 /// Which solver of K a run uses.

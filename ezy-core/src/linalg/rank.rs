@@ -1,6 +1,7 @@
 //! Why K is singular: which rows depend on each other, which coordinates nothing moves or holds.
 
 use super::scaled::{assemble, scale};
+use super::singular::singular_values;
 use crate::model::SparsityPattern;
 use nalgebra::DMatrix;
 
@@ -40,7 +41,7 @@ pub fn diagnose(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Op
     scale(&entries, mass, jacobian, &mut d, &mut vec![0.0; n_q + n_c]);
     let mut K = DMatrix::zeros(n_q + n_c, n_q + n_c);
     assemble(&entries, mass, jacobian, &d, &mut K);
-    let svd = K.try_svd(false, true, f64::EPSILON, 0)?;
+    let svd = singular_values(K, false, true)?;
     let (sigma, v_t) = (&svd.singular_values, svd.v_t.as_ref()?);
     let (largest, smallest) = (sigma.max(), sigma.min());
     let mut takes_part = vec![false; n_q + n_c];

@@ -3,7 +3,7 @@
 use crate::dynamics::Slopes;
 use crate::linalg::Lu;
 use crate::model::{SceneInfo, SlopePlaces};
-use nalgebra::ComplexField;
+use nalgebra::{ComplexField, DMatrix};
 
 /// K, R_v and R_q of `N(μ) = K − [R_v/μ + R_q/μ² | 0]` at common places.
 ///
@@ -120,6 +120,27 @@ impl Entries {
             if i >= self.n_q {
                 matrix[(i, i)] -= T::from_real(DAMPING);
             }
+        }
+    }
+
+    /// Writes `K·own − R_v·of_v − R_q·of_q` into block (row, column) of a matrix of several such blocks, not scaled; the columns
+    /// of R_v and R_q are those of the accelerations.
+    pub fn write_block(&self, [row, column]: [usize; 2], own: f64, of_v: f64, of_q: f64, matrix: &mut DMatrix<f64>) {
+        let n = self.n();
+        matrix.view_mut((row * n, column * n), (n, n)).fill(0.0);
+        for i in 0..n {
+            for place in self.starts[i]..self.starts[i + 1] {
+                matrix[(row * n + i, column * n + self.columns[place])] =
+                    own * self.fixed[place] - of_v * self.by_v[place] - of_q * self.by_q[place];
+            }
+        }
+    }
+
+    /// Puts the small diagonal on the rows of G of a scaled matrix of several blocks.
+    pub fn damp(&self, matrix: &mut DMatrix<f64>) {
+        let n = self.n();
+        for i in (0..matrix.nrows()).filter(|i| i % n >= self.n_q) {
+            matrix[(i, i)] -= DAMPING;
         }
     }
 

@@ -1,0 +1,109 @@
+//! One pass of Newton's iteration with slopes at every stage.
+
+use super::entries::Entries;
+use super::stages::{Stages, add_combination};
+use super::tableau::{A, A_SQUARED, N_STAGES, Triple};
+use crate::dynamics::Slopes;
+use crate::linalg::Lu;
+use crate::model::{SceneInfo, SlopePlaces};
+
+/// Number of equations of motion up to which all stages are solved together.
+pub const LARGEST_COUPLED: usize = 50;
+
+/// All three stages as one system of 3 (n_q + n_c) equations, with the slopes of each stage in its rows.
+///
+/// The simplified iteration has one set of slopes for the step. Where a stiff force turns by the angle φ in it, what is left of
+/// them is φ times its frequency times the step, and nothing is gained once that is one; with slopes of their own the stages
+/// converge as fast as ever.
+pub struct Coupled {
+    pub slopes: Slopes,
+    entries: Entries,
+    lu: Lu<f64>,
+    row_scale: Vec<f64>,
+    column_scale: Vec<f64>,
+    solution: Vec<f64>,
+    changes: Triple<Vec<f64>>,
+    of_q: Vec<f64>,
+    of_v: Vec<f64>,
+}
+
+impl Coupled {
+    /// None for a scene with too many equations.
+    pub fn new(info: &SceneInfo, places: &SlopePlaces) -> Option<Self> {
+        let (n_q, n) = (info.n_coordinates(), N_STAGES * info.n_unknowns());
+        let zeros = |n: usize| vec![0.0; n];
+        (info.n_unknowns() <= LARGEST_COUPLED).then(|| Self {
+            slopes: Slopes::zero(info, places),
+            entries: Entries::new(info, places),
+            lu: Lu::new(n),
+            row_scale: zeros(n),
+            column_scale: zeros(n),
+            solution: zeros(n),
+            changes: std::array::from_fn(|_| zeros(n_q)),
+            of_q: zeros(n_q),
+            of_v: zeros(n_q),
+        })
+    }
+
+    /// Takes the slopes of stage `i` of a step of length `h` into its rows.
+    pub fn write(&mut self, i: usize, h: f64, mass: &[f64]) {
+        self.entries.write(mass, &self.slopes);
+        for j in 0..N_STAGES {
+            let own = if i == j { 1.0 } else { 0.0 };
+            self.entries.write_block([i, j], own, h * A[i][j], h * h * A_SQUARED[i][j], self.lu.matrix_mut());
+        }
+    }
+
+    /// Improves the stages, as [`Newton::improve`](super::newton::Newton::improve); not a number when the matrix is singular.
+    pub fn improve(&mut self, residual: &Triple<Vec<f64>>, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
+        let n_q = self.of_q.len();
+        let n = residual[0].len();
+        self.scale();
+        if !self.lu.factor() {
+            return f64::NAN;
+        }
+        for (x, (r, scale)) in self.solution.iter_mut().zip(residual.iter().flatten().zip(&self.row_scale)) {
+            *x = r * scale;
+        }
+        self.lu.solve(&mut self.solution);
+        self.solution.iter_mut().zip(&self.column_scale).for_each(|(x, scale)| *x *= scale);
+        for (i, solution) in self.solution.chunks_exact(n).enumerate() {
+            let (a, lambda) = solution.split_at(n_q);
+            self.changes[i].copy_from_slice(a);
+            stages.a[i].iter_mut().zip(a).for_each(|(x, change)| *x += change);
+            stages.lambda[i].iter_mut().zip(lambda).for_each(|(x, change)| *x += change);
+        }
+        let mut squares = 0.0;
+        for i in 0..N_STAGES {
+            for (table, factor, of, weights, target) in [
+                (&A, h, &mut self.of_v, &weights[n_q..], &mut stages.v[i]),
+                (&A_SQUARED, h * h, &mut self.of_q, &weights[..n_q], &mut stages.q[i]),
+            ] {
+                of.fill(0.0);
+                add_combination(&table[i].map(|weight| factor * weight), &self.changes, of);
+                for ((change, weight), x) in of.iter().zip(weights).zip(target.iter_mut()) {
+                    *x += change;
+                    squares += (change * weight).powi(2);
+                }
+            }
+        }
+        (squares / (2 * N_STAGES * n_q).max(1) as f64).sqrt()
+    }
+
+    /// Brings the largest entries of columns, then of rows, to one.
+    fn scale(&mut self) {
+        let n = self.solution.len();
+        let matrix = self.lu.matrix_mut();
+        for j in 0..n {
+            let largest = matrix.column(j).amax();
+            self.column_scale[j] = if largest > 0.0 { 1.0 / largest } else { 1.0 };
+            matrix.column_mut(j).scale_mut(self.column_scale[j]);
+        }
+        for i in 0..n {
+            let largest = matrix.row(i).amax();
+            self.row_scale[i] = if largest > 0.0 { 1.0 / largest } else { 1.0 };
+            matrix.row_mut(i).scale_mut(self.row_scale[i]);
+        }
+        self.entries.damp(matrix);
+    }
+}

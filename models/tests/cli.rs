@@ -124,7 +124,7 @@ fn check_keys(run: &Value) {
     assert_eq!(keys(&run["multipliers"]), ["B.x", "B.y", "front", "rear"]);
     assert_eq!(keys(&run["energy"]), ["balance", "kinetic", "potential", "work"]);
     assert_eq!(keys(&run["residual"]), ["position", "velocity"]);
-    let monitors = ["energy", "longest_step", "position_drift", "position_residual", "shortest_step", "velocity_drift"];
+    let monitors = ["condition", "energy", "longest_step", "position_drift", "position_residual", "shortest_step"];
     assert_eq!(keys(&run["monitors"])[..6], monitors);
     assert_eq!(keys(&run["cost"]), ["evaluations", "factorizations", "rejected", "seconds", "steps"]);
 }

@@ -11,12 +11,12 @@ use ezy_core::model::Scene;
 use ezy_core::prelude::{State, System};
 use ezy_core::simulate::Simulation;
 use ezy_models::{double_pendulum, ezy_roller, slider_crank};
+use ezy_tests::cachegrind::{instructions, is_installed};
 use ezy_tests::count_table::{CountTable, surroundings};
 use ezy_tests::page::{docs, part, write_part};
 use ezy_tests::plain_rollers::{coasting, drifting, pumped};
 use std::error::Error;
 use std::hint::black_box;
-use std::process::Command;
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -83,7 +83,7 @@ fn main() -> Outcome {
         SCENES[scene.parse::<usize>()?].2(column.parse()?, n.parse()?)?;
         return Ok(());
     }
-    if Command::new("valgrind").arg("--version").output().is_err() {
+    if !is_installed() {
         println!("valgrind is not installed; instructions are not counted");
         return Ok(());
     }
@@ -110,18 +110,6 @@ fn main() -> Outcome {
 
 /// Instructions of what a column counts.
 fn count(scene: usize, column: usize) -> Result<u64, Box<dyn Error>> {
-    Ok((instructions(scene, column, 2 * N)?.saturating_sub(instructions(scene, column, N)?)) / N)
-}
-
-/// Instructions of a run of this program.
-fn instructions(scene: usize, column: usize, n: u64) -> Result<u64, Box<dyn Error>> {
-    let output = Command::new("valgrind")
-        .args(["--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"])
-        .arg(std::env::current_exe()?)
-        .args([scene.to_string(), column.to_string(), n.to_string()])
-        .output()?;
-    let text = String::from_utf8_lossy(&output.stderr).into_owned();
-    let line = text.lines().find(|line| line.contains("I refs") || line.contains("I   refs:"));
-    let digits = line.and_then(|line| line.rsplit_once(':')).map(|(_, number)| number.replace([',', ' '], ""));
-    digits.and_then(|digits| digits.parse().ok()).ok_or_else(|| format!("valgrind answered:\n{text}").into())
+    let of = |n: u64| instructions(&[scene.to_string(), column.to_string(), n.to_string()]);
+    Ok((of(2 * N)?.saturating_sub(of(N)?)) / N)
 }

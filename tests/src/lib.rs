@@ -1,5 +1,6 @@
 //! What the tests of EZY share: scenes written by hand, and the reference trajectories.
 
+pub mod cachegrind;
 pub mod chain;
 pub mod count_table;
 pub mod counted;

@@ -3,7 +3,7 @@
 use super::projection::Euclidean;
 use super::system::Solver;
 use super::{Metric, MotionError, System};
-use crate::linalg::{DenseKkt, KktFactorization, LARGEST_DIAGNOSED, diagnose};
+use crate::linalg::{ConditionEstimator, Conditioning, DenseKkt, KktFactorization, LARGEST_DIAGNOSED, diagnose};
 use crate::model::{Scene, SceneInfo, Series, SeriesStore};
 
 impl<S: Scene + ?Sized> System<'_, S> {
@@ -143,6 +143,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
         factored(&mut self.solver, &mut self.second_opinion, self.info).solve(right_side);
         a.copy_from_slice(&right_side[..force.len()]);
         lambda.copy_from_slice(&right_side[force.len()..]);
+    }
+
+    /// How well K can be solved with at a state, by an estimator for this scene.
+    pub fn conditioning(&mut self, t: f64, q: &[f64], estimator: &mut ConditionEstimator) -> Conditioning {
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        estimator.estimate(&self.mass, &self.info.jacobian, &self.buffers.jacobian)
     }
 
     /// Removes from accelerations `a` what rounding left of `G a + [h; s]`, by one correction in the mass matrix.

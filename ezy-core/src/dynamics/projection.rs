@@ -56,6 +56,10 @@ const LARGEST_TOLERANCE: f64 = 1e-6;
 /// Gauss–Newton passes; from the drift of one step two are plenty.
 pub(super) const MAX_PASSES: usize = 10;
 
+/// Passes before a residual may be taken for rounding: at 1e6 rad a correction of an angle is lost, but what x and y take of it
+/// is not, so that each pass leaves a part.
+const PASSES_TO_ROUNDING: usize = 3;
+
 /// The first one converges quadratically, the second one removes its rounding.
 const PASSES_NEAR_RANK_LOSS: usize = 2;
 
@@ -150,7 +154,9 @@ impl<S: Scene + ?Sized> System<'_, S> {
             if passes == 0 {
                 self.projected.positions_before = worst;
             }
-            if norm <= POSITION_TOLERANCE || norm <= tolerance && (passes == MAX_PASSES || norm <= self.rounding(t, q))
+            if norm <= POSITION_TOLERANCE
+                || norm <= tolerance
+                    && (passes == MAX_PASSES || passes >= PASSES_TO_ROUNDING && norm <= self.rounding(t, q))
             {
                 self.projected.positions_after = worst;
                 return Ok(passes);

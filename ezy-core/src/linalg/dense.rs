@@ -44,6 +44,19 @@ impl DenseKkt {
     }
 }
 
+impl DenseKkt {
+    /// D of the last factorisation of D K D.
+    pub(super) fn scale(&self) -> &[f64] {
+        &self.scale
+    }
+
+    /// Smallest pivot of the last successful factorisation, and its unknown.
+    pub(super) fn smallest_pivot(&self) -> (f64, usize) {
+        let pivots = (0..self.scale.len()).map(|i| (self.factors[(i, i)].abs(), i));
+        pivots.min_by(|(x, _), (y, _)| x.total_cmp(y)).unwrap_or((1.0, 0))
+    }
+}
+
 impl KktFactorization for DenseKkt {
     fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
         scale(&self.entries, mass, jacobian, &mut self.scale, &mut self.largest);

@@ -9,6 +9,7 @@
 // matrices keep the capital letters of the notation
 #![allow(non_snake_case)]
 
+mod conditioning;
 mod dense;
 mod lower;
 mod lu;
@@ -19,6 +20,7 @@ mod scaled;
 mod singular;
 mod sparse;
 
+pub use conditioning::{ConditionEstimator, Conditioning};
 pub use dense::{DenseKkt, LARGEST_DENSE};
 pub use lu::Lu;
 pub use rank::{LARGEST_DIAGNOSED, RankDiagnosis, diagnose};

@@ -26,7 +26,7 @@ pub use ensemble::Ensemble;
 pub use error::SetupError;
 pub use input_file::{InputFileError, read_inputs};
 pub use input_table::{InputTable, TableError};
-pub use monitor::{EnergyError, ExceededLimit, Monitors, Peak};
+pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, Monitors, Peak};
 pub use outcome::{Cost, Outcome, Run, StopReason};
 pub use sensitivity::{Sensitivities, Tangent};
 pub use simulation::Simulation;

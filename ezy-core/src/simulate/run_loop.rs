@@ -100,7 +100,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
 
     /// One step from `now`, which stays as it is when the step fails.
     fn step(&mut self, n: u64) -> Result<(), StopReason> {
-        self.watch.admits_step(self.motion.chooses_steps())?;
+        self.watch.admits_step(self.motion.chooses_steps(), self.motion.n_rejected())?;
         let (h, t_next) = self.plan.pace.step(n, self.motion.now.state.t);
         self.motion.advance(h, t_next)?;
         let last = self.motion.next.state.t >= self.plan.pace.end();

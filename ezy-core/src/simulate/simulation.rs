@@ -180,7 +180,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self.work()
     }
 
-    /// Ends the run after so many steps; without it methods that choose their steps take twenty million at most.
+    /// Ends the run after so many steps, those that were taken back included; without it methods that choose their steps try ten
+    /// million at most.
     #[must_use]
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.limits.steps = Some(steps);

@@ -127,7 +127,7 @@ pub struct RunArguments {
     /// Stop before energy and work differ by more than this part of the energy turned over
     #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
     pub max_energy_error: Option<f64>,
-    /// Stop after N steps [default: twenty million when the method chooses them]
+    /// Stop after N steps, those taken back included [default: ten million when the method chooses them]
     #[arg(long, value_name = "N", value_parser = parse_count, allow_negative_numbers = true)]
     pub max_steps: Option<u64>,
     /// Change a parameter or a count; may be repeated

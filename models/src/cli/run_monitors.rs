@@ -1,6 +1,6 @@
 //! What a run watched, as JSON and as text.
 
-use ezy_core::simulate::{EnergyError, Monitors, Peak, Run};
+use ezy_core::simulate::{ConditionPeak, EnergyError, Monitors, Peak, Run};
 
 use super::json::Json;
 
@@ -14,6 +14,7 @@ pub fn monitors_json(monitors: Option<&Monitors>) -> Json {
         ("position_drift", peak(|m| m.position_drift)),
         ("velocity_drift", peak(|m| m.velocity_drift)),
         ("energy", monitors.and_then(|m| m.energy).map_or(Json::Null, energy_json)),
+        ("condition", monitors.and_then(|m| m.condition).map_or(Json::Null, condition_json)),
         ("shortest_step", step(0)),
         ("longest_step", step(1)),
     ])
@@ -27,9 +28,19 @@ fn energy_json(EnergyError { joules, relative, t }: EnergyError) -> Json {
     Json::object([("balance", Json::Number(joules)), ("relative", Json::Number(relative)), ("t", Json::Number(t))])
 }
 
+fn condition_json(ConditionPeak { at_start, largest, pivot, unknown, t }: ConditionPeak) -> Json {
+    Json::object([
+        ("at_start", Json::Number(at_start)),
+        ("largest", Json::Number(largest)),
+        ("t", Json::Number(t)),
+        ("smallest_pivot", Json::Number(pivot)),
+        ("pivot_of", unknown.map_or(Json::Null, Json::text)),
+    ])
+}
+
 /// The monitors as lines of text.
 pub fn monitors_text(run: &Run) -> String {
-    let Monitors { position_residual, velocity_residual, position_drift, velocity_drift, energy, steps_s } =
+    let Monitors { position_residual, velocity_residual, position_drift, velocity_drift, energy, condition, steps_s } =
         run.monitors;
     let pair = |title: &str, [positions, velocities]: [Option<Peak>; 2]| {
         let told = [("positions", positions), ("velocities", velocities)];
@@ -45,6 +56,11 @@ pub fn monitors_text(run: &Run) -> String {
         }
         None => String::new(),
     };
+    if let Some(ConditionPeak { at_start, largest, pivot, t, .. }) = condition {
+        text += &format!(
+            "  condition of the equations: {largest:.1e} (t = {t:.6} s, smallest pivot {pivot:.1e}), at the start {at_start:.1e}\n"
+        );
+    }
     if let Some([shortest, longest]) = steps_s {
         text += &format!("  steps: {shortest:.1e} s to {longest:.1e} s, {} rejected\n", run.cost.rejected);
     }

@@ -16,6 +16,7 @@ mod hand_and_generated;
 mod hard;
 mod large;
 mod local_order;
+mod long_runs;
 mod massless;
 mod monitors;
 mod order;

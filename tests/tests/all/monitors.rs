@@ -4,7 +4,7 @@ use crate::scenes::{Case, coast, driven, set};
 use ezy_core::dynamics::{MotionError, StrainSource};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ExceededLimit, StopReason};
-use ezy_models::{knife_edge, pendulum};
+use ezy_models::{four_bar, knife_edge, pendulum};
 
 /// Where both are projected, positions of bodies of size one keep this.
 const POSITION_RESIDUAL: f64 = 1e-12;
@@ -67,6 +67,15 @@ fn invariant_steps_are_told_from_the_shortest_to_the_longest() {
 }
 
 #[test]
+fn invariant_condition_rises_where_rows_come_near_each_other() {
+    let scene = four_bar::Turning::default();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).run().unwrap();
+    let condition = run.monitors.condition.unwrap();
+    assert!(condition.at_start >= 1.0 && condition.largest >= condition.at_start, "{condition:?}");
+    assert!(condition.pivot > 0.0 && condition.pivot <= 1.0 && condition.unknown.is_some(), "{condition:?}");
+}
+
+#[test]
 fn invariant_monitors_do_not_change_the_motion() {
     for Case { route, scene } in driven() {
         let order = || Simulation::new(&*scene).until(2.0).work();
@@ -123,7 +132,7 @@ fn invariant_steps_beyond_their_limit_end_the_run_and_are_kept() {
         let run = Simulation::new(&scene).method(method).max_steps(7).run().unwrap();
         let reason = reason(&run);
         assert!(matches!(reason, StopReason::Limit(ExceededLimit::Steps { limit: 7, .. })), "{reason}");
-        assert_eq!(run.cost.steps, 7);
+        assert!(run.cost.steps <= 7 && run.cost.steps + run.cost.rejected >= 7, "{:?}", run.cost);
         assert!(run.last().t > 0.0);
     }
 }

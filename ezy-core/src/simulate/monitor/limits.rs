@@ -2,9 +2,9 @@
 
 use crate::simulate::SetupError;
 
-/// Steps that a method which chooses their length takes at most, unless the order says otherwise: a minute or so. A step of
-/// fixed length has its own limit when the run is ordered.
-const MAX_CHOSEN_STEPS: u64 = 20_000_000;
+/// Steps that a method which chooses their length tries at most, unless the order says otherwise: a minute or so. For steps of
+/// fixed length there is a limit when the run is ordered.
+const MAX_CHOSEN_STEPS: u64 = 10_000_000;
 
 /// As ordered; infinite where nothing was.
 #[derive(Debug, Clone, Copy)]
@@ -13,7 +13,7 @@ pub(in crate::simulate) struct Limits {
     pub drift: f64,
     /// Largest energy balance over the energy turned over.
     pub energy_error: f64,
-    /// Steps.
+    /// Steps, with those taken back.
     pub steps: Option<u64>,
 }
 
@@ -77,13 +77,13 @@ pub enum ExceededLimit {
     },
     /// The end is out of reach.
     #[error(
-        "{limit} steps are taken, the limit (max-steps), the last of them {step_s:.1e} s long; allow more steps or larger \
+        "{limit} steps are tried, the limit (max-steps), the last good one {step_s:.1e} s long; allow more steps or larger \
          errors, end earlier, or look at the speeds and forces at that time"
     )]
     Steps {
         /// The limit.
         limit: u64,
-        /// Length of the last step, s; zero without one.
+        /// Length of the last good step, s; zero without one.
         step_s: f64,
     },
 }

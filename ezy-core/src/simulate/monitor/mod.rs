@@ -1,9 +1,11 @@
 //! What every run watches on its way: residuals, drift, energy, steps; and the limits that end it.
 
+mod condition;
 mod energy;
 mod limits;
 mod watch;
 
+pub use condition::ConditionPeak;
 pub use energy::EnergyError;
 pub use limits::ExceededLimit;
 pub(super) use limits::Limits;
@@ -23,6 +25,8 @@ pub struct Monitors {
     pub velocity_drift: Option<Peak>,
     /// Largest energy balance; none where effects do work that the run does not integrate.
     pub energy: Option<EnergyError>,
+    /// Condition of the equations of motion; none without rows, and in scenes of more than 200 unknowns.
+    pub condition: Option<ConditionPeak>,
     /// Shortest and longest step, s; none in a run without a step. The shortest may be what was left to the end.
     pub steps_s: Option<[f64; 2]>,
 }

@@ -1,5 +1,6 @@
 //! Watching, step by step.
 
+use super::condition::ConditionWatch;
 use super::energy::EnergyWatch;
 use super::{EnergyError, ExceededLimit, Limits, Monitors, Peak};
 use crate::dynamics::{Projection, State, System, Worst};
@@ -20,6 +21,7 @@ pub(in crate::simulate) struct Watch {
     position_drift: Peak,
     velocity_drift: Peak,
     energy: Option<EnergyWatch>,
+    condition: Option<Box<ConditionWatch>>,
     shortest_s: f64,
     longest_s: f64,
     last_s: f64,
@@ -48,6 +50,7 @@ impl Watch {
             velocity_residual: peak(system.worst_velocity(*t, q, v)),
             position_drift: peak(Worst::default()),
             velocity_drift: peak(Worst::default()),
+            condition: ConditionWatch::new(system, start),
             energy: measured.then(|| EnergyWatch::new(system, start)),
             shortest_s: f64::INFINITY,
             longest_s: 0.0,
@@ -55,10 +58,14 @@ impl Watch {
         }
     }
 
-    /// Whether another step may be taken.
-    pub fn admits_step(&self, chooses_steps: bool) -> Result<(), ExceededLimit> {
+    /// Whether another step may be taken; `n_rejected` were taken back.
+    pub fn admits_step(&self, chooses_steps: bool, n_rejected: u64) -> Result<(), ExceededLimit> {
         let limit = self.limits.most_steps(chooses_steps);
-        if self.n_steps < limit { Ok(()) } else { Err(ExceededLimit::Steps { limit, step_s: self.last_s }) }
+        if self.n_steps + n_rejected < limit {
+            Ok(())
+        } else {
+            Err(ExceededLimit::Steps { limit, step_s: self.last_s })
+        }
     }
 
     /// Looks at the projected end of a step that began at `from`, s. A state that exceeds a limit is not counted.
@@ -80,6 +87,9 @@ impl Watch {
             energy.keep(now);
         }
         self.n_steps += 1;
+        if let Some(condition) = &mut self.condition {
+            condition.look(system, state, self.n_steps, last);
+        }
         self.last_s = state.t - from;
         self.shortest_s = self.shortest_s.min(self.last_s);
         self.longest_s = self.longest_s.max(self.last_s);
@@ -143,6 +153,7 @@ impl Watch {
             position_drift: (of_positions && self.projection.positions()).then_some(self.position_drift),
             velocity_drift: (of_rows && self.projection.velocities()).then_some(self.velocity_drift),
             energy: self.energy.as_ref().map(|energy| energy.largest),
+            condition: self.condition.as_ref().map(|condition| condition.peak),
             steps_s: (self.n_steps > 0).then_some([self.shortest_s, self.longest_s]),
         }
     }

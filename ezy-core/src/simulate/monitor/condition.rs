@@ -1,0 +1,69 @@
+//! How well the equations of motion can be solved with over a run.
+
+use crate::dynamics::{State, System};
+use crate::linalg::{ConditionEstimator, Conditioning};
+use crate::model::Scene;
+
+/// Condition of the equations of motion where a run looked at it: at its start and end, and on the way now and then, so that
+/// looks take less than a hundredth of the time of steps. A singular position that is crossed in between is not seen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConditionPeak {
+    /// Condition number at the start, estimated from below, of the matrix scaled by its entries.
+    pub at_start: f64,
+    /// The largest one.
+    pub largest: f64,
+    /// Smallest pivot at that state; 1 is as good as it gets.
+    pub pivot: f64,
+    /// Name of the row or coordinate whose pivot it is; none where it vanished.
+    pub unknown: Option<&'static str>,
+    /// Time of that state, s.
+    pub t: f64,
+}
+
+/// Unknowns up to which a dense factorisation at start and end is nothing beside a run.
+const LARGEST: usize = 200;
+
+/// Steps between two looks at least; in larger scenes the square of their unknowns.
+const FEWEST_BETWEEN: u64 = 4096;
+
+/// The estimates of a run under way.
+pub(super) struct ConditionWatch {
+    estimator: ConditionEstimator,
+    n_between: u64,
+    pub peak: ConditionPeak,
+}
+
+impl ConditionWatch {
+    /// None for a scene without rows or one that is too large.
+    pub fn new<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Option<Box<Self>> {
+        let info = system.info();
+        let n = info.n_unknowns();
+        if info.n_rows() == 0 || n > LARGEST {
+            return None;
+        }
+        let mut estimator = ConditionEstimator::new(info.n_coordinates(), &info.jacobian);
+        let found = system.conditioning(start.t, &start.q, &mut estimator);
+        let peak = peak(system, found.condition, found, start.t);
+        Some(Box::new(Self { estimator, n_between: FEWEST_BETWEEN.max((n * n) as u64), peak }))
+    }
+
+    /// Looks after step `n_steps` when it is time, or at the end.
+    pub fn look<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, state: &State, n_steps: u64, last: bool) {
+        if !last && !n_steps.is_multiple_of(self.n_between) {
+            return;
+        }
+        let found = system.conditioning(state.t, &state.q, &mut self.estimator);
+        if found.condition > self.peak.largest {
+            self.peak = peak(system, self.peak.at_start, found, state.t);
+        }
+    }
+}
+
+fn peak<S: Scene + ?Sized>(system: &System<'_, S>, at_start: f64, found: Conditioning, t: f64) -> ConditionPeak {
+    let info = system.info();
+    let name = |i: usize| match i.checked_sub(info.n_coordinates()) {
+        None => info.coordinates[i].name,
+        Some(row) => info.rows[row].name,
+    };
+    ConditionPeak { at_start, largest: found.condition, pivot: found.pivot, unknown: found.unknown.map(name), t }
+}

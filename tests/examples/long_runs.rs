@@ -1,0 +1,114 @@
+//! What monitors cost, and what compensated sums are worth in a long run.
+//!
+//! `cargo run --release --example long_runs` prints two tables; with `-- --write` they go into `docs/cost.md`. Instructions are
+//! counted with valgrind, when it is installed, as the difference of two runs.
+
+use ezy_core::integrate::{Knot, Rk4};
+use ezy_core::prelude::*;
+use ezy_models::{ezy_roller, knife_edge, pendulum, roller_racer};
+use ezy_tests::cachegrind::{instructions, is_installed};
+use ezy_tests::page::write_part;
+use std::error::Error;
+
+type Outcome = Result<(), Box<dyn Error>>;
+
+/// Steps that are counted.
+const N: u64 = 2000;
+/// Step of what is counted, s.
+const STEP_S: f64 = 1e-3;
+
+/// What is counted: unwatched by a stepper, watched in a run; both with works.
+const COUNTED: [&str; 4] = ["stepper", "run", "stepper with works", "run with works"];
+
+/// Does `COUNTED[which]` for `n` steps of the driven EzyRoller.
+fn repeat(which: usize, n: u64) -> Outcome {
+    let scene = ezy_roller::Driven::default();
+    let order = Simulation::new(&scene).method(Method::rk4(STEP_S)).until(n as f64 * STEP_S);
+    let order = if which < 2 { order } else { order.work() };
+    if which.is_multiple_of(2) {
+        order.stepper()?.step(n)?;
+    } else {
+        order.run()?;
+    }
+    Ok(())
+}
+
+fn monitors_table() -> Result<String, Box<dyn Error>> {
+    let mut counts = [0; COUNTED.len()];
+    for (which, count) in counts.iter_mut().enumerate() {
+        let of = |n: u64| instructions(&[which.to_string(), n.to_string()]);
+        *count = (of(2 * N)?.saturating_sub(of(N)?)) / N;
+    }
+    let [stepper, run, stepper_with_works, run_with_works] = counts;
+    let ratio = |run: u64, stepper: u64| run as f64 / stepper as f64;
+    Ok(format!(
+        "| a step of RK4, `driven` | unwatched | watched | ratio |\n|---|---:|---:|---:|\n\
+         | motion | {stepper} | {run} | {:.3} |\n\
+         | with works and energy balance | {stepper_with_works} | {run_with_works} | {:.3} |\n",
+        ratio(run, stepper),
+        ratio(run_with_works, stepper_with_works),
+    ))
+}
+
+/// Steps of a long run.
+const LONG: u64 = 1_000_000;
+/// Their length, s: the error of the method is far below rounding then.
+const SHORT_S: f64 = 1e-4;
+
+/// Largest error of the coordinates after a long run with both projections, against Taylor's method at 1e-15.
+fn error<S: Scene + Default>(compensated: bool) -> Result<f64, Box<dyn Error>> {
+    let scene = S::default();
+    let info = scene.info();
+    let mut system = System::new(&scene, Backend::Auto)?;
+    let mut now = system.consistent_start(&system.scene_start())?;
+    now.work.clear();
+    let mut next = now.clone();
+    let (mut a, mut lambda) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
+    let mut rk4 = Rk4::new(info.n_coordinates(), info.n_rows(), 0);
+    for n in 0..LONG {
+        system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda)?;
+        if !compensated {
+            rk4.restart();
+        }
+        let from = Knot { state: &now, a: &a, power: &[] };
+        rk4.step(&mut system, from, SHORT_S, (n + 1) as f64 * SHORT_S, &mut next)?;
+        let State { t, q, v, .. } = &mut next;
+        system.project(*t, q, v, Projection::Both, Metric::Mass)?;
+        std::mem::swap(&mut now, &mut next);
+    }
+    let reference = Simulation::new(&scene).method(Method::taylor(1e-15)).until(LONG as f64 * SHORT_S).run()?;
+    let differences = now.q.iter().zip(reference.last().coordinates).map(|(q, exact)| (q - exact).abs());
+    Ok(differences.fold(0.0, f64::max))
+}
+
+fn compensation_table() -> Result<String, Box<dyn Error>> {
+    let mut table = "| a million steps of 0.1 ms | with | without |\n|---|---:|---:|\n".to_owned();
+    let mut push = |scene: &str, error: fn(bool) -> Result<f64, Box<dyn Error>>| -> Outcome {
+        table += &format!("| {scene} | {:.0e} | {:.0e} |\n", error(true)?, error(false)?);
+        Ok(())
+    };
+    push("`ezyroller/coast`", error::<ezy_roller::Coast>)?;
+    push("`rollerracer/coast`", error::<roller_racer::Coast>)?;
+    push("`knifeedge/cycloid`", error::<knife_edge::Cycloid>)?;
+    push("`pendulum/swing`", error::<pendulum::Swing>)?;
+    Ok(table)
+}
+
+fn main() -> Outcome {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let [which, n] = &arguments[..] {
+        return repeat(which.parse()?, n.parse()?);
+    }
+    let write = arguments.first().is_some_and(|argument| argument == "--write");
+    let mut tables = vec![("compensation", compensation_table()?)];
+    if is_installed() {
+        tables.push(("monitors", monitors_table()?));
+    }
+    for (part, table) in tables {
+        println!("{table}");
+        if write {
+            write_part("cost.md", part, &table)?;
+        }
+    }
+    Ok(())
+}

@@ -15,6 +15,8 @@ const EXTENSION: f64 = 1e-10;
 const MAX_STEPS: f64 = 5000.0;
 /// Of the reference.
 const CASTER: f64 = 1e-7;
+/// A tolerance at which an aligned caster is followed by its slow motion alone.
+const ALIGNED_TOLERANCE: f64 = 1e-6;
 /// Of our own run at a step of 50 µs.
 const NEAR_SINGULAR: f64 = 1e-9;
 
@@ -41,14 +43,10 @@ pub fn cases() -> Vec<Case> {
             "caster_trail_1e-2",
             "a caster that trails its hinge by 1 cm turns into line within 10 ms; then its mode is stiff",
             true,
-            |naive| {
-                let step = naive.then_some(1e-4);
-                through_states("torture", "caster_trail_1e-2", CASTER, Method::taylor(1e-12), step, |_| vec![])
-            },
+            |naive| caster("caster_trail_1e-2", naive),
         ),
         case("caster_trail_1e-3", "a trail of 1 mm: within 1 ms, at 800 rad/s", true, |naive| {
-            let step = naive.then_some(1e-4);
-            through_states("torture", "caster_trail_1e-3", CASTER, Method::taylor(1e-12), step, |_| vec![])
+            caster("caster_trail_1e-3", naive)
         }),
         case(
             "ezyroller_near_singular",
@@ -57,6 +55,26 @@ pub fn cases() -> Vec<Case> {
             near_singular,
         ),
     ]
+}
+
+/// Followed exactly; and once it has aligned, by steps of an implicit method that need not follow its mode.
+fn caster(name: &str, naive: bool) -> Findings {
+    let mut findings =
+        through_states("torture", name, CASTER, Method::taylor(1e-12), naive.then_some(1e-4), |_| vec![]);
+    let subject = subject("torture", name);
+    let trail = -number(&subject.block["skates"][1]["point"][0]);
+    let times = times_of(&subject.data["states"]);
+    let [from, to] = [times[1], times[2]];
+    let steps = |until_s: f64| {
+        Trial::new(&subject, vec![until_s], vec![]).examine(Method::radau(ALIGNED_TOLERANCE), None).steps as f64
+    };
+    let step_s = (to - from) / (steps(to) - steps(from));
+    findings.checks.push(Check::new(
+        "100 trail/speed over a step of radau, 1e-6, after alignment",
+        1.0,
+        100.0 * trail / step_s,
+    ));
+    findings
 }
 
 fn spring(name: &str, until_s: f64, method: Method, naive: bool) -> Findings {

@@ -5,6 +5,7 @@ pub mod chain;
 pub mod count_table;
 pub mod counted;
 pub mod crank;
+pub mod fuzz;
 pub mod garage;
 pub mod hand_roller;
 pub mod hard;

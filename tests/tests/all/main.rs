@@ -11,6 +11,7 @@ mod dop853;
 mod drives;
 mod ensemble;
 mod exact_start;
+mod fuzz;
 mod garage;
 mod hand_and_generated;
 mod hard;

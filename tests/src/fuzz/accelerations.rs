@@ -1,0 +1,120 @@
+//! Accelerations and multipliers at one state against the oracle.
+
+use ezy_core::model::PIVOT_TOLERANCE;
+use ezy_core::prelude::*;
+
+use super::draw::Draw;
+use super::oracle::Oracle;
+use super::tally::Verdict;
+
+/// The oracle takes n³ operations of 20 ns each.
+const LARGEST: usize = 60;
+
+/// The scene may lose this part of the largest number of a kind: pivots of the elimination may be as small, of what they
+/// started from, as [`PIVOT_TOLERANCE`], and below it the pivoted solver decides.
+const LOSS: f64 = f64::EPSILON / PIVOT_TOLERANCE;
+
+/// And this many times what rounding of the entries of K and r does to the solution itself, and of its largest number: an
+/// elimination without pivoting adds up some thousand of them.
+const GROWTH: f64 = 1e4;
+
+/// Roundings that are tried, each with other signs.
+const N_ROUNDINGS: usize = 3;
+
+/// K and r at a state, in the numbers that the scene computes itself.
+struct Equations {
+    matrix: Vec<Vec<f64>>,
+    right: Vec<f64>,
+}
+
+impl Equations {
+    fn at(system: &System<'_, dyn Scene + '_>, t: f64, q: &[f64], v: &[f64]) -> Self {
+        let (scene, info, c) = (system.scene(), system.info(), system.fixed());
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let mut matrix = vec![vec![0.0; n_q + n_c]; n_q + n_c];
+        system.mass_matrix().iter().enumerate().for_each(|(i, m)| matrix[i][i] = *m);
+        let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
+        scene.velocity_jacobian(c, t, q, &mut entries);
+        for (k, row, column) in info.jacobian.entries() {
+            matrix[n_q + row][column] += entries[k];
+            matrix[column][n_q + row] += entries[k];
+        }
+        let mut right = vec![0.0; n_q + n_c];
+        let (force, rows) = right.split_at_mut(n_q);
+        scene.applied_force(c, t, q, v, force);
+        scene.convective_term(c, t, q, v, rows);
+        rows.iter_mut().for_each(|h| *h = -*h);
+        Self { matrix, right }
+    }
+
+    /// r − K x
+    fn residual(&self, x: &[f64]) -> Vec<f64> {
+        let product = self.matrix.iter().map(|row| row.iter().zip(x).map(|(k, x)| k * x).sum::<f64>());
+        product.zip(&self.right).map(|(product, r)| r - product).collect()
+    }
+
+    /// |r| + |K| |x|
+    fn magnitude(&self, x: &[f64]) -> Vec<f64> {
+        let product = self.matrix.iter().map(|row| row.iter().zip(x).map(|(k, x)| (k * x).abs()).sum::<f64>());
+        product.zip(&self.right).map(|(product, r)| r.abs() + product).collect()
+    }
+}
+
+/// Solves at a state and compares.
+///
+/// # Errors
+/// What is wrong with the accelerations, in numbers.
+pub fn check(system: &mut System<'_, dyn Scene + '_>, state: &State, draw: &mut Draw) -> Result<Verdict, String> {
+    let info = system.info();
+    let n_q = info.n_coordinates();
+    let mut x = vec![0.0; info.n_unknowns()];
+    let (a, lambda) = x.split_at_mut(n_q);
+    if system.accelerations(state.t, &state.q, &state.v, a, lambda).is_err() {
+        return Ok(Verdict::AccelerationsRefused);
+    }
+    let here = Equations::at(system, state.t, &state.q, &state.v);
+    if info.n_unknowns() > LARGEST || x.iter().chain(&here.right).any(|x| !x.is_finite()) {
+        return Ok(Verdict::AccelerationsNotCompared);
+    }
+    let Some(oracle) = Oracle::new(&here.matrix) else { return Ok(Verdict::AccelerationsNotCompared) };
+    let units = info.coordinates.iter().map(|c| c.unit).chain(info.rows.iter().map(|row| row.multiplier_unit));
+    let units: Vec<&str> = units.collect();
+    if !oracle.is_regular {
+        return compare("residual", &here.residual(&x), &here.magnitude(&x), &units, &vec![0.0; x.len()]);
+    }
+    let exact = oracle.solve(&here.right);
+    let magnitude = here.magnitude(&exact);
+    let mut rounding = vec![0.0_f64; x.len()];
+    for _ in 0..N_ROUNDINGS {
+        let mut nudge = |x: &f64| if draw.once_in(2) { x * (1.0 + f64::EPSILON) } else { x * (1.0 - f64::EPSILON) };
+        let (q, v): (Vec<f64>, Vec<f64>) =
+            (state.q.iter().map(&mut nudge).collect(), state.v.iter().map(&mut nudge).collect());
+        let nudged = Equations::at(system, state.t, &q, &v).residual(&exact);
+        let change: Vec<f64> = nudged
+            .iter()
+            .zip(&magnitude)
+            .map(|(change, size)| change + f64::EPSILON * if draw.once_in(2) { *size } else { -size })
+            .collect();
+        rounding.iter_mut().zip(oracle.solve(&change)).for_each(|(most, x)| *most = most.max(x.abs()));
+    }
+    if exact.iter().chain(&rounding).any(|x| !x.is_finite()) {
+        return Ok(Verdict::AccelerationsNotCompared);
+    }
+    let error: Vec<f64> = x.iter().zip(&exact).map(|(x, exact)| x - exact).collect();
+    compare("error", &error, &exact, &units, &rounding)
+}
+
+/// Errors against the largest number of their kind, and against what rounding does.
+fn compare(what: &str, error: &[f64], sizes: &[f64], units: &[&str], rounding: &[f64]) -> Result<Verdict, String> {
+    let largest = sizes.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    for (i, unit) in units.iter().enumerate() {
+        let of_kind = sizes.iter().zip(units).filter(|(_, other)| *other == unit);
+        let size = of_kind.fold(0.0, |m: f64, (x, _)| m.max(x.abs()));
+        let allowed = LOSS * size + GROWTH * (rounding[i] + f64::EPSILON * largest);
+        if error[i].is_nan() || error[i].abs() > allowed {
+            let (error, rounding) = (error[i].abs(), rounding[i]);
+            return Err(format!("{what} {error:.1e} of number {i}; size {size:.1e}, rounding does {rounding:.1e}"));
+        }
+    }
+    Ok(Verdict::AccelerationsConfirmed)
+}

@@ -1,0 +1,12 @@
+//! Random parameters, starts and inputs, most of them reasonable and some of them not: every scene either computes what
+//! an independent solution in 31 digits confirms, or refuses.
+
+mod accelerations;
+mod draw;
+mod motion;
+mod oracle;
+mod parameters;
+mod tally;
+
+pub use parameters::{Scenes, trial};
+pub use tally::{Tally, Verdict};

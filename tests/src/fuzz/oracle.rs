@@ -1,0 +1,104 @@
+//! K x = r in numbers of 31 digits, by Gauss elimination with complete pivoting: slow, and right.
+
+use ezy_core::scalar::{DoubleDouble, Scalar};
+
+/// A pivot below this part of the largest is what rounding of the entries of K leaves of a dependent row.
+const RANK: f64 = 1e-14;
+
+/// Factors of a square matrix.
+pub struct Oracle {
+    /// Row by row: multipliers below the diagonal, pivots on and above it.
+    factors: Vec<Vec<DoubleDouble>>,
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    /// Powers of two that the rows and columns were multiplied by.
+    scale: Vec<f64>,
+    /// Whether every pivot stands out from rounding.
+    pub is_regular: bool,
+}
+
+impl Oracle {
+    /// Factors a symmetric matrix; `None` where a number overflows or is none.
+    pub fn new(matrix: &[Vec<f64>]) -> Option<Self> {
+        let scale = scales(matrix)?;
+        let n = matrix.len();
+        let scaled = |i: usize, j: usize| DoubleDouble::from(matrix[i][j] * scale[i] * scale[j]);
+        let mut factors: Vec<Vec<DoubleDouble>> = (0..n).map(|i| (0..n).map(|j| scaled(i, j)).collect()).collect();
+        let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
+        let mut is_regular = true;
+        let mut largest = 0.0_f64;
+        for k in 0..n {
+            let below = (k..n).flat_map(|i| (k..n).map(move |j| (i, j)));
+            let size = |&(i, j): &(usize, usize)| factors[i][j].magnitude();
+            let (i, j) = below.max_by(|a, b| size(a).total_cmp(&size(b)))?;
+            let pivot = factors[i][j];
+            largest = largest.max(pivot.magnitude());
+            if !pivot.is_finite() {
+                return None;
+            }
+            if pivot.magnitude() <= RANK * largest {
+                is_regular = false;
+                break;
+            }
+            factors.swap(k, i);
+            rows.swap(k, i);
+            factors.iter_mut().for_each(|row| row.swap(k, j));
+            columns.swap(k, j);
+            let (above, rest) = factors.split_at_mut(k + 1);
+            for row in rest {
+                let factor = row[k] / pivot;
+                row[k] = factor;
+                if factor.magnitude() != 0.0 {
+                    for (x, y) in row[k + 1..].iter_mut().zip(&above[k][k + 1..]) {
+                        *x = *x - factor * *y;
+                    }
+                }
+            }
+        }
+        Some(Self { factors, rows, columns, scale, is_regular })
+    }
+
+    /// x with K x = r; of a regular matrix.
+    pub fn solve(&self, r: &[f64]) -> Vec<f64> {
+        let n = r.len();
+        let mut x: Vec<DoubleDouble> = self.rows.iter().map(|&i| DoubleDouble::from(r[i] * self.scale[i])).collect();
+        for i in 0..n {
+            for j in 0..i {
+                x[i] = x[i] - self.factors[i][j] * x[j];
+            }
+        }
+        for i in (0..n).rev() {
+            for j in i + 1..n {
+                x[i] = x[i] - self.factors[i][j] * x[j];
+            }
+            x[i] = x[i] / self.factors[i][i];
+        }
+        let mut solution = vec![0.0; n];
+        for (x, &j) in x.iter().zip(&self.columns) {
+            solution[j] = x.high() * self.scale[j];
+        }
+        solution
+    }
+}
+
+/// Powers of two that bring the largest entry of every row and column near one (Ruiz 2001).
+fn scales(matrix: &[Vec<f64>]) -> Option<Vec<f64>> {
+    const PASSES: usize = 8;
+    let mut scale = vec![1.0_f64; matrix.len()];
+    for _ in 0..PASSES {
+        let largest: Vec<f64> = matrix
+            .iter()
+            .enumerate()
+            .map(|(i, row)| row.iter().zip(&scale).fold(0.0, |m: f64, (x, s)| m.max((x * s * scale[i]).abs())))
+            .collect();
+        if matrix.iter().flatten().chain(&largest).any(|x| !x.is_finite()) {
+            return None;
+        }
+        for (scale, largest) in scale.iter_mut().zip(&largest) {
+            if *largest > 0.0 {
+                *scale *= (-0.5 * largest.log2()).round().exp2();
+            }
+        }
+    }
+    scale.iter().all(|s| s.is_finite() && *s > 0.0).then_some(scale)
+}

@@ -1,0 +1,133 @@
+//! One set of parameters, start values and inputs of one scene.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use ezy_core::model::{ModelInfo, SceneEntry};
+use ezy_core::prelude::*;
+use ezy_models::registry::MODELS;
+
+use super::accelerations;
+use super::draw::Draw;
+use super::motion::{self, Order};
+use super::tally::{Tally, Verdict};
+use crate::{random_models, shapes};
+
+/// Counts beyond it make scenes that the oracle is too slow for.
+const LARGEST_COUNT: usize = 6;
+
+/// The scenes that are tried: of the registry, of random mechanisms, of shapes that these do not have.
+pub struct Scenes(Vec<(&'static ModelInfo, &'static SceneEntry)>);
+
+impl Scenes {
+    /// All of them.
+    pub fn all() -> Self {
+        let models = MODELS.iter().chain(&random_models::MODELS).chain(&shapes::MODELS);
+        Self(models.flat_map(|model| model.scenes.iter().map(move |scene| (*model, scene))).collect())
+    }
+
+    /// How many there are.
+    pub fn n_scenes(&self) -> usize {
+        self.0.len()
+    }
+}
+
+/// Trial `i` of a seed: sets a scene up, compares accelerations at its start and at a state anywhere, and runs it.
+pub fn trial(scenes: &Scenes, seed: u64, i: u64, tally: &mut Tally) {
+    let mut draw = Draw::new(seed, i);
+    let (model, entry) = scenes.0[draw.below(scenes.n_scenes())];
+    let wild = draw.once_in(2);
+    let mut scene = (entry.new)();
+    let changed = change(&mut *scene, &mut draw, wild);
+    let order = order(&*scene, &mut draw, wild);
+    let faults = tally.faults.len();
+    let guarded = AssertUnwindSafe(|| attempt(&*scene, &order, &mut draw, tally));
+    if catch_unwind(guarded).is_err() {
+        tally.faults.push("panic".to_owned());
+    }
+    for fault in &mut tally.faults[faults..] {
+        *fault = format!("trial {i}: {}/{}: {fault}; {changed:?}, {order:?}", model.name, entry.name);
+    }
+}
+
+/// What the scene makes of it.
+fn attempt(scene: &dyn Scene, order: &Order, draw: &mut Draw, tally: &mut Tally) {
+    let mut keep = |outcome: Result<Verdict, String>| match outcome {
+        Ok(verdict) => tally.count(verdict),
+        Err(fault) => tally.faults.push(fault),
+    };
+    let Ok(mut system) = System::new(scene, Backend::Auto) else {
+        return keep(Ok(Verdict::ParametersRefused));
+    };
+    set_inputs(&mut system, order);
+    match system.consistent_start(&start(&system, order)) {
+        Err(_) => keep(Ok(Verdict::StartRefused)),
+        Ok(state) => keep(accelerations::check(&mut system, &state, draw)),
+    }
+    let anywhere = anywhere(&system, draw);
+    keep(accelerations::check(&mut system, &anywhere, draw));
+    keep(motion::check(scene, order));
+}
+
+/// Changes parameters and counts; gives back those that it changed.
+fn change(scene: &mut dyn Scene, draw: &mut Draw, wild: bool) -> Vec<(&'static str, f64)> {
+    let mut changed = Vec::new();
+    for i in 0..scene.info().counts().len() {
+        scene.set_count(i, 1 + draw.below(LARGEST_COUNT));
+        changed.push((scene.info().counts()[i].name, scene.count(i) as f64));
+    }
+    for i in 0..scene.info().parameters.len() {
+        if draw.once_in(2) {
+            let value = draw.instead_of(scene.parameter(i), wild);
+            scene.set_parameter(i, value);
+            changed.push((scene.info().parameters[i].name, value));
+        }
+    }
+    changed
+}
+
+/// Some start values and inputs.
+fn order(scene: &dyn Scene, draw: &mut Draw, wild: bool) -> Order {
+    let mut order = Order::new(draw, wild);
+    for coordinate in scene.info().coordinates {
+        for name in [coordinate.name, coordinate.velocity_name] {
+            if draw.once_in(12) {
+                order.given.push((name.to_owned(), draw.instead_of(1.0, wild)));
+            }
+        }
+    }
+    for input in scene.info().inputs {
+        if draw.once_in(2) {
+            order.inputs.push((input.name.to_owned(), draw.instead_of(input.default, wild)));
+        }
+    }
+    order
+}
+
+fn set_inputs(system: &mut System<'_, dyn Scene + '_>, order: &Order) {
+    for (name, value) in &order.inputs {
+        let i = system.info().inputs.iter().position(|input| input.name == name);
+        i.into_iter().for_each(|i| system.inputs_mut()[i] = *value);
+    }
+}
+
+/// The start of the scene with what is given.
+fn start(system: &System<'_, dyn Scene + '_>, order: &Order) -> ezy_core::model::Start {
+    let mut start = system.scene_start();
+    for (i, coordinate) in system.info().coordinates.iter().enumerate() {
+        for (name, value) in &order.given {
+            if name == coordinate.name {
+                start.give_position(i, *value);
+            } else if name == coordinate.velocity_name {
+                start.give_velocity(i, *value);
+            }
+        }
+    }
+    start
+}
+
+/// A state that need not fulfil the rows: the equations hold everywhere.
+fn anywhere(system: &System<'_, dyn Scene + '_>, draw: &mut Draw) -> State {
+    let n = system.info().n_coordinates();
+    let q = (0..n).map(|_| draw.between(-2.0, 2.0)).collect();
+    State { t: draw.between(0.0, 2.0), q, v: (0..n).map(|_| draw.between(-2.0, 2.0)).collect(), work: Vec::new() }
+}

@@ -6,15 +6,17 @@
 //! the *constants*.
 //!
 //! Shapes: `n_q` coordinates, `n_h` position rows, `n_c` rows in all (position rows first), `n_e` effects,
-//! `n_p` points, `n_i` inputs, `n_o` outputs. Kernels panic when a slice has another length; the layers above always
+//! `n_p` points, `n_i` inputs, `n_o` outputs, `n_s` events. Kernels panic when a slice has another length; the layers above always
 //! pass the right ones.
 
 mod equations;
+mod event;
 mod repeats;
 mod series;
 mod slopes;
 
 pub use equations::{Equations, PreciseScene};
+pub use event::{Direction, EventInfo, EventKind};
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::{PRODUCT_GROUP, Series, SeriesInfo, SeriesSize, SeriesStore};
 pub use slopes::SlopePlaces;
@@ -224,6 +226,9 @@ pub struct SceneInfo {
     pub inputs: &'static [InputInfo],
     /// `n_o` outputs of the model and of the scene's effects.
     pub outputs: &'static [OutputInfo],
+    /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the kinks of
+    /// its forces; a scene with counts does not know its kinks.
+    pub events: &'static [EventInfo],
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
     /// some; then the effects; last the rows that move with time, under the name `drives`, when there are some.
     pub effects: &'static [EffectInfo],
@@ -483,6 +488,11 @@ pub trait Scene: Equations<f64> {
         by_v: &mut [f64],
     ) {
         let _ = (c, t, q, v, a, lambda, by_q, by_v);
+    }
+
+    /// Values of [`SceneInfo::events`], which pass zero where the event takes place. Writes `n_s`.
+    fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
     }
 
     /// The recurrences of its Taylor series; none where a law of the scene is not analytic.

@@ -383,3 +383,22 @@ fn invariant_show_of_a_scene_with_counts_tells_its_equations_by_item() {
         assert!(show.contains(part), "{part} in {show}");
     }
 }
+
+#[test]
+fn analytic_run_until_an_event_succeeds_and_tells_where() {
+    let run = json(&["run", "pendulum/quarter", "--method", "dop853", "--json"]);
+    let end = run["t"].as_f64().expect("a time");
+    assert_eq!(run["outcome"], format!("reached `bob.x < 0` at t = {end} s"));
+    assert_eq!(run["events"], serde_json::json!([{ "name": "bob.x < 0", "t": run["t"] }]));
+    // a quarter of a period: the complete elliptic integral K(1/√2), by gamma functions, over √(g/l)
+    let quarter = 3.625609908221908f64.powi(2) / (4.0 * std::f64::consts::PI.sqrt()) / 9.81f64.sqrt();
+    assert!((end - quarter).abs() <= 1e-8, "{end} for {quarter}"); // ten times the tolerance of the run
+}
+
+#[test]
+fn invariant_events_are_told_by_run_and_show() {
+    let text = output(&["run", "pendulum/swing"]);
+    assert!(text.contains("\nevent") && text.contains("turning"), "{text}");
+    let show = output(&["show", "pendulum/quarter"]);
+    assert!(show.contains("ends the run") && show.contains("is recorded"), "{show}");
+}

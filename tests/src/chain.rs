@@ -90,6 +90,7 @@ static FIXED: SceneInfo = SceneInfo {
     parameters: &[],
     inputs: &[],
     outputs: &[],
+    events: &[],
     effects: &[EffectInfo { name: "gravity", documentation: "" }],
     until_s: 1.0,
     n_constants: 0,

@@ -89,6 +89,10 @@ impl<S: Scene> Scene for Counted<S> {
         self.scene.points(c, t, q, out);
     }
 
+    fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.scene.events(c, t, q, v, out);
+    }
+
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         self.outputs.fetch_add(1, Relaxed);
         self.scene.outputs(c, t, q, v, out);

@@ -75,6 +75,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         parameters: leak(description.parameters.iter().map(parameter).collect()),
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects: description.effects,
         until_s: description.until_s,
         n_constants: 0,

@@ -54,7 +54,8 @@ impl<'s> Runs<'s> {
             .method(method)
             .until(self.until_s)
             .project(variant.projection)
-            .metric(variant.metric);
+            .metric(variant.metric)
+            .without_events();
         let order = self.given.iter().fold(order, |order, (name, value)| order.give(name, *value));
         self.inputs.iter().fold(order, |order, (name, value)| order.input(name, *value))
     }

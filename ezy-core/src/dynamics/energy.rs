@@ -1,4 +1,4 @@
-//! Energies and powers.
+//! Energies, powers, and what else a scene says of its state.
 
 use super::System;
 use crate::model::Scene;
@@ -21,6 +21,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
         if !out.is_empty() {
             self.scene.power(&self.fixed, t, q, v, lambda, out);
         }
+    }
+
+    /// Values of the events of the scene; writes `n_s`.
+    pub fn events(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.scene.events(&self.fixed, t, q, v, out);
     }
 
     /// Outputs of the scene; writes `n_o`.

@@ -238,6 +238,7 @@ mod tests {
         parameters: &[],
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects: &[],
         until_s: 1.0,
         n_constants: 0,

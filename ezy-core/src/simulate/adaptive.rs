@@ -5,6 +5,20 @@ use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
 
+/// Tries of one step to end at a kink: each knows better where it is.
+const MAX_KINKS: u32 = 3;
+
+/// The stages of a long step that ends at a kink are beyond it by their own errors, and see the other law there. So a
+/// kink is approached up to this part of the way, and what is left is a step of its own.
+const APPROACH: f64 = 31.0 / 32.0;
+
+/// What is left is short when it is below this part of the step that was tried.
+const LEFT: f64 = 1.0 / 16.0;
+
+/// A step to a kink below this part of the one that was tried follows another kink closely, as where dry friction sticks:
+/// the next one is not tried at full length again.
+const SPLINTER: f64 = 1e-5;
+
 /// DOP853 with the length of its next step.
 pub(super) struct Adaptive<T = f64> {
     method: Dop853<T>,
@@ -70,13 +84,15 @@ impl<T: Scalar> Adaptive<T> {
         Ok(())
     }
 
-    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
-    pub fn step(
+    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected. `up_to` knows how long
+    /// a step is, s, that ends at the kink that the present one goes over.
+    pub fn step<D: Dynamics<T>>(
         &mut self,
-        system: &mut impl Dynamics<T>,
+        system: &mut D,
         from: Knot<'_, T>,
         end: f64,
         to: &mut State<T>,
+        mut up_to: impl FnMut(&mut D, &State<T>) -> Option<f64>,
     ) -> Result<(), MotionError> {
         self.dense = false;
         let t = from.state.t;
@@ -90,20 +106,31 @@ impl<T: Scalar> Adaptive<T> {
             Some(step_s) => step_s,
             None => self.method.first_step(system, from, left, self.tolerance)?,
         };
+        // the length before a kink: behind it the law is as smooth as before
+        let (mut whole, mut n_kinks) = (None, 0);
         loop {
             let Reach { step_s: h, t_next } = reach(t, end, length);
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
             match self.method.attempt(system, from, h, self.tolerance, to) {
-                Ok(error) if error <= 1.0 => {
-                    self.method.accept();
-                    to.t = t_next;
-                    self.step_s = Some(h * self.control.accept(error));
-                    self.last_s = Some(h);
-                    return Ok(());
+                Ok(error) => {
+                    let shorter = if n_kinks < MAX_KINKS { up_to(system, to) } else { None };
+                    if let Some(shorter) = shorter {
+                        n_kinks += 1;
+                        let whole = *whole.get_or_insert(h);
+                        length = if shorter > LEFT * whole { APPROACH * shorter } else { shorter };
+                    } else if error <= 1.0 {
+                        self.method.accept();
+                        to.t = t_next;
+                        let factor = self.control.accept(error);
+                        self.step_s = Some(whole.filter(|whole| h > SPLINTER * whole).unwrap_or(h * factor));
+                        self.last_s = Some(h);
+                        return Ok(());
+                    } else {
+                        length = h * self.control.reject(error);
+                    }
                 }
-                Ok(error) => length = h * self.control.reject(error),
                 // a stage may have left the region of the motion: a shorter step may not
                 Err(error) => {
                     length = h * self.control.reject(f64::NAN);

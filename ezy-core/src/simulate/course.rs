@@ -70,7 +70,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
         let from = Knot { state: now, a, power: &[] };
         match method {
             Steps::Rk4 { method, .. } => method.step(system, from, h, t_next, next)?,
-            Steps::Dop853(adaptive) => adaptive.step(system, from, t_next, next)?,
+            Steps::Dop853(adaptive) => adaptive.step(system, from, t_next, next, |_, _| None)?,
         }
         if let Some(quantity) = not_finite(info, &next.q, &next.v) {
             return Err(MotionError::NotFinite { t: now.t, quantity });

@@ -2,6 +2,7 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
+use super::events::Kinks;
 use super::implicit::Implicit;
 use super::instantaneous::Instantaneous;
 use super::reach::{Reach, is_too_short, reach};
@@ -97,11 +98,14 @@ impl<'s> Integrator<'s> {
         from: Knot<'_>,
         h: f64,
         t_next: f64,
+        kinks: &mut Kinks,
         to: &mut State,
     ) -> Result<(), MotionError> {
         match self {
             Self::Rk4(rk4) => rk4.step(system, from, h, t_next, to),
-            Self::Dop853(adaptive) => adaptive.step(system, from, t_next, to),
+            Self::Dop853(adaptive) => {
+                adaptive.step(system, from, t_next, to, |system, end| kinks.up_to(system, from, end))
+            }
             Self::Radau(implicit) => implicit.step(system, from, t_next, to),
             Self::Taylor(taylor, tolerance) => {
                 let (t, length) = (from.state.t, taylor.longest_step(*tolerance));

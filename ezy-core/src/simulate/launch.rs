@@ -35,7 +35,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let control = self.take_control(&mut system)?;
         let pace = self.pace(start.t, control.is_idle())?;
         let limits = self.limits.checked()?;
-        let plan = Plan { pace, every_s: self.every_s, wanted: self.wanted };
+        let events = if self.watched { self.scene.info().events } else { &[] };
+        let plan = Plan { pace, every_s: self.every_s, wanted: self.wanted, events };
         let state = system.consistent_start(&start)?;
         let mut motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work)?;
         motion.place(&state);

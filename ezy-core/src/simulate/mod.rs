@@ -5,6 +5,7 @@ mod control;
 mod course;
 mod ensemble;
 mod error;
+mod events;
 mod implicit;
 mod input_file;
 mod input_table;
@@ -24,6 +25,7 @@ mod stepper;
 
 pub use ensemble::Ensemble;
 pub use error::SetupError;
+pub use events::Occurrence;
 pub use input_file::{InputFileError, read_inputs};
 pub use input_table::{InputTable, TableError};
 pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, Monitors, Peak};

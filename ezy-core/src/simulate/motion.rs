@@ -1,6 +1,7 @@
 //! A scene in motion: where it is, and how it gets one step further. What runs and steppers share.
 
 use super::SetupError;
+use super::events::Kinks;
 use super::instantaneous::Instantaneous;
 use super::integrator::Integrator;
 use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, not_finite};
@@ -11,6 +12,7 @@ use crate::model::Scene;
 pub(super) struct Motion<'s, S: Scene + ?Sized> {
     pub system: System<'s, S>,
     integrator: Integrator<'s>,
+    kinks: Kinks,
     projection: Projection,
     metric: Metric,
     /// Whether works are integrated.
@@ -30,7 +32,8 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         let info = system.info();
         let [now, next] = std::array::from_fn(|_| Instantaneous::zero(info, work));
         let integrator = Integrator::new(method, system.scene(), now.power.len())?;
-        Ok(Self { system, integrator, projection, metric, work, now, next })
+        let kinks = Kinks::new(info);
+        Ok(Self { system, integrator, kinks, projection, metric, work, now, next })
     }
 
     /// Goes to a state without history; what belongs to it is not evaluated.
@@ -47,7 +50,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     /// that chooses its steps may stop before `t_next`.
     pub fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let (system, next) = (&mut self.system, &mut self.next);
-        self.integrator.step(system, self.now.knot(), h, t_next, &mut next.state)?;
+        self.integrator.step(system, self.now.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         let State { t, q, v, .. } = &mut next.state;
         system.project(*t, q, v, self.projection, self.metric)
@@ -73,6 +76,25 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     pub fn strain(&mut self) -> Option<Strain> {
         let Instantaneous { state, a, lambda, .. } = &self.now;
         self.system.strain(state.t, &state.q, &state.v, a, lambda)
+    }
+
+    /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
+    pub fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
+        self.integrator.between(&mut self.system, self.now.knot(), self.next.knot(), t, out)
+    }
+
+    /// Projects a state as the ends of steps are.
+    pub fn project(&mut self, state: &mut State) -> Result<(), MotionError> {
+        let State { t, q, v, .. } = state;
+        self.system.project(*t, q, v, self.projection, self.metric)
+    }
+
+    /// Ends the motion at `t` between `now` and `next`: `next` becomes the state there, projected and evaluated.
+    pub fn end_at(&mut self, t: f64, state: &mut State) -> Result<(), MotionError> {
+        self.inside(t, state)?;
+        self.project(state)?;
+        std::mem::swap(&mut self.next.state, state);
+        self.next.evaluate(&mut self.system)
     }
 
     pub fn n_rejected(&self) -> u64 {

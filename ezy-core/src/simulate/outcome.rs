@@ -1,6 +1,6 @@
 //! What a run leaves.
 
-use super::{ExceededLimit, Monitors};
+use super::{ExceededLimit, Monitors, Occurrence};
 use crate::dynamics::{MotionError, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
@@ -18,6 +18,7 @@ pub struct Run {
     /// Other methods do not tell.
     pub stiff_since_s: Option<f64>,
     pub(super) info: &'static SceneInfo,
+    pub(super) events: Vec<Occurrence>,
     /// Holds the start at least.
     pub(super) record: Record,
 }
@@ -26,6 +27,11 @@ impl Run {
     /// Names and sizes.
     pub fn info(&self) -> &'static SceneInfo {
         self.info
+    }
+
+    /// The events that took place, in time; what ended the run is the last one.
+    pub fn events(&self) -> &[Occurrence] {
+        &self.events
     }
 
     /// The samples: the start, one every recording interval, and the end or the last good state.
@@ -60,8 +66,15 @@ impl Run {
 /// How a run ended.
 #[derive(Debug)]
 pub enum Outcome {
-    /// At the end that was asked for.
+    /// At the time that was asked for.
     ReachedEnd,
+    /// At an event that ends the run.
+    ReachedEvent {
+        /// Time of the event, s.
+        t: f64,
+        /// Its name.
+        name: &'static str,
+    },
     /// Before; everything up to the last good state is in the run.
     Stopped {
         /// Time of the last good state, s.
@@ -74,9 +87,9 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Whether the run is complete.
+    /// Whether the run is complete: at its time, or at an event that ends it.
     pub fn reached_end(&self) -> bool {
-        matches!(self, Self::ReachedEnd)
+        matches!(self, Self::ReachedEnd | Self::ReachedEvent { .. })
     }
 }
 
@@ -84,6 +97,7 @@ impl std::fmt::Display for Outcome {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::ReachedEnd => f.write_str("reached the end"),
+            Self::ReachedEvent { t, name } => write!(f, "reached `{name}` at t = {t} s"),
             Self::Stopped { t, reason, strain: None } => write!(f, "stopped at t = {t} s: {reason}"),
             Self::Stopped { t, reason, strain: Some(strain) } => {
                 write!(f, "stopped at t = {t} s: {reason}; {strain}")

@@ -1,6 +1,7 @@
 //! The loop: control, step, project, record.
 
 use super::control::Control;
+use super::events::{Lookout, Passage};
 use super::instantaneous::Instantaneous;
 use super::keeper::Keeper;
 use super::monitor::Watch;
@@ -8,7 +9,7 @@ use super::motion::Motion;
 use super::pace::Pace;
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, not_finite};
-use crate::model::Scene;
+use crate::model::{EventInfo, Scene};
 use crate::record::{Recorder, Wanted};
 use std::time::Instant;
 
@@ -17,6 +18,8 @@ pub(super) struct Plan {
     pub pace: Pace,
     pub every_s: Option<f64>,
     pub wanted: Wanted,
+    /// What is looked for.
+    pub events: &'static [EventInfo],
 }
 
 /// A sample within this fraction of a step of a step's end is that end.
@@ -30,6 +33,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     control: Control<'s>,
     plan: Plan,
     watch: Watch,
+    lookout: Lookout,
     between: Instantaneous,
     /// Inputs of the step under way, to come back to when control of the next one fails.
     inputs: Vec<f64>,
@@ -60,7 +64,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         keeper.keep(&mut motion.system, &motion.now)?;
         let between = Instantaneous::zero(info, plan.wanted.work);
         let inputs = motion.system.inputs().to_vec();
-        Ok(Self { motion, control, plan, watch, between, inputs, keeper, on_progress, told: 0.0 })
+        let lookout = Lookout::new(plan.events, info.n_coordinates(), motion.now.power.len());
+        Ok(Self { motion, control, plan, watch, lookout, between, inputs, keeper, on_progress, told: 0.0 })
     }
 
     pub fn run(mut self) -> Result<Run, SetupError> {
@@ -68,11 +73,19 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let mut steps = 0;
         let mut outcome = Outcome::ReachedEnd;
         while self.motion.now.state.t < self.plan.pace.end() {
-            if let Err(reason) = self.step(steps) {
-                self.motion.system.inputs_mut().copy_from_slice(&self.inputs);
-                let strain = if reason.asks_for_strain() { self.motion.strain() } else { None };
-                outcome = Outcome::Stopped { t: self.motion.now.state.t, reason, strain };
-                break;
+            match self.step(steps) {
+                Ok(None) => {}
+                Ok(Some(Passage { t, event })) => {
+                    outcome = Outcome::ReachedEvent { t, name: event.name };
+                    steps += 1;
+                    break;
+                }
+                Err(reason) => {
+                    self.motion.system.inputs_mut().copy_from_slice(&self.inputs);
+                    let strain = if reason.asks_for_strain() { self.motion.strain() } else { None };
+                    outcome = Outcome::Stopped { t: self.motion.now.state.t, reason, strain };
+                    break;
+                }
             }
             steps += 1;
             self.tell_progress();
@@ -93,13 +106,13 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             factorizations: counters.factorizations,
             seconds: began.elapsed().as_secs_f64(),
         };
-        let (info, monitors) = (self.motion.system.info(), self.watch.monitors());
+        let (info, monitors, events) = (self.motion.system.info(), self.watch.monitors(), self.lookout.occurred);
         let stiff_since_s = self.motion.stiff_since();
-        Ok(Run { outcome, cost, monitors, stiff_since_s, info, record: self.keeper.into_record() })
+        Ok(Run { outcome, cost, monitors, stiff_since_s, info, events, record: self.keeper.into_record() })
     }
 
-    /// One step from `now`, which stays as it is when the step fails.
-    fn step(&mut self, n: u64) -> Result<(), StopReason> {
+    /// One step from `now`, which stays as it is when the step fails; returns what ends the run.
+    fn step(&mut self, n: u64) -> Result<Option<Passage>, StopReason> {
         self.watch.admits_step(self.motion.chooses_steps(), self.motion.n_rejected())?;
         let (h, t_next) = self.plan.pace.step(n, self.motion.now.state.t);
         self.motion.advance(h, t_next)?;
@@ -107,10 +120,18 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let Motion { system, now, next, .. } = &mut self.motion;
         self.watch.look(system, now.state.t, &next.state, last)?;
         let controlled = !self.control.is_idle() && !last;
-        if !controlled || self.sample_is_due_before() {
+        if !controlled || self.sample_is_due_before() || !self.lookout.is_idle() {
             self.motion.evaluate_next()?;
         }
-        self.record_between()?;
+        if !self.lookout.is_idle()
+            && let Some(end) = self.lookout.look(&mut self.motion)?
+        {
+            self.record_between(end.t)?;
+            self.motion.end_at(end.t, &mut self.between.state)?;
+            self.motion.accept();
+            return Ok(Some(end));
+        }
+        self.record_between(f64::INFINITY)?;
         if controlled {
             // what is evaluated from here on is the start of the next step
             let motion = &mut self.motion;
@@ -124,7 +145,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         if on_end && !last {
             self.keeper.keep(&mut self.motion.system, &self.motion.now)?;
         }
-        Ok(())
+        Ok(None)
     }
 
     /// Time of the next sample; infinite when only start and end are kept.
@@ -145,9 +166,9 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         (t - next).abs() <= ON_STEP * (next - now)
     }
 
-    /// Records what falls between `now` and `next`, both evaluated with the inputs of this step.
-    fn record_between(&mut self) -> Result<(), StopReason> {
-        while self.sample_is_due_before() {
+    /// Records what falls between `now` and `next` and before `end`, both evaluated with the inputs of this step.
+    fn record_between(&mut self, end: f64) -> Result<(), StopReason> {
+        while self.sample_is_due_before() && self.next_sample() < end {
             let t = self.next_sample();
             self.motion.between(t, &mut self.between)?;
             self.keeper.keep(&mut self.motion.system, &self.between)?;

@@ -28,6 +28,7 @@ pub struct Simulation<'s, S: Scene + ?Sized> {
     pub(super) law: Option<Law<'s>>,
     pub(super) wanted: Wanted,
     pub(super) limits: Limits,
+    pub(super) watched: bool,
     pub(super) recorder: Option<&'s mut dyn Recorder>,
     pub(super) on_progress: Option<Box<dyn FnMut(f64) + 's>>,
 }
@@ -48,6 +49,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             law: None,
             wanted: Wanted::default(),
             limits: Limits::default(),
+            watched: true,
             recorder: None,
             on_progress: None,
         }
@@ -185,6 +187,13 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     #[must_use]
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.limits.steps = Some(steps);
+        self
+    }
+
+    /// Looks for no events: the run goes on through conditions that would end it.
+    #[must_use]
+    pub fn without_events(mut self) -> Self {
+        self.watched = false;
         self
     }
 

@@ -25,7 +25,7 @@ pub fn balance<S: Scene + ?Sized>(scene: &S, start_s: f64) -> Result<Check, Chec
     let horizon = HORIZON.min(scene.info().until_s - start_s).max(0.0);
     let step = horizon / N_STEPS;
     let run = |step_s: f64| {
-        let order = Simulation::new(scene).method(Method::rk4(step_s)).until(start_s + horizon);
+        let order = Simulation::new(scene).method(Method::rk4(step_s)).until(start_s + horizon).without_events();
         order.every(horizon / 10.0).work().run()
     };
     let (largest_error, n_compared) = if horizon > 0.0 {

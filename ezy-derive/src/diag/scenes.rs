@@ -44,6 +44,33 @@ pub fn scene_without_until(scene: &Ident) -> syn::Error {
     fault_with_help(scene, format_args!("scene `{scene}` has no end"), "write `until 60 s;`")
 }
 
+pub fn ends_at_no_event(name: &Ident, what: Option<&str>, events: &[&str]) -> syn::Error {
+    let text = match what {
+        Some(what) => format!("`{name}` is {what}, not an event"),
+        None => format!("event `{name}` is not declared"),
+    };
+    if events.is_empty() {
+        return fault_with_help(name, text, "write a time, such as `until 60 s;`, or a condition: `until ball.y < 0;`");
+    }
+    fault_with_help(name, text, suggestion(&name.to_string(), events, "declared events"))
+}
+
+pub fn ends_at_event_of_other_effect(name: &Ident, scene: &Ident, effect: &Ident) -> syn::Error {
+    fault_with_help(
+        name,
+        format_args!("event `{name}` belongs to effect `{effect}`, which scene `{scene}` does not call for"),
+        format_args!("write `with {effect};`, or declare the event in the model"),
+    )
+}
+
+pub fn condition_never_changes(at: Extent, what: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("{what} depends on nothing that changes"),
+        "write something that moves on one side, such as `ball.y < 0`",
+    )
+}
+
 pub fn until_in_wrong_unit(unit: &Ident) -> syn::Error {
     fault_with_help(unit, format_args!("`{unit}` is no unit of time"), "write `s`, `ms`, `min` or `h`")
 }

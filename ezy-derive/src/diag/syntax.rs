@@ -183,6 +183,15 @@ pub fn body_at_rest(at: Span, body: &Ident) -> syn::Error {
     )
 }
 
+pub fn relation_with_equals(at: Span, word: &str) -> syn::Error {
+    let text = if word == "=" {
+        "`==` is written `=` here".to_owned()
+    } else {
+        format!("`{word}=` is written `{word}` here: what counts is the passage from one side to the other")
+    };
+    fault_with_help(at, text, format_args!("write `{word}`"))
+}
+
 pub fn until_without_unit(at: impl Into<Extent>) -> syn::Error {
     fault_with_help(at, "the time after `until` has no unit", "write it with a unit, such as `until 60 s;`")
 }

@@ -8,8 +8,8 @@ use crate::function::Function;
 use crate::mechanics::series::Series;
 use crate::mechanics::solve::Solver;
 use crate::mechanics::symbols::Symbols;
-use crate::mechanics::{Equations, Group};
-use crate::model::{InputId, Model, Parameter, ParameterId, Scene};
+use crate::mechanics::{Equations, EventKind, Group, SceneEvent};
+use crate::model::{InputId, Model, Parameter, ParameterId, Relation, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::program::Count;
@@ -45,6 +45,8 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     let parameters = parameters(model, &equations.parameters, &equations.symbols);
     let inputs = inputs(model, &equations.inputs, &equations.symbols);
     let outputs = outputs(model, equations, names);
+    let events = equations.events.iter().map(|event| self::event(event, &names.print(event.value)));
+    let events: Vec<_> = events.collect();
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = emitted.n_constants;
@@ -79,6 +81,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
             outputs: &[#(#outputs),*],
+            events: &[#(#events),*],
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
@@ -221,6 +224,32 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
             }
         })
         .collect()
+}
+
+/// The description of an event whose value is printed so.
+pub fn event(event: &SceneEvent, printed: &Printed) -> TokenStream {
+    let text = &printed.text;
+    let (name, documentation, kind) = match &event.kind {
+        EventKind::Declared { name, documentation, ends } => {
+            (quote!(#name), documentation.as_str(), if *ends { quote!(End) } else { quote!(Mark) })
+        }
+        EventKind::Kink => (quote!(#text), "", quote!(Kink)),
+    };
+    let formula = formula(printed);
+    let direction = match event.relation {
+        Relation::Less => quote!(Falling),
+        Relation::Greater => quote!(Rising),
+        Relation::Equal => quote!(Either),
+    };
+    quote! {
+        ::ezy_core::model::EventInfo {
+            name: #name,
+            kind: ::ezy_core::model::EventKind::#kind,
+            direction: ::ezy_core::model::Direction::#direction,
+            formula: #formula,
+            documentation: #documentation,
+        }
+    }
 }
 
 /// Row starts and columns of G.

@@ -13,9 +13,10 @@ use quote::quote;
 use super::constants::Constants;
 use super::{info, page, scene, scene_type, templates};
 use crate::function::Function;
-use crate::mechanics::Templates;
+use crate::mechanics::{EventTemplate, Templates};
 use crate::model::{Model, Scene};
 use crate::symbolic::lower::ConstantPool;
+use crate::symbolic::print::print;
 use describe::describe;
 use kernels::{Emitter, Methods};
 
@@ -145,6 +146,9 @@ fn fixed(
     let inputs = info::inputs(model, &templates.inputs, &templates.symbols);
     let effects = info::effects(model, &templates.groups);
     let until = scene.until_s;
+    let events = templates.events.iter().map(|EventTemplate { event, .. }| {
+        info::event(event, &print(&templates.algebra, &templates.symbols, event.value))
+    });
     let counts = model.counts.iter().map(|count| {
         let (name, default, documentation) = (count.name.to_string(), count.default as usize, &count.documentation);
         quote!(::ezy_core::model::CountInfo { name: #name, default: #default, documentation: #documentation })
@@ -164,6 +168,7 @@ fn fixed(
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
             outputs: &[],
+            events: &[#(#events),*],
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,

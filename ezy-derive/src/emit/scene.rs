@@ -139,6 +139,8 @@ fn methods(
     let slope_kernel = emitter.slopes(slopes);
     let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
     let correction = emitter.solver(correction, &[("delta", n_q)], &other);
+    let events: Vec<SumId> = equations.events.iter().map(|event| event.value).collect();
+    let events = (!events.is_empty()).then(|| emitter.method(Numbers::F64, "events", &["q", "v"], "out", &events));
     let n_fixed = equations.inputs.len() + emitter.pool.coefficients().len();
     let opening = |numbers: Numbers, reads: &[(&str, usize)], writes: &[(&str, usize)]| {
         let reads = reads.iter().map(|&(name, n)| open(numbers, name, name, n, false));
@@ -146,7 +148,7 @@ fn methods(
         quote!(#(#reads)* #(#writes)*)
     };
     let kernels = kernels.map(|method| method.finish(n_fixed, n_q, n_c));
-    let bodies = bodies.map(|method| method.finish(n_fixed, n_q, n_c));
+    let bodies = bodies.into_iter().chain(events).map(|method| method.finish(n_fixed, n_q, n_c));
     let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
     let potential_opening =
         opening(Numbers::F64, if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);

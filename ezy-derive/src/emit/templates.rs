@@ -4,7 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::info::{formula, option};
-use crate::mechanics::{ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates};
+use crate::mechanics::{
+    EventKind, EventTemplate, ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates,
+};
 use crate::model::whole::WholeNames;
 use crate::model::{BodyId, EffectId, Loop, Model, StartValue};
 use crate::symbolic::SumId;
@@ -25,6 +27,7 @@ enum Kind<'m> {
     Force(&'m ForceTemplate<'m>),
     Point(&'m PointTemplate<'m>),
     Output(&'m OutputTemplate<'m>),
+    Event(&'m EventTemplate),
     Start,
 }
 
@@ -48,11 +51,13 @@ pub fn all<'m>(model: &Model, templates: &'m Templates<'m>) -> Vec<Template<'m>>
         slots: &output.slots,
         kind: Kind::Output(output),
     });
+    let events =
+        templates.events.iter().map(|event| Template { loops: &[], slots: &event.slots, kind: Kind::Event(event) });
     let starts = templates.start.iter().map(|(given, _)| {
         let given: &StartValue = given;
         Template { loops: &given.loops, slots: std::slice::from_ref(&given.body), kind: Kind::Start }
     });
-    bodies.chain(rows).chain(forces).chain(points).chain(outputs).chain(starts).collect()
+    bodies.chain(rows).chain(forces).chain(points).chain(outputs).chain(events).chain(starts).collect()
 }
 
 impl Template<'_> {
@@ -64,7 +69,7 @@ impl Template<'_> {
     /// The call that describes a member, which knows its indices `at` and its bodies `slots`.
     pub fn describe(&self, i: usize, templates: &Templates<'_>) -> TokenStream {
         match &self.kind {
-            Kind::Bodies(_) | Kind::Force(_) | Kind::Start => quote!(),
+            Kind::Bodies(_) | Kind::Force(_) | Kind::Event(_) | Kind::Start => quote!(),
             Kind::Row(_) => quote!(layout.rows(&Self::TEMPLATES[#i], at, &slots);),
             Kind::Point(point) => {
                 let name = point.point.name.to_string();
@@ -123,6 +128,13 @@ impl Template<'_> {
             }
             Kind::Point(point) => (point.point.name.to_string(), "point", None, nothing()),
             Kind::Output(output) => (output.output.name.clone(), "output", output.output.effect, nothing()),
+            Kind::Event(event) => {
+                let name = match &event.event.kind {
+                    EventKind::Declared { name, .. } => name.clone(),
+                    EventKind::Kink => String::new(),
+                };
+                (name, "event", None, nothing())
+            }
             Kind::Start => (String::new(), "start", None, nothing()),
         };
         let ranges = match &self.kind {

@@ -8,6 +8,7 @@ mod block;
 pub mod check;
 mod constraints;
 mod elimination;
+mod event;
 mod expression;
 mod forces;
 mod kinematics;
@@ -21,6 +22,7 @@ mod templates;
 #[cfg(test)]
 mod tests;
 
+pub use event::{EventKind, SceneEvent};
 pub use rows::ScalarRow;
 pub use scene::{Equations, Group};
-pub use templates::{ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates};
+pub use templates::{EventTemplate, ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates};

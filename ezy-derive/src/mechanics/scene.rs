@@ -1,6 +1,7 @@
 //! The equations of one scene: its own selection of rows and effects, derived from scratch.
 
 use super::constraints::Constraints;
+use super::event::SceneEvent;
 use super::expression::Writer;
 use super::forces::Load;
 use super::kinematics::Vector;
@@ -21,6 +22,8 @@ pub struct Equations {
     pub inputs: Vec<InputId>,
     /// Outputs of the model and of the scene's effects: place in [`Model::outputs`] and value.
     pub outputs: Vec<(usize, SumId)>,
+    /// Events, then kinks of F.
+    pub events: Vec<SceneEvent>,
     /// Diagonal of M.
     pub mass: Vec<Coefficient>,
     /// The same as expressions.
@@ -82,6 +85,8 @@ impl Equations {
         let start = start(&mut writer, scene);
         let outputs = model.outputs.iter().enumerate().filter(|(_, output)| called(output.effect));
         let outputs = outputs.map(|(i, output)| (i, writer.write(&output.value))).collect();
+        let mut events = SceneEvent::declared(&mut writer, model, scene);
+        events.extend(SceneEvent::kinks(writer.algebra, &force));
         let parameters =
             (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
@@ -92,6 +97,7 @@ impl Equations {
             parameters,
             inputs,
             outputs,
+            events,
             mass,
             mass_entries,
             constraints,

@@ -1,6 +1,7 @@
 //! The equations of a scene with arrays: each item once, for all members that a run will have.
 
 use super::constraints::Constraints;
+use super::event::SceneEvent;
 use super::expression::Writer;
 use super::forces::Load;
 use super::kinematics::Vector;
@@ -28,6 +29,7 @@ pub struct Templates<'m> {
     pub groups: Vec<Group>,
     pub points: Vec<PointTemplate<'m>>,
     pub outputs: Vec<OutputTemplate<'m>>,
+    pub events: Vec<EventTemplate>,
     pub start: Vec<(&'m StartValue, SumId)>,
 }
 
@@ -73,6 +75,12 @@ pub struct OutputTemplate<'m> {
     pub value: SumId,
 }
 
+#[derive(Debug)]
+pub struct EventTemplate {
+    pub event: SceneEvent,
+    pub slots: Vec<BodyId>,
+}
+
 impl RowTemplate<'_> {
     pub fn is_position(&self) -> bool {
         self.constraints.n_position_rows > 0
@@ -104,6 +112,9 @@ impl<'m> Templates<'m> {
             OutputTemplate { output, slots: slots(&mut writer, &[value]), value }
         });
         let outputs = outputs.collect();
+        let events = SceneEvent::declared(&mut writer, model, scene).into_iter();
+        let events = events.map(|event| EventTemplate { slots: slots(&mut writer, &[event.value]), event });
+        let events = events.collect();
         let start = model.starts[scene.start.0].values.iter();
         let start = start.map(|given| (given, writer.write(&given.value))).collect();
         let rows = model.rows_of(scene).map(|(id, row)| {
@@ -124,7 +135,7 @@ impl<'m> Templates<'m> {
         let drives = rows.iter().any(|row| !row.multipliers.is_empty()).then_some(Group::Drives);
         let groups = of_model.into_iter().chain(scene.effects.iter().copied().map(Group::Effect)).chain(drives);
         let groups = groups.collect();
-        Self { algebra, symbols, parameters, inputs, masses, rows, forces, groups, points, outputs, start }
+        Self { algebra, symbols, parameters, inputs, masses, rows, forces, groups, points, outputs, events, start }
     }
 }
 

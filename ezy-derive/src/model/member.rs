@@ -64,6 +64,7 @@ impl Context<'_> {
             | Symbol::Parameter(_)
             | Symbol::Input(_)
             | Symbol::Output
+            | Symbol::Event(..)
             | Symbol::Let(_)
             | Symbol::Row(..) => {
                 self.diag.error(names::no_members(member, owner, symbol.what()));

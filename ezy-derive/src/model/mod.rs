@@ -7,6 +7,7 @@ pub mod case;
 mod constant;
 mod context;
 mod dimension;
+mod event;
 mod expression;
 mod function;
 mod lazy;
@@ -27,6 +28,7 @@ mod value;
 pub mod whole;
 
 pub use crate::function::Function;
+pub use crate::parse::ast::Relation;
 pub use resolve::resolve;
 
 use crate::words::Word;
@@ -75,6 +77,8 @@ pub struct Model {
     pub inputs: Vec<Parameter>,
     /// Outputs of the model, then of its effects.
     pub outputs: Vec<Output>,
+    /// Events of the model, then of its effects.
+    pub events: Vec<Event>,
     /// Named points in declared order; each hinge adds the point that carries its name (its place on the first body).
     pub points: Vec<Point>,
     pub rows: Vec<Row>,
@@ -156,6 +160,17 @@ pub struct Output {
     pub effect: Option<EffectId>,
     /// In its unit.
     pub value: Expr,
+}
+
+/// What is looked for while a scene runs: a value that passes zero.
+#[derive(Debug)]
+pub struct Event {
+    pub name: String,
+    pub documentation: String,
+    /// The effect that declares it.
+    pub effect: Option<EffectId>,
+    pub value: Expr,
+    pub relation: Relation,
 }
 
 #[derive(Debug)]
@@ -258,6 +273,10 @@ pub struct Scene {
     pub start: StartId,
     pub until_s: f64,
     pub effects: Vec<EffectId>,
+    /// Declared events that end it: places in [`Model::events`].
+    pub ends: Vec<usize>,
+    /// Conditions of its own that end it.
+    pub conditions: Vec<Event>,
 }
 
 impl Arguments {
@@ -272,6 +291,14 @@ impl Model {
     /// Whether sizes are numbers of a run.
     pub fn is_repeated(&self) -> bool {
         !self.counts.is_empty() || !self.indices.is_empty() || self.arrays.iter().any(|a| !a.lengths.is_empty())
+    }
+
+    /// The events of a scene and whether they end it.
+    pub fn events_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (&'a Event, bool)> {
+        let called = |event: &Event| event.effect.is_none_or(|effect| scene.effects.contains(&effect));
+        let declared = self.events.iter().enumerate().filter(move |(_, event)| called(event));
+        let declared = declared.map(|(i, event)| (event, scene.ends.contains(&i)));
+        declared.chain(scene.conditions.iter().map(|condition| (condition, true)))
     }
 
     /// The rows of a scene: those of the model and of its effects, without what its effects release.

@@ -18,6 +18,8 @@ pub enum Symbol {
     Parameter(ParameterId),
     Input(InputId),
     Output,
+    /// Place among the declared events, with the effect that declares it.
+    Event(usize, Scope),
     Let(usize),
     Point(PointId),
     Hinge(RowId, PointId),
@@ -43,6 +45,7 @@ impl Symbol {
             Self::Parameter(_) => "a parameter",
             Self::Input(_) => "an input",
             Self::Output => "an output",
+            Self::Event(..) => "an event",
             Self::Let(_) => "a value",
             Self::Point(_) => "a point",
             Self::Hinge(..) => "a hinge",
@@ -155,6 +158,20 @@ impl Names {
     pub fn values(&self, scope: Scope) -> Vec<&str> {
         let values = self.visible(scope).filter(|declared| declared.symbol.is_value());
         values.map(|declared| declared.name.as_str()).collect()
+    }
+
+    /// Every event, those of effects too.
+    pub fn events(&self) -> Vec<&str> {
+        let all = self.model.iter().chain(self.effects.iter().flatten());
+        all.filter(|d| matches!(d.symbol, Symbol::Event(..))).map(|declared| declared.name.as_str()).collect()
+    }
+
+    /// The event of this name, of the model or of one of its effects.
+    pub fn event(&self, name: &Ident) -> Option<Symbol> {
+        let all = self.model.iter().chain(self.effects.iter().flatten());
+        let named: Vec<_> = all.filter(|declared| name == &declared.name).collect();
+        let event = named.iter().find(|declared| matches!(declared.symbol, Symbol::Event(..)));
+        event.or(named.first()).map(|declared| if declared.twice { Symbol::Broken } else { declared.symbol })
     }
 
     /// Everything that can be released.

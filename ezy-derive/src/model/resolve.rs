@@ -35,6 +35,7 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
         parameters: Vec::new(),
         inputs: Vec::new(),
         effects: Vec::new(),
+        events: Vec::new(),
         rows: Vec::new(),
     };
     resolver.declare_model(&ast);
@@ -48,6 +49,8 @@ struct Resolver<'a> {
     parameters: Vec<Parameter>,
     inputs: Vec<Parameter>,
     effects: Vec<&'a ast::Effect>,
+    /// Events of the model, then of its effects, with documentation.
+    events: Vec<(&'a ast::Event, &'a str, Scope)>,
     /// Rows of the model, then of its effects.
     rows: Vec<RowSource<'a>>,
 }
@@ -107,6 +110,10 @@ impl<'a> Resolver<'a> {
                 (&count.name, count_symbol(self.counts.len() - 1))
             }
             ItemKind::Output(output) => (&output.name.word, Symbol::Output),
+            ItemKind::Event(event) => {
+                self.events.push((event, &item.documentation, scope));
+                (&event.name, Symbol::Event(self.events.len() - 1, scope))
+            }
             ItemKind::Let(value) => {
                 context.lets.push(Lazy::waiting((scope, value)));
                 (&value.name, Symbol::Let(context.lets.len() - 1))
@@ -191,6 +198,8 @@ impl<'a> Resolver<'a> {
         for (i, (row, name)) in self.rows.iter().zip(&row_names).enumerate() {
             rows.extend(context.row(row.statement, row.loops, name, RowId(i), row.scope));
         }
+        let events = self.events.iter().filter_map(|(event, text, scope)| context.event(event, text, *scope));
+        let events = events.collect();
         let (mut outputs, mut n_arrays) = (Vec::new(), 0);
         for item in &ast.items {
             match &item.kind {
@@ -260,6 +269,7 @@ impl<'a> Resolver<'a> {
             parameters: std::mem::take(&mut self.parameters),
             inputs: std::mem::take(&mut self.inputs),
             outputs,
+            events,
             points,
             rows,
             forces,

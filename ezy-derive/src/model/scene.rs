@@ -24,8 +24,9 @@ impl Context<'_> {
         let until_s = self.scene_until(scene);
         let effects = self.scene_effects(scene, choice);
         self.check_shared_parameters(scene, &effects, choice);
+        let (ends, conditions) = self.ends(scene, &effects, &choice.effects);
         let name = scene.name.clone();
-        Some(Scene { name, documentation, start: start?, until_s: until_s?, effects })
+        Some(Scene { name, documentation, start: start?, until_s: until_s?, effects, ends, conditions })
     }
 
     /// The rows that an effect releases.
@@ -127,7 +128,7 @@ impl Context<'_> {
         effects.into_iter().map(|(id, _)| id).collect()
     }
 
-    /// The parameters of a scene are the fields of one type; its inputs and outputs are known by their names.
+    /// The parameters of a scene are the fields of one type; its inputs, outputs and events are known by their names.
     fn check_shared_parameters(&mut self, scene: &ast::Scene, effects: &[EffectId], choice: &Choice) {
         for (i, second) in effects.iter().enumerate() {
             for first in &effects[..i] {
@@ -166,11 +167,12 @@ pub fn parameters(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
     })
 }
 
-/// Names of parameters, inputs and outputs of an effect.
+/// Names of parameters, inputs, outputs and events of an effect.
 fn values(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
     effect.items.iter().filter_map(|item| match &item.kind {
         ast::ItemKind::Parameter(value) | ast::ItemKind::Input(value) => Some(&value.name),
         ast::ItemKind::Output(output) => Some(&output.name.word),
+        ast::ItemKind::Event(event) => Some(&event.name),
         _ => None,
     })
 }

@@ -53,6 +53,7 @@ pub enum ItemKind {
     Point(Point),
     Statement(Statement),
     Release(Ident),
+    Event(Event),
     Effect(Effect),
     Start(Start),
     Scene(Scene),
@@ -171,9 +172,45 @@ pub struct Scene {
     pub name: Ident,
     pub start: Option<Ident>,
     pub until: Option<Duration>,
+    /// What ends it before.
+    pub ends: Vec<End>,
     pub effects: Vec<Ident>,
     /// Whether a statement could not be parsed, so that a missing one is no fault of its own.
     pub broken: bool,
+}
+
+/// `event name: a < b;`
+#[derive(Debug)]
+pub struct Event {
+    pub name: Ident,
+    pub condition: Condition,
+}
+
+/// `a < b`, `a > b`, `a = b`: what begins to hold, or is passed.
+#[derive(Debug)]
+pub struct Condition {
+    pub left: Expr,
+    pub relation: Relation,
+    /// The sign.
+    pub at: Span,
+    pub right: Expr,
+    /// As written, with blanks around the sign alone.
+    pub text: String,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    Less,
+    Greater,
+    Equal,
+}
+
+/// What ends a scene before its time.
+#[derive(Debug)]
+pub enum End {
+    Condition(Condition),
+    /// The name of an event.
+    Event(Ident),
 }
 
 #[derive(Debug)]

@@ -3,6 +3,7 @@
 pub mod ast;
 mod body;
 mod effect;
+mod event;
 mod expression;
 mod item;
 mod let_value;

@@ -3,7 +3,7 @@
 use super::Log;
 use super::ast::{ItemKind, Parameter};
 use super::expression::expression;
-use super::token::{name, sign};
+use super::token::{name, sign, written};
 use super::unit::{self, Misplaced, optional_unit};
 use crate::diag::syntax;
 use syn::parse::ParseStream;
@@ -26,14 +26,7 @@ fn declaration(input: ParseStream, keyword: &str, what: &str) -> Result<Paramete
     }
     let begin = input.cursor();
     let value = expression(input)?;
-    let mut value_text = String::new();
-    let mut cursor = begin;
-    while cursor != input.cursor() {
-        let Some((tree, rest)) = cursor.token_tree() else { break };
-        value_text.push_str(&tree.to_string());
-        cursor = rest;
-    }
-    value_text.retain(|sign| !sign.is_whitespace());
+    let value_text = written(begin, input);
     sign::<Token![;]>(input)?;
     Ok(Parameter { name, unit, value, value_text })
 }

@@ -2,6 +2,7 @@
 
 use crate::diag::syntax;
 use proc_macro2::{Delimiter, Ident, Span};
+use syn::buffer::Cursor;
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::token::Token;
@@ -106,6 +107,19 @@ pub fn braced<'a>(input: &'a ParseBuffer<'a>) -> Result<Bracketed<'a>> {
     let inside;
     let token = syn::braced!(inside in input);
     Ok(Bracketed { inside, open: token.span.open(), close: token.span.close() })
+}
+
+/// What was written from `begin` to here, blanks removed.
+pub fn written(begin: Cursor, input: ParseStream) -> String {
+    let mut text = String::new();
+    let mut cursor = begin;
+    while cursor != input.cursor() {
+        let Some((tree, rest)) = cursor.token_tree() else { break };
+        text.push_str(&tree.to_string());
+        cursor = rest;
+    }
+    text.retain(|sign| !sign.is_whitespace());
+    text
 }
 
 /// Whether a number follows; a sign before it is an operator.

@@ -38,7 +38,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
                 print(&run_text(&run, method))?;
             }
             match run.outcome {
-                Outcome::ReachedEnd => Ok(()),
+                Outcome::ReachedEnd | Outcome::ReachedEvent { .. } => Ok(()),
                 Outcome::Stopped { .. } => Err(Failure::stopped(format!("the run {}", run.outcome))),
             }
         }

@@ -36,6 +36,12 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
         let outputs = info.outputs.iter().enumerate().map(|(i, output)| (output.name, number(&|last| last.outputs[i])));
         members.push(("outputs", Json::object(outputs)));
     }
+    if !info.events.is_empty() {
+        let events = run.map_or(&[][..], Run::events).iter().map(|occurred| {
+            Json::object([("name", Json::text(occurred.event.name)), ("t", Json::Number(occurred.state.t))])
+        });
+        members.push(("events", Json::list(events)));
+    }
     members.extend([
         (
             "energy",
@@ -72,7 +78,7 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
 /// The end as text.
 pub fn run_text(run: &Run, method: Method) -> String {
     let (info, last, cost) = (run.info(), run.last(), run.cost);
-    let mut text = format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_word(&run.outcome), last.t);
+    let mut text = format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_words(&run.outcome), last.t);
     text += &motion_table(&last).to_string();
     text += &left_out(info.n_coordinates(), "coordinates");
     if info.n_rows() > 0 {
@@ -90,6 +96,13 @@ pub fn run_text(run: &Run, method: Method) -> String {
             values.iter().for_each(|(name, value, unit)| table.push([*name, &fixed(**value, 12), *unit]));
             text += &format!("\n{table}");
         }
+    }
+    if !run.events().is_empty() {
+        let mut table = Table::new(["event", "t", "unit"]);
+        for occurred in run.events().iter().take(MAX_LINES) {
+            table.push([occurred.event.name, &fixed(occurred.state.t, 12), "s"]);
+        }
+        text += &format!("\n{table}{}", left_out(run.events().len(), "events"));
     }
     let energy = last.energy;
     text += &format!(
@@ -152,8 +165,12 @@ fn remark(energy: &EnergyState, method: Method) -> String {
     format!("remark: energy and work {difference}: {what} is too large for this motion; try {better}\n")
 }
 
-fn outcome_word(outcome: &Outcome) -> &'static str {
-    if outcome.reached_end() { "reached the end" } else { "stopped" }
+fn outcome_words(outcome: &Outcome) -> String {
+    match outcome {
+        Outcome::ReachedEnd => "reached the end".to_owned(),
+        Outcome::ReachedEvent { name, .. } => format!("reached `{name}`"),
+        Outcome::Stopped { .. } => "stopped".to_owned(),
+    }
 }
 
 /// Coordinates and rows that the text lists; of more the rest is counted.

@@ -30,6 +30,9 @@ model! {
         hinge pin: ground(0, 0) ~ bob(-l, 0);
         gravity (0, -g);
 
+        /// Where it turns back.
+        event turning: bob.omega = 0;
+
         start right { bob near angle 0; at rest; }
         start left { bob near angle pi; at rest; }
 
@@ -37,5 +40,7 @@ model! {
         scene swing { start right; until 10 s; }
         /// Released level, on the left of the pin.
         scene mirrored { start left; until 10 s; }
+        /// Released level, on the right of the pin, until it hangs below.
+        scene quarter { start right; until 10 s; until bob.x < 0; }
     }
 }

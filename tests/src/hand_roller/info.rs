@@ -128,6 +128,7 @@ const fn scene(
         parameters,
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects,
         until_s,
         n_constants: parameters.len(),

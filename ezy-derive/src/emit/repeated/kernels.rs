@@ -71,6 +71,16 @@ impl Emitter<'_> {
         let force = self.kernel(Numbers::Any, quote!(out.fill(T::from_f64(0.0));), forces.collect());
         let points = self.kernel(Numbers::F64, quote!(), points);
         let outputs = self.kernel(Numbers::F64, quote!(), outputs);
+        let events = templates.events.iter().map(|event| stack(&[], &event.slots, vec![event.event.value]));
+        let events: Vec<_> = events.collect();
+        let events = (!events.is_empty()).then(|| {
+            let events = self.kernel(Numbers::F64, quote!(), events);
+            quote! {
+                fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+                    #events
+                }
+            }
+        });
         let power = self.power();
         let potential = self.potential();
         let start = self.start();
@@ -110,6 +120,7 @@ impl Emitter<'_> {
             fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
                 #start
             }
+            #events
         };
         Methods { equations, scene }
     }

@@ -1,7 +1,8 @@
 //! A scene as JSON.
 
 use ezy_core::model::{
-    Abbreviation, EliminationStep, Formula, InputInfo, OutputInfo, ParameterInfo, PointInfo, RowInfo, SceneInfo,
+    Abbreviation, EliminationStep, EventInfo, EventKind, Formula, InputInfo, OutputInfo, ParameterInfo, PointInfo,
+    RowInfo, SceneInfo,
 };
 
 use ezy_core::report::templates::{TemplateEquations, templates};
@@ -30,6 +31,7 @@ pub fn scene(info: &SceneInfo) -> Json {
         ("parameters", Json::list(info.parameters.iter().map(parameter))),
         ("inputs", Json::list(info.inputs.iter().map(input))),
         ("outputs", Json::list(info.outputs.iter().map(output))),
+        ("events", Json::list(info.events.iter().map(event))),
         ("effects", Json::list(info.effects.iter().map(|effect| Json::text(effect.name)))),
         ("points", Json::list(info.points.iter().map(point))),
         ("rows", Json::list(info.rows.iter().map(row))),
@@ -62,6 +64,11 @@ fn input(p: &InputInfo) -> Json {
 
 fn output(o: &OutputInfo) -> Json {
     Json::object([("name", Json::text(o.name)), ("unit", Json::text(o.unit)), ("value", formula(&o.formula))])
+}
+
+fn event(e: &EventInfo) -> Json {
+    let ends = e.kind == EventKind::End;
+    Json::object([("name", Json::text(e.name)), ("ends", Json::Bool(ends)), ("value", formula(&e.formula))])
 }
 
 fn point(point: &PointInfo) -> Json {

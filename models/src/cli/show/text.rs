@@ -1,6 +1,6 @@
 //! A scene as text.
 
-use ezy_core::model::{EffectInfo, EliminationStep, SceneInfo};
+use ezy_core::model::{Direction, EffectInfo, EliminationStep, EventKind, SceneInfo};
 use ezy_core::report::equations::{Equation, equations};
 use ezy_core::report::table::Table;
 use ezy_core::report::templates::templates;
@@ -64,6 +64,11 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     put(["effect", "what it is", "", "", ""], effects.collect());
     let outputs = info.outputs.iter().map(|o| [o.name, o.unit, o.formula.text, o.documentation.trim(), ""]);
     put(["output", "unit", "formula", "what it is", ""], outputs.collect());
+    let events = info.events.iter().map(|e| {
+        let follows = if e.kind == EventKind::End { "ends the run" } else { "is recorded" };
+        [e.name, passes(e.direction), e.formula.text, follows, e.documentation.trim()]
+    });
+    put(["event", "passes zero", "value", "what follows", "what it is"], events.collect());
     if info.repeats.is_some() {
         return tables;
     }
@@ -75,6 +80,14 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     });
     put(["row", "word", "level", "unit of its multiplier", ""], rows.collect());
     tables
+}
+
+const fn passes(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Rising => "upwards",
+        Direction::Falling => "downwards",
+        Direction::Either => "both ways",
+    }
 }
 
 fn indent(text: &str) -> String {

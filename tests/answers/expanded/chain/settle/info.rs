@@ -91,6 +91,7 @@ impl Settle {
         ],
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "friction_in_hinges",

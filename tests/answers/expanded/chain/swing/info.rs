@@ -75,6 +75,7 @@ impl Swing {
         ],
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects: &[],
         until_s: 1f64,
         n_constants: 7usize,

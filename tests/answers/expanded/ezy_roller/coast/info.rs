@@ -354,6 +354,7 @@ impl Coast {
         ],
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects: &[],
         until_s: 1f64,
         n_constants: 32usize,

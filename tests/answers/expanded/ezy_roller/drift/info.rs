@@ -419,6 +419,7 @@ impl Drift {
         ],
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

@@ -386,6 +386,7 @@ impl Driven {
         ],
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

@@ -402,6 +402,7 @@ impl DrivenOnTarmac {
         ],
         inputs: &[],
         outputs: &[],
+        events: &[],
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

@@ -389,6 +389,7 @@ impl Ridden {
                 },
             },
         ],
+        events: &[],
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "rider",

@@ -1,0 +1,52 @@
+//! What is looked for while a scene runs.
+
+use super::Formula;
+
+/// A value of a scene that is of interest where it passes zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct EventInfo {
+    /// Name in the model file; of a condition behind `until` the condition as written; of a kink its value.
+    pub name: &'static str,
+    /// What follows.
+    pub kind: EventKind,
+    /// Which passages count.
+    pub direction: Direction,
+    /// The value: left side of the condition minus its right side, in SI units; what stands in `abs` or `sign`, or the
+    /// difference of what stands in `min` or `max`.
+    pub formula: Formula,
+    /// Doc comment of the declaration.
+    pub documentation: &'static str,
+}
+
+/// What follows from an event.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EventKind {
+    /// It is recorded; the motion is the same to the last bit.
+    Mark,
+    /// The run ends.
+    End,
+    /// None: a law changes over, by `abs`, `sign`, `min` or `max`. DOP853 ends a step there.
+    Kink,
+}
+
+/// How a value passes zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From below.
+    Rising,
+    /// From above.
+    Falling,
+    /// Both ways.
+    Either,
+}
+
+impl Direction {
+    /// Whether a passage counts that leads to this side of zero: 1 above, -1 below.
+    pub fn counts(self, side: f64) -> bool {
+        match self {
+            Self::Rising => side > 0.0,
+            Self::Falling => side < 0.0,
+            Self::Either => true,
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! What takes place between the ends of a step: values of the scene that pass zero.
+//!
+//! After each step the values are looked at in [`N_PARTS`] places of its interpolation. What passes zero between two of
+//! them is located there; where three of them foresee a dip to the other side and back, it is followed.
+
+mod dip;
+mod kinks;
+mod root;
+
+use super::motion::Motion;
+use crate::dynamics::{MotionError, State};
+use crate::model::{EventInfo, EventKind, Scene};
+use dip::dip;
+pub(super) use kinks::Kinks;
+use root::root;
+
+/// Places of a step at which values are looked at.
+const N_PARTS: usize = 4;
+
+/// Events are located this well, s, or as well as the clock can tell.
+const RESOLUTION_S: f64 = 1e-12;
+
+/// A value that begins below this part of what it reaches in the first step is rounding: it begins on neither side.
+const NOTHING: f64 = 1e-10;
+
+/// An event that took place.
+#[derive(Debug, Clone)]
+pub struct Occurrence {
+    /// Which one.
+    pub event: &'static EventInfo,
+    /// Where the motion was then: interpolated, and projected.
+    pub state: State,
+}
+
+/// A passage through zero.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Passage {
+    pub t: f64,
+    pub event: &'static EventInfo,
+}
+
+/// Watches the values of a run.
+pub(super) struct Lookout {
+    events: &'static [EventInfo],
+    /// How many of them are to be told: kinks come last.
+    n_told: usize,
+    /// On which side of zero each value was last: -1, 1; 0 when it has not left zero yet.
+    sides: Vec<f64>,
+    /// Whether no step was looked at yet.
+    fresh: bool,
+    /// Places of the step that are looked at.
+    times: [f64; N_PARTS + 1],
+    /// Values there.
+    values: [Vec<f64>; N_PARTS + 1],
+    /// Values at a place that is tried.
+    tried: Vec<f64>,
+    place: State,
+    /// Of the present step.
+    passages: Vec<Passage>,
+    pub occurred: Vec<Occurrence>,
+}
+
+impl Lookout {
+    pub fn new(events: &'static [EventInfo], n_q: usize, n_works: usize) -> Self {
+        let zeros = || vec![0.0; events.len()];
+        Self {
+            events,
+            n_told: events.iter().filter(|event| event.kind != EventKind::Kink).count(),
+            sides: zeros(),
+            fresh: true,
+            times: [0.0; N_PARTS + 1],
+            values: std::array::from_fn(|_| zeros()),
+            tried: zeros(),
+            place: State::zero(n_q, n_works),
+            passages: Vec::new(),
+            occurred: Vec::new(),
+        }
+    }
+
+    pub fn is_idle(&self) -> bool {
+        self.n_told == 0
+    }
+
+    /// Looks at the step that `motion` has made, both ends evaluated, and keeps what took place; returns what ends the
+    /// run.
+    pub fn look<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<Option<Passage>, MotionError> {
+        self.passages.clear();
+        self.sample(motion)?;
+        if self.fresh {
+            self.begin();
+        }
+        for i in 0..self.n_told {
+            for part in 1..=N_PARTS {
+                let ends = [part - 1, part].map(|k| (self.times[k], self.values[k][i]));
+                match self.dip(motion, i, part)? {
+                    Some(lowest) => {
+                        self.compare(motion, i, [ends[0], lowest])?;
+                        self.compare(motion, i, [lowest, ends[1]])?;
+                    }
+                    None => self.compare(motion, i, ends)?,
+                }
+            }
+        }
+        self.passages.sort_by(|a, b| a.t.total_cmp(&b.t));
+        let end = self.passages.iter().position(|passage| passage.event.kind == EventKind::End);
+        for k in 0..end.map_or(self.passages.len(), |end| end + 1) {
+            let Passage { t, event } = self.passages[k];
+            motion.inside(t, &mut self.place)?;
+            motion.project(&mut self.place)?;
+            self.occurred.push(Occurrence { event, state: self.place.clone() });
+        }
+        Ok(end.map(|end| self.passages[end]))
+    }
+
+    /// Writes the values at the places of a step.
+    fn sample<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
+        let (from, to) = (motion.now.state.t, motion.next.state.t);
+        for part in 0..=N_PARTS {
+            let t = from + (to - from) * part as f64 / N_PARTS as f64;
+            let (t, state) = match part {
+                0 => (from, &motion.now.state),
+                N_PARTS => (to, &motion.next.state),
+                _ => {
+                    motion.inside(t, &mut self.place)?;
+                    (t, &self.place)
+                }
+            };
+            self.times[part] = t;
+            motion.system.events(t, &state.q, &state.v, &mut self.values[part]);
+        }
+        Ok(())
+    }
+
+    /// On which sides the values of a run begin.
+    fn begin(&mut self) {
+        self.fresh = false;
+        for (i, side) in self.sides.iter_mut().enumerate() {
+            let first = self.values[0][i];
+            let largest = self.values.iter().fold(0.0, |largest: f64, values| largest.max(values[i].abs()));
+            *side = if first.abs() > NOTHING * largest { side_of(first) } else { 0.0 };
+        }
+    }
+
+    /// Value `i` at `t` within the step.
+    fn value<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, i: usize, t: f64) -> Result<f64, MotionError> {
+        motion.inside(t, &mut self.place)?;
+        motion.system.events(t, &self.place.q, &self.place.v, &mut self.tried);
+        Ok(self.tried[i])
+    }
+
+    /// A place of a part of the step, and the value there, that is on the other side of zero than both ends of the part.
+    fn dip<S: Scene + ?Sized>(
+        &mut self,
+        motion: &mut Motion<'_, S>,
+        i: usize,
+        part: usize,
+    ) -> Result<Option<(f64, f64)>, MotionError> {
+        let side = side_of(self.values[part][i]);
+        if side == 0.0 || side != side_of(self.values[part - 1][i]) {
+            return Ok(None);
+        }
+        let place = |k: usize| (self.times[k], side * self.values[k][i]);
+        let others: [Option<usize>; 2] = [part.checked_sub(2), (part < N_PARTS).then_some(part + 1)];
+        let others = others.map(|k| k.map(place));
+        let lowest = dip(place(part - 1), place(part), others.into_iter().flatten(), |t| {
+            self.value(motion, i, t).map(|value| side * value)
+        })?;
+        Ok(lowest.map(|t| (t, self.tried[i])))
+    }
+
+    /// Keeps the passage of value `i` to another side between two places.
+    fn compare<S: Scene + ?Sized>(
+        &mut self,
+        motion: &mut Motion<'_, S>,
+        i: usize,
+        [(t_before, before), (t, after)]: [(f64, f64); 2],
+    ) -> Result<(), MotionError> {
+        let (old, side) = (self.sides[i], side_of(after));
+        if side == 0.0 || side == old {
+            return Ok(());
+        }
+        self.sides[i] = side;
+        let event = &self.events[i];
+        if old == 0.0 || !event.direction.counts(side) {
+            return Ok(());
+        }
+        // an input may have carried it over between two steps
+        let t = if side_of(before) == side {
+            t_before
+        } else {
+            let resolution = RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs());
+            root((t_before, before), (t, after), resolution, |t| self.value(motion, i, t))?
+        };
+        self.passages.push(Passage { t, event });
+        Ok(())
+    }
+}
+
+/// -1, 0 or 1; a value that is no number is on neither side.
+fn side_of(x: f64) -> f64 {
+    match x.partial_cmp(&0.0) {
+        Some(std::cmp::Ordering::Greater) => 1.0,
+        Some(std::cmp::Ordering::Less) => -1.0,
+        _ => 0.0,
+    }
+}

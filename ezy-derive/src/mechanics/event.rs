@@ -1,0 +1,85 @@
+//! Events as expressions that pass zero: declared ones, and the kinks of laws.
+
+use std::collections::BTreeSet;
+
+use super::expression::Writer;
+use crate::function::Function;
+use crate::model::{Event, Model, Relation, Scene};
+use crate::symbolic::sum::Atom;
+use crate::symbolic::{Algebra, SumId};
+
+/// An event of a scene.
+#[derive(Debug)]
+pub struct SceneEvent {
+    pub kind: EventKind,
+    pub relation: Relation,
+    pub value: SumId,
+}
+
+#[derive(Debug)]
+pub enum EventKind {
+    /// Name, documentation, and whether it ends a run.
+    Declared { name: String, documentation: String, ends: bool },
+    /// A law changes over.
+    Kink,
+}
+
+impl SceneEvent {
+    /// The events that a scene calls for, in declared order, then its own conditions.
+    pub fn declared(writer: &mut Writer<'_>, model: &Model, scene: &Scene) -> Vec<Self> {
+        let event = |(event, ends): (&Event, bool)| {
+            let (name, documentation) = (event.name.clone(), event.documentation.clone());
+            let kind = EventKind::Declared { name, documentation, ends };
+            Self { kind, relation: event.relation, value: writer.write(&event.value) }
+        };
+        model.events_of(scene).map(event).collect()
+    }
+
+    /// Where a function without a derivative changes over in one of the laws, each place once.
+    pub fn kinks(algebra: &mut Algebra, laws: &[SumId]) -> Vec<Self> {
+        let (mut seen, mut values) = (BTreeSet::new(), Vec::new());
+        for &law in laws {
+            collect(algebra, law, &mut seen, &mut values);
+        }
+        let kink = |value| Self { kind: EventKind::Kink, relation: Relation::Equal, value };
+        values.into_iter().map(kink).collect()
+    }
+}
+
+fn collect(algebra: &mut Algebra, sum: SumId, seen: &mut BTreeSet<SumId>, values: &mut Vec<SumId>) {
+    if !seen.insert(sum) {
+        return;
+    }
+    let products = algebra.terms(sum).iter().map(|&(product, _)| product);
+    let atoms: Vec<_> = products.flat_map(|product| algebra.monomial(product).iter().map(|&(atom, _)| atom)).collect();
+    for atom in atoms {
+        match algebra.atom(atom).clone() {
+            Atom::Symbol(_) => {}
+            Atom::Cos(inner) | Atom::Sin(inner) | Atom::Group(inner) => collect(algebra, inner, seen, values),
+            Atom::Call(function, arguments) => {
+                for &argument in &arguments {
+                    collect(algebra, argument, seen, values);
+                }
+                let change = change_over(algebra, function, &arguments);
+                let Some(value) = change.filter(|&value| algebra.as_coefficient(value).is_none()) else { continue };
+                let opposite = algebra.neg(value);
+                if !values.contains(&value) && !values.contains(&opposite) {
+                    values.push(value);
+                }
+            }
+        }
+    }
+}
+
+/// What passes zero where the function changes over.
+fn change_over(algebra: &mut Algebra, function: Function, arguments: &[SumId]) -> Option<SumId> {
+    match (function, arguments) {
+        (Function::Abs | Function::Sign, &[x]) => Some(x),
+        (Function::Min | Function::Max, &[x, y]) => {
+            // what only keeps a divisor from zero is no kink
+            let least = algebra.number(f64::MIN_POSITIVE);
+            (x != least && y != least).then(|| algebra.sub(x, y))
+        }
+        _ => None,
+    }
+}

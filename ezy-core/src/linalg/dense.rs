@@ -15,6 +15,9 @@ const ENOUGH: f64 = 4.0 * f64::EPSILON;
 /// Corrections of a solution: the first squares its relative error, the second is for ratios of masses of 1e12.
 const MAX_REFINEMENTS: usize = 2;
 
+/// Masses, kg or kg·m², in whose own units K looks as it does in these.
+const OF_ORDER_ONE: std::ops::Range<f64> = 1e-6..1e6;
+
 /// LU factors of the scaled K. M may be singular as long as K is not: massless bodies that are held by rows.
 ///
 /// K is scaled on both sides by one diagonal, so that pivots of heavy and light bodies, of metres and radians,
@@ -59,25 +62,14 @@ impl DenseKkt {
 
 impl KktFactorization for DenseKkt {
     fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
-        scale(&self.entries, mass, jacobian, &mut self.scale, &mut self.largest);
-        assemble(&self.entries, mass, jacobian, &self.scale, &mut self.factors);
         self.refinement.keep(mass, jacobian);
-        let n = self.scale.len();
-        for i in 0..n {
-            let i_pivot = i + self.factors.view((i, i), (n - i, 1)).column(0).icamax();
-            let pivot = self.factors[(i_pivot, i)];
-            if pivot.is_nan() || pivot.abs() <= PIVOT_TOLERANCE {
-                return Err(VanishedPivot { relative: pivot.abs(), row: None });
-            }
-            self.pivot_rows[i] = i_pivot;
-            if i_pivot != i {
-                self.factors.columns_mut(0, i).swap_rows(i, i_pivot);
-                linalg::gauss_step_swap(&mut self.factors, pivot, i, i_pivot);
-            } else {
-                linalg::gauss_step(&mut self.factors, pivot, i);
-            }
-        }
-        Ok(())
+        self.eliminate(mass, jacobian, 1.0).or_else(|vanished| {
+            let heaviest = mass.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+            let lightest = mass.iter().copied().filter(|m| *m > 0.0).fold(heaviest, f64::min);
+            // light bodies that rows hold leave pivots in units of the heaviest, those that swing freely in their own
+            let units = [heaviest, lightest].into_iter().filter(|unit| !OF_ORDER_ONE.contains(unit));
+            units.fold(Err(vanished), |outcome, unit| outcome.or_else(|_| self.eliminate(mass, jacobian, unit)))
+        })
     }
 
     fn solve(&mut self, right_side: &mut [f64]) {
@@ -96,6 +88,31 @@ impl KktFactorization for DenseKkt {
 }
 
 impl DenseKkt {
+    /// Factors K, scaled from a unit of mass on.
+    fn eliminate(&mut self, mass: &[f64], jacobian: &[f64], unit: f64) -> Result<(), VanishedPivot> {
+        let (coordinates, rows) = self.scale.split_at_mut(mass.len());
+        coordinates.fill(1.0 / unit.sqrt());
+        rows.fill(unit.sqrt());
+        scale(&self.entries, mass, jacobian, &mut self.scale, &mut self.largest);
+        assemble(&self.entries, mass, jacobian, &self.scale, &mut self.factors);
+        let n = self.scale.len();
+        for i in 0..n {
+            let i_pivot = i + self.factors.view((i, i), (n - i, 1)).column(0).icamax();
+            let pivot = self.factors[(i_pivot, i)];
+            if pivot.is_nan() || pivot.abs() <= PIVOT_TOLERANCE {
+                return Err(VanishedPivot { relative: pivot.abs(), row: None });
+            }
+            self.pivot_rows[i] = i_pivot;
+            if i_pivot != i {
+                self.factors.columns_mut(0, i).swap_rows(i, i_pivot);
+                linalg::gauss_step_swap(&mut self.factors, pivot, i, i_pivot);
+            } else {
+                linalg::gauss_step(&mut self.factors, pivot, i);
+            }
+        }
+        Ok(())
+    }
+
     /// Solves with the factors alone.
     fn substitute(&self, right_side: &mut [f64]) {
         for (x, d) in right_side.iter_mut().zip(&self.scale) {

@@ -22,14 +22,13 @@ pub fn assemble(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &[f64], K:
 /// Passes of the equilibration: each takes the root of the exponent that is left, so that ratios of 1e10 end at 4.
 const PASSES: usize = 4;
 
-/// D such that the largest entry of each row and column of D K D is near one. Only entries decide, never
-/// reciprocals of masses: a body of negligible inertia is scaled like one without.
+/// From the `d` that it is given, D such that the largest entry of each row and column of D K D is near one. Only entries
+/// decide, never reciprocals of masses: a body of negligible inertia is scaled like one without.
 ///
 /// # Source
 /// Ruiz, A scaling algorithm to equilibrate both rows and columns norms in matrices (2001), in the maximum norm.
 pub fn scale(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &mut [f64], largest: &mut [f64]) {
     let n_q = mass.len();
-    d.fill(1.0);
     for _ in 0..PASSES {
         largest.fill(0.0);
         for (i, m) in mass.iter().enumerate() {

@@ -395,6 +395,12 @@ impl Start {
         Some(free)
     }
 
+    /// Lets everything that is given move as little as the rows demand where they cannot be met with it.
+    pub fn give_way(&mut self) {
+        self.q_near.copy_from_slice(&self.q_given);
+        self.v_near.copy_from_slice(&self.v_given);
+    }
+
     /// Holds coordinate `i` at `value`.
     pub fn give_position(&mut self, i: usize, value: f64) {
         self.q[i] = value;

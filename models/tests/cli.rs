@@ -47,6 +47,17 @@ fn invariant_list_names_every_scene_as_it_is_typed() {
 }
 
 #[test]
+fn invariant_start_that_contradicts_is_projected_when_asked() {
+    let given = ["run", "fourbar/turning", "--until", "0", "--start", "crank.omega=-1", "--start", "rocker.omega=-0.5"];
+    let refused = ezy(&given);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("`--project-start`"), "{}", text(&refused.stderr));
+    let rate = &json(&[&given[..], &["--project-start", "--json"]].concat())["rate"];
+    let rate = |name: &str| rate[name].as_f64().expect("a number");
+    assert!((rate("crank.phi") - rate("rocker.phi")).abs() < 1e-12);
+}
+
+#[test]
 fn invariant_list_json_tells_effects_sizes_and_freedom() {
     let scene = &json(&["list", "--json"])["models"][0]["scenes"][1];
     assert_eq!(scene["name"], "driven");

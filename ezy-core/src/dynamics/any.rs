@@ -1,6 +1,7 @@
 //! A scene in other numbers than `f64`: several trajectories side by side, or one with its derivatives.
 
-use super::projection::{MAX_PASSES, tolerance_at};
+use super::geometry::tolerance_at;
+use super::projection::MAX_PASSES;
 use super::{MotionError, System};
 use crate::model::{DeficientRows, Equations, Scene, SceneInfo};
 use crate::scalar::Scalar;

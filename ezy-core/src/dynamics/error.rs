@@ -222,7 +222,7 @@ pub enum StartError {
     /// The given values and the constraints contradict each other.
     #[error(
         "the start contradicts the constraints: {} of {} cannot be met, the best start leaves {residual:.3e} \
-         (tolerance {tolerance:.1e}); held: {}. Give fewer values, or values that fit", .level, list(.rows), list_or_nothing(.held)
+         (tolerance {tolerance:.1e}); held: {}", .level, list(.rows), held_and_remedy(.held)
     )]
     Contradiction {
         /// `position` or `velocity`.
@@ -238,8 +238,13 @@ pub enum StartError {
     },
 }
 
-fn list_or_nothing(names: &[&str]) -> String {
-    if names.is_empty() { "nothing".to_owned() } else { list(names) }
+fn held_and_remedy(names: &[&str]) -> String {
+    if names.is_empty() {
+        return "nothing. The constraints contradict each other, or their lengths do not reach: change the parameters"
+            .to_owned();
+    }
+    let names = list(names);
+    format!("{names}. Give fewer values, values that fit, or let them give way: `project_start`, `--project-start`")
 }
 
 /// Names that a message lists; of more the rest is counted.

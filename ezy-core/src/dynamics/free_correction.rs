@@ -1,6 +1,7 @@
 //! Corrections of a start: given values stay, the others take the residual away.
 
 use super::System;
+use super::geometry::is_angle;
 use crate::linalg::{KktFactorization, SparseKkt, singular_values};
 use crate::model::Scene;
 use nalgebra::{DMatrix, DVector};
@@ -22,7 +23,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     pub(super) fn free_correction(&mut self, t: f64, q: &[f64], n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let finite = self.buffers.residual[..n_rows].iter().chain(&self.buffers.jacobian).all(|x| x.is_finite());
-        if !finite || given.iter().all(|given| *given) {
+        if !finite || n_rows == 0 || given.iter().all(|given| *given) {
             return None;
         }
         if self.starts_sparse() { self.sparse_correction(n_rows, given) } else { self.dense_correction(n_rows, given) }
@@ -63,31 +64,71 @@ impl<S: Scene + ?Sized> System<'_, S> {
         Some(step)
     }
 
-    /// By the singular values of `G W^(−1/2)` over the free coordinates.
+    /// By singular values over the free coordinates, rows in units of their sizes. What has mass takes away what massless
+    /// coordinates cannot, as little as possible in the mass matrix; these take the rest.
     fn dense_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
-        let info = self.info;
-        let free: Vec<usize> = (0..given.len()).filter(|&i| !given[i]).collect();
-        let residual = DVector::from_column_slice(&self.buffers.residual[..n_rows]);
-        let jacobian = &self.buffers.jacobian;
-        let root_weight = root_weights(&self.mass);
-        let mut G = DMatrix::<f64>::zeros(n_rows, free.len());
-        for (k, row, column) in info.jacobian.entries().filter(|e| e.1 < n_rows) {
-            if let Ok(i) = free.binary_search(&column) {
-                G[(row, i)] += jacobian[k] / root_weight[column];
+        let sizes = &self.geometry.sizes;
+        let unit = |column: usize| match (self.mass[column] > 0.0, is_angle(column)) {
+            (true, _) => self.mass[column].sqrt(),
+            (false, true) => self.geometry.length,
+            (false, false) => 1.0,
+        };
+        let free = (0..given.len()).filter(|&i| !given[i]);
+        let (heavy, massless): (Vec<usize>, Vec<usize>) = free.partition(|&i| self.mass[i] > 0.0);
+        let slopes = |columns: &[usize]| {
+            let mut G = DMatrix::<f64>::zeros(n_rows, columns.len());
+            for (k, row, column) in self.info.jacobian.entries().filter(|e| e.1 < n_rows) {
+                if let Ok(i) = columns.binary_search(&column) {
+                    G[(row, i)] += self.buffers.jacobian[k] / unit(column) / sizes[row];
+                }
             }
-        }
-        let svd = singular_values(G, true, true)?;
-        let cutoff = (RANK_TOLERANCE * svd.singular_values.max()).max(f64::MIN_POSITIVE);
-        let scaled = svd.solve(&residual, cutoff).ok()?;
+            G
+        };
+        let rows = self.buffers.residual[..n_rows].iter().zip(sizes);
+        let mut residual = DVector::from_iterator(n_rows, rows.map(|(r, size)| r / size));
+        let (mut G, G_massless) = (slopes(&heavy), slopes(&massless));
         let mut step = vec![0.0; given.len()];
-        for (&column, x) in free.iter().zip(scaled.iter()) {
-            step[column] = -x / root_weight[column];
+        let mut assign = |columns: &[usize], x: &DVector<f64>| {
+            columns.iter().zip(x.iter()).for_each(|(&column, x)| step[column] = -x / unit(column));
+        };
+        if massless.is_empty() {
+            assign(&heavy, &least_norm(G, &residual)?);
+            return Some(step);
         }
+        let full = G.clone();
+        let reached = range(G_massless.clone())?;
+        G -= &reached * reached.tr_mul(&G);
+        let beyond = &residual - &reached * reached.tr_mul(&residual);
+        if !heavy.is_empty() {
+            let x = least_norm(G, &beyond)?;
+            residual -= full * &x;
+            assign(&heavy, &x);
+        }
+        assign(&massless, &least_norm(G_massless, &residual)?);
         Some(step)
     }
 }
 
-/// Square roots of M; a coordinate without mass takes the smallest positive entry of its kind, or one.
+/// Shortest x that brings G x closest to `r`.
+fn least_norm(G: DMatrix<f64>, r: &DVector<f64>) -> Option<DVector<f64>> {
+    let svd = singular_values(G, true, true)?;
+    let cutoff = cutoff(&svd.singular_values);
+    svd.solve(r, cutoff).ok()
+}
+
+/// Orthonormal columns that span what G reaches.
+fn range(G: DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let svd = singular_values(G, true, false)?;
+    let cutoff = cutoff(&svd.singular_values);
+    let columns: Vec<usize> = (0..svd.singular_values.len()).filter(|&i| svd.singular_values[i] > cutoff).collect();
+    Some(svd.u?.select_columns(&columns))
+}
+
+fn cutoff(singular_values: &DVector<f64>) -> f64 {
+    (RANK_TOLERANCE * singular_values.max()).max(f64::MIN_POSITIVE)
+}
+
+/// Square roots of M for the sparse correction; a coordinate without mass takes the smallest positive entry of its kind, or one.
 fn root_weights(mass: &[f64]) -> Vec<f64> {
     let substitute = |angle: bool| {
         let of_kind = mass.iter().enumerate().filter(|(i, m)| (i % 3 == 2) == angle && **m > 0.0).map(|(_, m)| *m);

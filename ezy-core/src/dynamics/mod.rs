@@ -9,6 +9,7 @@ mod any;
 mod energy;
 mod error;
 mod free_correction;
+mod geometry;
 mod projection;
 mod residual;
 mod start;

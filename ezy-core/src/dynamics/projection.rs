@@ -43,16 +43,6 @@ pub enum Metric {
     Euclidean,
 }
 
-/// |C| that a projection has to reach.
-const POSITION_TOLERANCE: f64 = 1e-12;
-
-/// Rounding of C in units of ε times the largest coordinate: a row sums a handful of terms of that size. Matters
-/// from 500 m or rad on, where [`POSITION_TOLERANCE`] can be out of reach.
-pub(super) const ROUNDING_OF_ROWS: f64 = 8.0 * f64::EPSILON;
-
-/// However large the coordinates, a residual above this is not rounding: the motion has run away.
-const LARGEST_TOLERANCE: f64 = 1e-6;
-
 /// Gauss–Newton passes; from the drift of one step two are plenty.
 pub(super) const MAX_PASSES: usize = 10;
 
@@ -62,16 +52,6 @@ const PASSES_TO_ROUNDING: usize = 3;
 
 /// The first one converges quadratically, the second one removes its rounding.
 const PASSES_NEAR_RANK_LOSS: usize = 2;
-
-/// |C| that counts as zero at `q`.
-pub(super) fn position_tolerance(q: &[f64]) -> f64 {
-    tolerance_at(max_abs(q))
-}
-
-/// The same where the largest coordinate is `size`.
-pub(super) fn tolerance_at(size: f64) -> f64 {
-    POSITION_TOLERANCE.max((ROUNDING_OF_ROWS * size).min(LARGEST_TOLERANCE))
-}
 
 /// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each
 /// other; levers of a centimetre make it a hundred times as large.
@@ -140,13 +120,14 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Moves `q` onto C = 0 by Gauss–Newton, each pass at the corrected point, and returns the number of passes.
-    /// A `q` that fulfils the rows to 1e-12 m, or to the rounding of coordinates beyond 500 m, is left as it is.
+    /// A `q` that fulfils the rows to 1e-12 of their size (at most 1e-12 m or rad), or to the rounding of large coordinates,
+    /// is left as it is. The size of a row is what it changes by when bodies move by the longest lever and turn by 1 rad.
     ///
     /// # Errors
     /// [`MotionError::ProjectionStalled`] when that is not reached in 10 passes, and those of
     /// [`System::accelerations`].
     pub fn project_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<usize, MotionError> {
-        let tolerance = position_tolerance(q);
+        let n_h = self.info.n_position_rows;
         let mut passes = 0;
         loop {
             let worst = self.worst_position(t, q);
@@ -154,8 +135,9 @@ impl<S: Scene + ?Sized> System<'_, S> {
             if passes == 0 {
                 self.projected.positions_before = worst;
             }
-            if norm <= POSITION_TOLERANCE
-                || norm <= tolerance
+            let residual = &self.buffers.residual[..n_h];
+            if self.geometry.is_met(residual)
+                || self.geometry.position_excess(residual, q) <= 1.0
                     && (passes == MAX_PASSES || passes >= PASSES_TO_ROUNDING && norm <= self.rounding(t, q))
             {
                 self.projected.positions_after = worst;
@@ -165,6 +147,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
             }
             if passes == MAX_PASSES {
+                let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
                 return Err(MotionError::ProjectionStalled {
                     t,
                     residual: norm,

@@ -1,11 +1,15 @@
 //! A start that fulfils the constraints, from values that are given only in part.
 
-use super::projection::{ROUNDING_OF_ROWS, position_tolerance};
+use super::geometry::is_angle;
 use super::{StartError, State, System, max_abs};
 use crate::model::{Scene, Start};
 
 /// Gauss–Newton passes: far guesses need some tens, with a step that is halved when it overshoots.
 const MAX_PASSES: usize = 100;
+
+/// Farthest that one pass turns a body, rad. Longer steps leave the neighbourhood in which the slopes hold, and can end with
+/// an elbow on its other side.
+const LARGEST_TURN: f64 = 0.2;
 
 /// Halvings of one step before the search counts as stuck.
 const MAX_HALVINGS: usize = 20;
@@ -27,17 +31,22 @@ const LARGEST_VALUE: f64 = 1e9;
 const VELOCITY_PASSES: usize = 2;
 const DAMPED_VELOCITY_PASSES: usize = 10;
 
-/// Residual of the velocity rows that counts as zero at moderate speeds, m/s and rad/s.
-const VELOCITY_TOLERANCE: f64 = 1e-12;
-
 const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 
 /// What a place leaves of the position rows.
 struct Residual {
-    /// The largest.
-    norm: f64,
-    /// All of them, as the length of a vector.
+    /// The largest, in units of what counts as zero.
+    excess: f64,
+    /// The largest, in units of the sizes of the rows.
+    share: f64,
+    /// All of them in these units, as the length of a vector.
     length: f64,
+}
+
+impl Residual {
+    fn is_met(&self) -> bool {
+        self.excess <= 1.0
+    }
 }
 
 impl<S: Scene + ?Sized> System<'_, S> {
@@ -48,13 +57,15 @@ impl<S: Scene + ?Sized> System<'_, S> {
         start
     }
 
-    /// A state that fulfils all rows: given values stay to the last bit, unless they are only near it and the rows cannot
-    /// be met with them, the others move as little as possible in
-    /// the mass matrix, positions by Gauss–Newton to |C| ≤ 1e-12, then velocities by a linear solve. A start that
-    /// is consistent already is not touched. From a guess whose symmetry hides where to go (all bars of a loop in one
-    /// line) the search goes on a little beside it, at places that are the same each time.
+    /// A state that fulfils all rows: given values stay to the last bit, unless they are only near it
+    /// ([`Start::give_way`]) and the rows cannot be met with them; the others move as little as possible in the mass matrix,
+    /// positions by Gauss–Newton, then velocities by a linear solve: `(v − v₀)ᵀ M (v − v₀)` is smallest, also where rows
+    /// repeat each other. A start that is consistent already (1e-12 of the sizes of the rows) is not touched; what is
+    /// assembled goes on to rounding. A pass turns no body by more than 0.2 rad, so that elbows of loops stay on the side of
+    /// the guess, and of near values centres give way before angles. From a guess whose symmetry hides where to go (all bars of a loop in one line) the search goes on a little
+    /// beside it, at places that are the same each time.
     ///
-    /// Coordinates without mass count with the smallest positive mass or inertia.
+    /// Coordinates without mass follow the others at no cost and, where these leave a choice, move as little as possible.
     ///
     /// # Errors
     /// [`StartError`] when a value or a row is not finite, or when the rows cannot be met with the given values held.
@@ -67,11 +78,15 @@ impl<S: Scene + ?Sized> System<'_, S> {
         state.q.copy_from_slice(&start.q);
         state.v.copy_from_slice(&start.v);
         let free = start.without_near();
-        self.assemble_positions(start, &mut state.q).or_else(|error| match &free {
-            // from the best that could be done while they were held
-            Some(free) => self.assemble_positions(free, &mut state.q),
-            None => Err(error),
-        })?;
+        if let Err(error) = self.assemble_positions(start, &mut state.q) {
+            let Some(free) = &free else { return Err(error) };
+            // from the best that could be done while they were held; centres give way before angles
+            let mut angles = start.clone();
+            (0..angles.q.len()).filter(|&i| !is_angle(i)).for_each(|i| angles.q_given[i] = free.q_given[i]);
+            if self.assemble_positions(&angles, &mut state.q).is_err() {
+                self.assemble_positions(free, &mut state.q)?;
+            }
+        }
         self.assemble_velocities(start, &state.q, &mut state.v).or_else(|error| match &free {
             Some(free) => self.assemble_velocities(free, &state.q, &mut state.v),
             None => Err(error),
@@ -97,43 +112,47 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let mut left = self.approach(start, q);
         let mut trial = q.to_vec();
         for n in 0..MAX_NUDGES {
-            if left.norm <= position_tolerance(q) || start.q_given.iter().all(|given| *given) {
+            if left.is_met() || start.q_given.iter().all(|given| *given) {
                 break;
             }
             trial.copy_from_slice(q);
-            self.nudge(&mut trial, &start.q_given, left.norm, n);
+            self.nudge(&mut trial, &start.q_given, left.share, n);
             let other = self.approach(start, &mut trial);
-            let is_met = other.norm <= position_tolerance(&trial);
-            if is_met || left.length.is_nan() || other.length < NOTICEABLY_LESS * left.length {
+            if other.is_met() || left.length.is_nan() || other.length < NOTICEABLY_LESS * left.length {
                 q.copy_from_slice(&trial);
                 left = other;
             }
         }
-        let tolerance = position_tolerance(q);
-        if left.norm <= tolerance {
+        if left.is_met() {
             return Ok(());
         }
         self.position_residual(start.t, q);
         let held = start.q_given.iter().zip(self.info.coordinates).filter(|(given, _)| **given).map(|(_, c)| c.name);
-        Err(self.contradiction("position", self.info.n_position_rows, tolerance, held.collect()))
+        let extent = self.geometry.extent(q);
+        let tolerances = (0..self.info.n_position_rows).map(|row| self.geometry.position_tolerance(row, extent));
+        Err(self.contradiction("position", &tolerances.collect::<Vec<_>>(), held.collect()))
     }
 
-    /// Gauss–Newton from `q` as far as it goes, with steps halved until they shorten the residual.
+    /// Gauss–Newton from `q` as far as it goes, with steps halved until they shorten the residual. Rows that are met at the
+    /// first look leave `q` alone; else one pass more, for rounding, follows the one that meets them.
     fn approach(&mut self, start: &Start, q: &mut [f64]) -> Residual {
         let (t, n_h) = (start.t, self.info.n_position_rows);
         let mut trial = q.to_vec();
-        let mut left = self.position_residual_and_length(t, q);
+        let mut left = self.position_residual_at(t, q);
+        if left.is_met() {
+            return left;
+        }
         for _ in 0..MAX_PASSES {
-            if left.norm <= position_tolerance(q) {
-                break;
-            }
+            let is_last = left.is_met();
+            self.position_residual(t, q);
             let Some(step) = self.free_correction(t, q, n_h, &start.q_given) else { break };
+            let turn = step.iter().skip(2).step_by(3).fold(0.0, |turn: f64, angle| turn.max(angle.abs()));
             // a least-squares step shortens the vector of residuals, not always the largest of them
-            let mut fraction = 1.0;
+            let mut fraction = (LARGEST_TURN / turn).min(1.0);
             let mut improved = false;
             for _ in 0..MAX_HALVINGS {
                 trial.iter_mut().zip(q.iter()).zip(&step).for_each(|((x, q), s)| *x = q + fraction * s);
-                let there = self.position_residual_and_length(t, &trial);
+                let there = self.position_residual_at(t, &trial);
                 if there.length < left.length {
                     q.copy_from_slice(&trial);
                     left = there;
@@ -142,77 +161,90 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 }
                 fraction *= 0.5;
             }
-            if !improved {
+            if is_last || !improved {
                 break;
             }
         }
         left
     }
 
-    fn position_residual_and_length(&mut self, t: f64, q: &[f64]) -> Residual {
-        let norm = self.position_residual(t, q);
-        Residual { norm, length: self.residual_length(self.info.n_position_rows) }
+    fn position_residual_at(&mut self, t: f64, q: &[f64]) -> Residual {
+        self.position_residual(t, q);
+        let residual = &self.buffers.residual[..self.info.n_position_rows];
+        Residual {
+            excess: self.geometry.position_excess(residual, q),
+            share: self.geometry.share(residual),
+            length: self.residual_length(residual.len()),
+        }
     }
 
-    /// Moves what is not given: angles by up to [`NUDGE`], lengths by up to `length`, the residual (1 m where that is
-    /// not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
-    fn nudge(&self, q: &mut [f64], given: &[bool], length: f64, n: usize) {
-        let length = if length.is_finite() { length } else { 1.0 };
+    /// Moves what is not given: angles by up to [`NUDGE`], lengths by up to `share` of the mechanism's, the residual (all of it
+    /// where that is not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
+    fn nudge(&self, q: &mut [f64], given: &[bool], share: f64, n: usize) {
+        let length = self.geometry.length * if share.is_finite() { share } else { 1.0 };
         let n_q = q.len();
         for (i, x) in q.iter_mut().enumerate().filter(|(i, _)| !given[*i]) {
-            let share = 2.0 * ((n * n_q + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
-            *x += share * if self.info.coordinates[i].unit == "rad" { NUDGE } else { length };
+            let amount = 2.0 * ((n * n_q + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
+            *x += amount * if is_angle(i) { NUDGE } else { length };
         }
     }
 
     fn assemble_velocities(&mut self, start: &Start, q: &[f64], v: &mut [f64]) -> Result<(), StartError> {
         let (t, n_c) = (start.t, self.info.n_rows());
-        let mut norm = self.velocity_residual(t, q, v);
+        let mut trial = vec![0.0; v.len()];
+        // what moves by itself: rows that depend on time
+        self.velocity_residual(t, q, &trial);
+        let drive = self.geometry.share(&self.buffers.residual);
+        let mut excess = self.velocity_excess(t, q, v, drive);
         let mut length = self.residual_length(n_c);
-        let mut trial = v.to_vec();
         let passes = if self.starts_sparse() { DAMPED_VELOCITY_PASSES } else { VELOCITY_PASSES };
         for _ in 0..passes {
-            if norm <= velocity_tolerance(v) {
+            if excess <= 1.0 {
                 return Ok(());
             }
+            self.velocity_residual(t, q, v);
             let Some(step) = self.free_correction(t, q, n_c, &start.v_given) else { break };
             trial.iter_mut().zip(v.iter()).zip(&step).for_each(|((x, v), s)| *x = v + s);
-            let trial_norm = self.velocity_residual(t, q, &trial);
+            let trial_excess = self.velocity_excess(t, q, &trial, drive);
             let trial_length = self.residual_length(n_c);
             if trial_length.is_nan() || trial_length >= length {
                 break;
             }
             v.copy_from_slice(&trial);
-            (norm, length) = (trial_norm, trial_length);
+            (excess, length) = (trial_excess, trial_length);
         }
-        let tolerance = velocity_tolerance(v);
-        if norm <= tolerance {
+        if excess <= 1.0 {
             return Ok(());
         }
         self.velocity_residual(t, q, v);
         let names = self.info.coordinates.iter().map(|c| c.velocity_name);
         let held = start.v_given.iter().zip(names).filter(|(given, _)| **given).map(|(_, name)| name);
-        Err(self.contradiction("velocity", n_c, tolerance, held.collect()))
+        let extent = self.geometry.extent(v).max(drive);
+        let tolerances = (0..n_c).map(|row| self.geometry.velocity_tolerance(row, extent));
+        Err(self.contradiction("velocity", &tolerances.collect::<Vec<_>>(), held.collect()))
     }
 
-    /// Euclidean length of the first residuals in the buffer.
+    fn velocity_excess(&mut self, t: f64, q: &[f64], v: &[f64], drive: f64) -> f64 {
+        self.velocity_residual(t, q, v);
+        self.geometry.velocity_excess(&self.buffers.residual, self.geometry.extent(v).max(drive))
+    }
+
+    /// Euclidean length of the first residuals in the buffer, in units of the sizes of their rows.
     fn residual_length(&self, n_rows: usize) -> f64 {
-        self.buffers.residual[..n_rows].iter().map(|r| r * r).sum::<f64>().sqrt()
+        let rows = self.buffers.residual[..n_rows].iter().zip(&self.geometry.sizes);
+        rows.map(|(r, size)| (r / size).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Names the rows whose residual in the buffer exceeds the tolerance, or one that is no number.
-    fn contradiction(&self, level: &'static str, n_rows: usize, tolerance: f64, held: Vec<&'static str>) -> StartError {
-        let residual = &self.buffers.residual[..n_rows];
+    /// Names the rows whose residual in the buffer exceeds its tolerance, or one that is no number.
+    fn contradiction(&self, level: &'static str, tolerances: &[f64], held: Vec<&'static str>) -> StartError {
+        let residual = &self.buffers.residual[..tolerances.len()];
         if let Some(i) = residual.iter().position(|r| !r.is_finite()) {
             return StartError::UndefinedRow { row: self.info.rows[i].name };
         }
-        let mut rows: Vec<usize> = (0..n_rows).filter(|&i| residual[i].abs() > tolerance).collect();
+        let mut rows: Vec<usize> = (0..residual.len()).filter(|&i| residual[i].abs() > tolerances[i]).collect();
         rows.sort_by(|&i, &j| residual[j].abs().total_cmp(&residual[i].abs()));
+        let tolerance = rows.first().map_or(0.0, |&row| tolerances[row]);
         let rows = rows.into_iter().map(|i| self.info.rows[i].name).collect();
         StartError::Contradiction { level, rows, residual: max_abs(residual), tolerance, held }
     }
-}
-
-fn velocity_tolerance(v: &[f64]) -> f64 {
-    VELOCITY_TOLERANCE.max(ROUNDING_OF_ROWS * max_abs(v))
 }

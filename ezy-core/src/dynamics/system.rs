@@ -1,9 +1,10 @@
 //! A scene with its constants, solver and buffers.
 
+use super::geometry::Geometry;
 use super::projection::Euclidean;
 use super::{Projected, SystemError};
 use crate::linalg::{Backend, DenseKkt, KktFactorization, LARGEST_DENSE, SparseKkt};
-use crate::model::{Scene, SceneInfo};
+use crate::model::{Scene, SceneInfo, Start};
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
 ///
@@ -18,6 +19,7 @@ pub struct System<'s, S: Scene + ?Sized> {
     /// What kernels read as `c`: inputs, then constants.
     pub(super) fixed: Vec<f64>,
     pub(super) mass: Vec<f64>,
+    pub(super) geometry: Geometry,
     pub(super) solver: Solver,
     /// Made when a pivot of the generated elimination vanishes for the first time.
     pub(super) second_opinion: Option<Box<DenseKkt>>,
@@ -81,17 +83,23 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             let (body, quantity) = body_of(info, i);
             return Err(SystemError::Mass { body, quantity, value: mass[i] });
         }
+        let mut start = Start::free(n_q);
+        scene.start(&fixed, &mut start);
+        let mut jacobian = vec![0.0; info.jacobian.n_nonzeros()];
+        scene.velocity_jacobian(&fixed, start.t, &start.q, &mut jacobian);
+        let geometry = Geometry::new(info, &jacobian, &start);
         Ok(Self {
             scene,
             info,
-            solver: solver(info, &mass, backend)?,
+            solver: solver(info, &mass, &geometry, backend)?,
+            geometry,
             second_opinion: None,
             vanished_row: None,
             fixed,
             mass,
             euclidean: None,
             buffers: Buffers {
-                jacobian: vec![0.0; info.jacobian.n_nonzeros()],
+                jacobian,
                 right_side: vec![0.0; n_q + n_c],
                 residual: vec![0.0; n_c],
                 delta: vec![0.0; n_q],
@@ -142,15 +150,20 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     }
 }
 
-/// The generated elimination divides by masses: of an entry of M this much below the largest, the accelerations keep
-/// nine digits. Below it the pivoted solver is chosen, which keeps all of them.
-const LIGHTEST: f64 = 1e-7;
+/// The generated elimination divides by masses: of a body this much lighter than the heaviest, under its load, the
+/// accelerations keep twelve digits. Below it the pivoted solver is chosen, which keeps all of them.
+const LIGHTEST: f64 = 1e-4;
 
 /// Number of equations of a scene with counts up to which light bodies are worth the dense solver. Beyond it the sparse
 /// one is taken, which divides by masses like the generated elimination.
 const LARGEST_FOR_LIGHT: usize = 100;
 
-fn solver(info: &'static SceneInfo, mass: &[f64], backend: Backend) -> Result<Solver, SystemError> {
+fn solver(
+    info: &'static SceneInfo,
+    mass: &[f64],
+    geometry: &Geometry,
+    backend: Backend,
+) -> Result<Solver, SystemError> {
     let massless = mass.iter().position(|m| *m == 0.0);
     let needs_mass = |backend| match massless {
         None => Ok(()),
@@ -159,8 +172,7 @@ fn solver(info: &'static SceneInfo, mass: &[f64], backend: Backend) -> Result<So
             Err(SystemError::BackendNeedsMass { body, quantity, backend })
         }
     };
-    let heaviest = mass.iter().copied().fold(0.0, f64::max);
-    let light = massless.is_some() || mass.iter().any(|m| *m < LIGHTEST * heaviest);
+    let light = geometry.lightness(mass) < LIGHTEST;
     // in scenes with counts the dense solver costs n³ where the sparse one costs n
     let largest = match (info.has_elimination(), massless) {
         (true, _) | (_, Some(_)) => LARGEST_DENSE,

@@ -31,7 +31,8 @@ pub use sparse::{SparseKkt, SparseKktError};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Backend {
     /// [`Backend::Generated`], in scenes with counts [`Backend::Sparse`]; [`Backend::Dense`] when a mass or inertia is
-    /// zero, or less than 1e-7 of the largest in a scene without counts or with at most 100 equations.
+    /// zero or, in a scene without counts or with at most 100 equations, less than 1e-4 of the largest; inertias count by
+    /// the mass that their longest lever feels.
     #[default]
     Auto,
     /// Straight-line elimination of the scene; needs positive masses and inertias, and a scene without counts.

@@ -64,6 +64,9 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         for (name, value) in &self.given {
             give(system.info(), &mut start, name, *value)?;
         }
+        if self.start_gives_way {
+            start.give_way();
+        }
         Ok(start)
     }
 

@@ -24,6 +24,7 @@ pub struct Simulation<'s, S: Scene + ?Sized> {
     pub(super) metric: Metric,
     pub(super) backend: Backend,
     pub(super) given: Vec<(String, f64)>,
+    pub(super) start_gives_way: bool,
     pub(super) inputs: Vec<(String, InputTable)>,
     pub(super) law: Option<Law<'s>>,
     pub(super) wanted: Wanted,
@@ -45,6 +46,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             metric: Metric::default(),
             backend: Backend::default(),
             given: Vec::new(),
+            start_gives_way: false,
             inputs: Vec::new(),
             law: None,
             wanted: Wanted::default(),
@@ -106,6 +108,18 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     #[must_use]
     pub fn give(mut self, name: impl Into<String>, value: f64) -> Self {
         self.given.push((name.into(), value));
+        self
+    }
+
+    /// Projects a start that contradicts the constraints onto them, in place of refusing it.
+    ///
+    /// Given values are held as long as the rows can be met with them. Where they cannot, they move as little as possible in the
+    /// metric of the masses: centres first, then angles with them, by `δᵀ M δ`; then velocities so that
+    /// `(v − v₀)ᵀ M (v − v₀)` is smallest, which is what a blow that closes the joints would leave. Angles count with moments of inertia, so metres and radians
+    /// are never added; coordinates without mass follow at no cost.
+    #[must_use]
+    pub fn project_start(mut self) -> Self {
+        self.start_gives_way = true;
         self
     }
 

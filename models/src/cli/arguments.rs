@@ -138,6 +138,11 @@ pub struct RunArguments {
     /// What is given replaces the value of the scene and is held; what neither gives follows from the constraints.
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub start: Vec<Assignment>,
+    /// Let a start that contradicts the constraints give way, in place of refusing it
+    ///
+    /// All values then move as little as possible in the metric of the masses: positions first, then velocities.
+    #[arg(long)]
+    pub project_start: bool,
     /// Set an input, in its unit; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub input: Vec<Assignment>,

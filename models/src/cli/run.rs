@@ -124,6 +124,9 @@ fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Resu
     for assignment in &arguments.start {
         simulation = simulation.give(&assignment.name, assignment.value);
     }
+    if arguments.project_start {
+        simulation = simulation.project_start();
+    }
     if let Some(out) = &mut out {
         let default_every = || (until_s > 0.0).then_some(until_s / N_ROWS);
         if let Some(every) = arguments.every.or_else(default_every) {

@@ -1,0 +1,79 @@
+//! The same mechanism from micrometres to a thousand kilometres, from micrograms to kilotons.
+
+use ezy_core::prelude::*;
+use ezy_models::mechanisms::four_bar::four_bar;
+use ezy_models::registry::MODELS;
+
+/// The four-bar with all lengths, and gravity with them, and all masses in other units: angles move alike.
+fn scaled(length: f64, mass: f64) -> four_bar::Turning {
+    four_bar::Turning {
+        base: 1.1 * length,
+        l1: length,
+        l2: 1.3 * length,
+        l3: 1.25 * length,
+        m1: mass,
+        m2: mass,
+        m3: mass,
+        g: 9.81 * length,
+        ..Default::default()
+    }
+}
+
+/// Rounding of a thousand steps; errors grow little in a second.
+const SAME: f64 = 1e-9;
+/// What a projection leaves of a row, relative to the lengths of the bars.
+const RESIDUAL: f64 = 1e-12;
+
+#[test]
+fn invariant_motion_in_any_unit_of_length_and_mass() {
+    let angles = |scene: &four_bar::Turning, length: f64, method: Method| {
+        let run = Simulation::new(scene).method(method).until(1.0).run().unwrap();
+        assert!(run.outcome.reached_end(), "{length} m: {}", run.outcome);
+        assert!(run.last().position_residual <= RESIDUAL * length, "{length} m: {:.1e}", run.last().position_residual);
+        let q = run.last().coordinates.to_vec();
+        [q[2], q[5], q[8], q[0] / length, q[4] / length]
+    };
+    for method in [Method::rk4(1e-3), Method::taylor(1e-12)] {
+        let unit = angles(&scaled(1.0, 1.0), 1.0, method);
+        for (length, mass) in
+            [(1e-6, 1.0), (1e-6, 1e-15), (1e-3, 1e-6), (1e3, 1e6), (1e6, 1.0), (1.0, 1e-6), (1.0, 1e6)]
+        {
+            let error = crate::scenes::distance(&unit, &angles(&scaled(length, mass), length, method));
+            assert!(error <= SAME, "{} {length} m, {mass} kg: {error:.1e}", method.name());
+        }
+    }
+}
+
+#[test]
+fn invariant_solver_does_not_depend_on_units() {
+    for (length, mass) in [(1e-6, 1.0), (1.0, 1.0), (1e6, 1.0), (1.0, 1e-9), (1.0, 1e9)] {
+        let scene = scaled(length, mass);
+        assert!(System::new(&scene, Backend::Auto).unwrap().uses_elimination(), "{length} m, {mass} kg");
+    }
+}
+
+/// A start whose bars are 1e-6 apart relative to their lengths is refused in any unit.
+#[test]
+fn invariant_gap_counts_relative_to_the_bars() {
+    for length in [1e-6, 1e-3, 1.0, 1e3] {
+        let scene = scaled(length, 1.0);
+        let run = |gap: f64| {
+            let (x, y) = (0.5 * length * 1.0_f64.cos() + gap * length, 0.5 * length * 1.0_f64.sin());
+            Simulation::new(&scene).until(0.0).give("crank.x", x).give("crank.y", y).give("crank.phi", 1.0).run()
+        };
+        assert!(run(0.0).is_ok(), "{length} m: {}", run(0.0).err().map_or_else(String::new, |e| e.to_string()));
+        assert!(run(1e-7).is_err(), "{length} m");
+    }
+}
+
+/// Only massless trucks need the pivoted solver.
+#[test]
+fn invariant_shipped_scenes_with_masses_are_eliminated() {
+    for entry in MODELS.iter().flat_map(|model| model.scenes) {
+        let scene = (entry.new)();
+        let system = System::new(&*scene, Backend::Auto).unwrap();
+        let has_masses = system.mass_matrix().iter().all(|m| *m > 0.0);
+        let eliminated = system.uses_elimination() || !scene.info().has_elimination();
+        assert!(eliminated || !has_masses, "{} {}", scene.info().model, scene.info().name);
+    }
+}

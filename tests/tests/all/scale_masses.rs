@@ -1,0 +1,107 @@
+//! Chains of rods whose masses differ by ten decades and more: the problem is well conditioned, only the numbers differ.
+
+use ezy_core::prelude::*;
+
+ezy_core::model! {
+    /// Two uniform rods of 1 m under a bearing.
+    model Rods {
+        param upper_mass: kg = 1;
+        param lower_mass: kg = 1;
+        body upper { mass: upper_mass, inertia: upper_mass/12 }
+        body lower { mass: lower_mass, inertia: lower_mass/12 }
+        hinge bearing: ground(0, 0) ~ upper(-0.5, 0);
+        hinge pin: upper(0.5, 0) ~ lower(-0.5, 0);
+        gravity (0, -9.81);
+        start bent { upper angle 0.3; lower angle -0.5; at rest; }
+        scene swing { start bent; until 2 s; }
+    }
+}
+
+ezy_core::model! {
+    /// A light rod between two heavy ones.
+    model Sandwich {
+        body upper { mass: 1e5, inertia: 1e5/12 }
+        body middle { mass: 1e-5, inertia: 1e-5/12 }
+        body lower { mass: 1e5, inertia: 1e5/12 }
+        hinge bearing: ground(0, 0) ~ upper(-0.5, 0);
+        hinge pin: upper(0.5, 0) ~ middle(-0.5, 0);
+        hinge tip: middle(0.5, 0) ~ lower(-0.5, 0);
+        gravity (0, -9.81);
+        start bent { upper angle 0.3; middle angle -0.5; lower angle 0.9; at rest; }
+        scene swing { start bent; until 2 s; }
+    }
+}
+
+fn rods(upper_mass: f64, lower_mass: f64) -> rods::Swing {
+    rods::Swing { upper_mass, lower_mass }
+}
+
+/// Angular accelerations of the rods at the start, by Lagrange's equations: two rows, as well conditioned as the problem.
+fn reduced([m1, m2]: [f64; 2]) -> [f64; 2] {
+    let (f1, f2, g) = (0.3_f64, -0.5_f64, 9.81);
+    let (a, b, c) = (m1 / 3.0 + m2, m2 / 2.0 * (f1 - f2).cos(), m2 / 3.0);
+    let (r1, r2) = (-g * (m1 / 2.0 + m2) * f1.cos(), -g * m2 / 2.0 * f2.cos());
+    let determinant = a * c - b * b;
+    [(r1 * c - r2 * b) / determinant, (a * r2 - b * r1) / determinant]
+}
+
+/// Up to a ratio of 1e4 the generated elimination divides by masses and loses as many digits; beyond it nothing is lost.
+const ACCELERATIONS: f64 = 1e-12;
+
+#[test]
+fn analytic_accelerations_of_any_ratio_of_masses() {
+    for exponent in 0..=16 {
+        let heavy = 10_f64.powi(exponent);
+        for masses in [[1.0, heavy], [heavy, 1.0], [1.0 / heavy, 1.0], [1.0, 1.0 / heavy]] {
+            let scene = rods(masses[0], masses[1]);
+            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let State { t, q, v, .. } = system.consistent_start(&system.scene_start()).unwrap();
+            let (mut a, mut lambda) = ([0.0; 6], [0.0; 4]);
+            system.accelerations(t, &q, &v, &mut a, &mut lambda).unwrap();
+            let exact = reduced(masses);
+            let error = crate::scenes::distance(&[a[2], a[5]], &exact) / exact[0].abs().max(exact[1].abs());
+            assert!(error <= ACCELERATIONS, "{masses:?} kg: {error:.1e}");
+        }
+    }
+}
+
+/// Ten times the tolerance of the methods, and what grows from it in two seconds.
+const ANGLES: f64 = 1e-8;
+/// What a projection promises, with rounding.
+const GAPS: f64 = 1e-12;
+/// Relative to the weight of the heavy rod times a length.
+const ENERGY: f64 = 1e-11;
+
+fn assert_swing<S: Scene>(scene: &S, angles: &[f64], heaviest: f64) {
+    for method in [Method::dop853(1e-12), Method::taylor(1e-12)] {
+        let run = Simulation::new(scene).method(method).work().every(0.1).run().unwrap();
+        assert!(run.outcome.reached_end(), "{}: {}", method.name(), run.outcome);
+        let error = (angles.iter().enumerate())
+            .map(|(i, angle)| (run.last().coordinates[3 * i + 2] - angle).abs())
+            .fold(0.0, f64::max);
+        assert!(error <= ANGLES, "{}: {error:.1e} rad", method.name());
+        for sample in run.samples() {
+            assert!(sample.position_residual <= GAPS, "{}: {:.1e} m", method.name(), sample.position_residual);
+            let balance = sample.energy.balance.abs() / (9.81 * heaviest);
+            assert!(balance <= ENERGY, "{}: {balance:.1e}", method.name());
+        }
+    }
+}
+
+/// `mass_ratio_heavy_below` of `torture.json` at 2 s.
+#[test]
+fn reference_light_rod_that_carries_a_heavy_one() {
+    assert_swing(&rods(1.0, 1e10), &[-1.528469711344305, -2.8227262468960914], 1e10);
+}
+
+/// `mass_ratio_heavy_above` of `torture.json` at 2 s.
+#[test]
+fn reference_light_rod_on_a_heavy_one() {
+    assert_swing(&rods(1e10, 1.0), &[0.242246944917525, -18.933943743760707], 1e10);
+}
+
+/// `mass_ratio_sandwich` of `torture.json` at 2 s.
+#[test]
+fn reference_light_rod_between_heavy_ones() {
+    assert_swing(&sandwich::Swing::default(), &[-2.7217863553749444, -4.370155660374619, -2.2301465842326254], 1e5);
+}

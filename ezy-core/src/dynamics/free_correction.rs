@@ -9,6 +9,9 @@ use nalgebra::{DMatrix, DVector};
 /// Directions whose singular value is below this fraction of the largest are left alone.
 const RANK_TOLERANCE: f64 = 1e-10;
 
+/// Smaller entries of M count as this: their reciprocals would overflow in products.
+const LEAST_WEIGHT: f64 = 1e-280;
+
 /// Coordinates beyond which corrections come from a sparse factorisation instead of singular values.
 const LARGEST_DENSE_START: usize = 150;
 
@@ -69,7 +72,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     fn dense_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
         let sizes = &self.geometry.sizes;
         let unit = |column: usize| match (self.mass[column] > 0.0, is_angle(column)) {
-            (true, _) => self.mass[column].sqrt(),
+            (true, _) => self.mass[column].max(LEAST_WEIGHT).sqrt(),
             (false, true) => self.geometry.length,
             (false, false) => 1.0,
         };

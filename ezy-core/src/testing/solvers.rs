@@ -8,7 +8,7 @@ use crate::model::Scene;
 
 /// ε times the condition of K, which is the square of that of the rows, 1e4, with a margin of a
 /// hundred for elimination without pivoting.
-const TOLERANCE: f64 = 1e-10;
+const TOLERANCE: f64 = f64::EPSILON * 1e4 * 100.0;
 const REASON: &str = "rounding times the condition of K";
 
 /// States whose solution changes more than this times as much as the coordinates are near rank loss and not compared.

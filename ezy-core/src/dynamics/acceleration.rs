@@ -1,10 +1,10 @@
 //! Accelerations and multipliers; corrections with the same matrix.
 
-use super::projection::Euclidean;
+use super::deficient::{Rank, Threshold};
 use super::system::Solver;
 use super::{Metric, MotionError, System};
-use crate::linalg::{ConditionEstimator, Conditioning, DenseKkt, KktFactorization, LARGEST_DIAGNOSED, diagnose};
-use crate::model::{Scene, SceneInfo, Series, SeriesStore};
+use crate::linalg::{ConditionEstimator, Conditioning};
+use crate::model::{Scene, Series, SeriesStore};
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Accelerations and multipliers at one state: solves `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`.
@@ -16,11 +16,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// | `lambda` (written) | `n_c` | N, N·m |
     ///
     /// # Errors
-    /// [`MotionError`] when K is singular, with the rows or coordinates to blame; `a` and `lambda` are then
-    /// unspecified.
+    /// [`MotionError`] when a number is not finite or nothing moves a coordinate; `a` and `lambda` are then unspecified.
+    /// Rows that depend on each other are no error: `a` is unique, `lambda` the smallest that belongs to it (each in units of
+    /// the root of its entry of `G M⁻¹ Gᵀ`), and [`System::lost_rank`] tells.
     /// # Cost
     /// One factorisation and one solve. Where a pivot of the generated elimination vanishes, a pivoted factorisation
-    /// besides, which decides. No allocation but for the first of those.
+    /// besides, which decides, and where rows depend on each other one more. No allocation but for the first of those.
     pub fn accelerations(
         &mut self,
         t: f64,
@@ -31,44 +32,21 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ) -> Result<(), MotionError> {
         self.counters.evaluations += 1;
         self.counters.factorizations += 1;
-        let regular = match self.solver {
-            Solver::Generated => {
-                self.scene.accelerations(&self.fixed, t, q, v, a, lambda).none()
-                    || self.factored_accelerations(t, q, v, a, lambda)
-            }
-            Solver::Factored(_) => self.factored_accelerations(t, q, v, a, lambda),
-        };
-        if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
-    }
-
-    /// By a factorisation of K; false when it is singular.
-    fn factored_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> bool {
-        let regular = self.factor(t, q);
-        if regular {
-            let (scene, c) = (self.scene, &self.fixed);
-            let (F, gamma) = self.buffers.right_side.split_at_mut(q.len());
-            scene.applied_force(c, t, q, v, F);
-            scene.convective_term(c, t, q, v, gamma);
-            gamma.iter_mut().for_each(|h| *h = -*h);
-            factored(&mut self.solver, &mut self.second_opinion, self.info).solve(&mut self.buffers.right_side);
-            let (solved_a, solved_lambda) = self.buffers.right_side.split_at(q.len());
-            a.copy_from_slice(solved_a);
-            lambda.copy_from_slice(solved_lambda);
+        if self.uses_elimination() && self.scene.accelerations(&self.fixed, t, q, v, a, lambda).none() {
+            self.rank = Rank::default();
+            return Ok(());
         }
-        regular
-    }
-
-    /// As [`System::correction`], by a factorisation of K; false when it is singular.
-    fn factored_correction(&mut self, t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> bool {
-        let regular = self.factor(t, q);
-        if regular {
-            let right_side = &mut self.buffers.right_side;
-            right_side[..q.len()].fill(0.0);
-            right_side[q.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-            factored(&mut self.solver, &mut self.second_opinion, self.info).solve(right_side);
-            delta.copy_from_slice(&self.buffers.right_side[..q.len()]);
-        }
-        regular
+        self.factor(t, q, Threshold::Motion)?;
+        let (scene, c) = (self.scene, &self.fixed);
+        let (F, gamma) = self.buffers.right_side.split_at_mut(q.len());
+        scene.applied_force(c, t, q, v, F);
+        scene.convective_term(c, t, q, v, gamma);
+        gamma.iter_mut().for_each(|h| *h = -*h);
+        self.solve_in_buffer();
+        let (solved_a, solved_lambda) = self.buffers.right_side.split_at(q.len());
+        a.copy_from_slice(solved_a);
+        lambda.copy_from_slice(solved_lambda);
+        Ok(())
     }
 
     /// The smallest `delta` (`n_q`) with `G(q, t) delta = −residual` (`n_c`), smallest in the mass matrix or, with
@@ -86,20 +64,33 @@ impl<S: Scene + ?Sized> System<'_, S> {
         metric: Metric,
         delta: &mut [f64],
     ) -> Result<(), MotionError> {
+        self.correction_from(t, q, residual, metric, Threshold::Motion, delta)
+    }
+
+    pub(super) fn correction_from(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        residual: &[f64],
+        metric: Metric,
+        threshold: Threshold,
+        delta: &mut [f64],
+    ) -> Result<(), MotionError> {
         self.counters.factorizations += 1;
-        let regular = match (&self.solver, metric) {
-            (Solver::Generated, Metric::Mass) => {
-                self.scene.correction(&self.fixed, t, q, residual, delta).none()
-                    || self.factored_correction(t, q, residual, delta)
-            }
-            (Solver::Factored(_), Metric::Mass) => self.factored_correction(t, q, residual, delta),
-            (_, Metric::Euclidean) => {
-                self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-                let euclidean = Euclidean::of(&mut self.euclidean, self.info)?;
-                euclidean.velocity_correction(&self.buffers.jacobian, residual, delta)
-            }
-        };
-        if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
+        if metric == Metric::Euclidean {
+            return self.euclidean_correction(t, q, residual, threshold, delta);
+        }
+        if self.uses_elimination() && self.scene.correction(&self.fixed, t, q, residual, delta).none() {
+            self.rank = Rank::default();
+            return Ok(());
+        }
+        self.factor(t, q, threshold)?;
+        let right_side = &mut self.buffers.right_side;
+        right_side[..q.len()].fill(0.0);
+        right_side[q.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
+        self.solve_in_buffer();
+        delta.copy_from_slice(&self.buffers.right_side[..q.len()]);
+        Ok(())
     }
 
     /// Begins a series from orders 0 and 1 of q in `store` ([`Series::begin`]); true when the scene's own elimination can
@@ -117,6 +108,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.counters.factorizations += 1;
         let deficient = series.begin(&self.fixed, t, store);
         if deficient.none() && self.uses_elimination() {
+            self.rank = Rank::default();
             return Ok(true);
         }
         self.factorize(t, &store.q[..self.info.n_coordinates()]).map(|()| false)
@@ -127,7 +119,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Errors
     /// As [`System::accelerations`].
     pub fn factorize(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
-        if self.factor(t, q) { Ok(()) } else { Err(self.why_singular(t, q)) }
+        self.factor(t, q, Threshold::Motion)
     }
 
     /// Whether the scene's own elimination solves, as long as no pivot vanishes.
@@ -140,9 +132,21 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let right_side = &mut self.buffers.right_side;
         right_side[..force.len()].copy_from_slice(force);
         right_side[force.len()..].copy_from_slice(row);
-        factored(&mut self.solver, &mut self.second_opinion, self.info).solve(right_side);
-        a.copy_from_slice(&right_side[..force.len()]);
-        lambda.copy_from_slice(&right_side[force.len()..]);
+        self.solve_in_buffer();
+        a.copy_from_slice(&self.buffers.right_side[..force.len()]);
+        lambda.copy_from_slice(&self.buffers.right_side[force.len()..]);
+    }
+
+    /// Takes from `x` (`n_q`) its part across the rows, in the mass matrix: G x = 0 afterwards.
+    ///
+    /// # Errors
+    /// As [`System::accelerations`].
+    /// # Cost
+    /// One correction; no allocation.
+    pub fn make_tangential(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
+        self.buffers.residual.fill(0.0);
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        self.take_residual_from(t, q, x)
     }
 
     /// How well K can be solved with at a state, by an estimator for this scene.
@@ -161,68 +165,24 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Cost
     /// One correction; no allocation.
     pub fn refine_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        self.scene.convective_term(&self.fixed, t, q, v, &mut self.buffers.residual);
+        self.take_residual_from(t, q, a)
+    }
+
+    /// Corrects `x` so that `G x` plus what stands in the buffer of residuals is zero, with G in its buffer.
+    fn take_residual_from(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
         let mut residual = std::mem::take(&mut self.buffers.residual);
         let mut delta = std::mem::take(&mut self.buffers.delta);
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        self.scene.convective_term(&self.fixed, t, q, v, &mut residual);
         for (k, row, column) in self.info.jacobian.entries() {
-            residual[row] += self.buffers.jacobian[k] * a[column];
+            residual[row] += self.buffers.jacobian[k] * x[column];
         }
         let outcome = self.correction(t, q, &residual, Metric::Mass, &mut delta);
         if outcome.is_ok() {
-            a.iter_mut().zip(&delta).for_each(|(a, delta)| *a += delta);
+            x.iter_mut().zip(&delta).for_each(|(x, delta)| *x += delta);
         }
         self.buffers.residual = residual;
         self.buffers.delta = delta;
         outcome
-    }
-
-    /// Factors K; false when it is singular.
-    fn factor(&mut self, t: f64, q: &[f64]) -> bool {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let kkt = factored(&mut self.solver, &mut self.second_opinion, self.info);
-        let outcome = kkt.factor(&self.mass, &self.buffers.jacobian);
-        self.vanished_row = outcome.err().and_then(|pivot| pivot.row);
-        outcome.is_ok()
-    }
-
-    /// Names what makes K singular. Slow; only for reports.
-    #[cold]
-    pub(super) fn why_singular(&mut self, t: f64, q: &[f64]) -> MotionError {
-        let (scene, info) = (self.scene, self.info);
-        scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        if info.n_unknowns() > LARGEST_DIAGNOSED {
-            let finite = self.buffers.jacobian.iter().all(|x| x.is_finite());
-            return match self.vanished_row {
-                Some(row) if finite => MotionError::VanishedRow { t, row: info.rows[row].name },
-                _ => MotionError::NotFinite { t, quantity: "the constraint Jacobian or an entry of its factors" },
-            };
-        }
-        match diagnose(&self.mass, &info.jacobian, &self.buffers.jacobian) {
-            None => MotionError::NotFinite { t, quantity: "the constraint Jacobian" },
-            Some(found) if found.rows.is_empty() => MotionError::UndeterminedMotion {
-                t,
-                coordinates: found.coordinates.iter().map(|&i| info.coordinates[i].name).collect(),
-            },
-            Some(found) => MotionError::DependentRows {
-                t,
-                rows: found.rows.iter().map(|&i| info.rows[i].name).collect(),
-                smallest_singular_value: found.smallest_singular_value,
-            },
-        }
-    }
-}
-
-/// The factorisation of a run that has one; else the dense one that decides when a generated pivot vanished.
-fn factored<'k>(
-    solver: &'k mut Solver,
-    second_opinion: &'k mut Option<Box<DenseKkt>>,
-    info: &SceneInfo,
-) -> &'k mut dyn KktFactorization {
-    match solver {
-        Solver::Factored(kkt) => kkt.as_mut(),
-        Solver::Generated => second_opinion
-            .get_or_insert_with(|| Box::new(DenseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())))
-            .as_mut(),
     }
 }

@@ -80,30 +80,38 @@ pub enum SystemError {
 /// The motion cannot be continued from a state.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MotionError {
-    /// The rows do not determine the reactions.
+    /// Rows depend on each other and ask for different things.
     #[error(
-        "constraint rows depend on each other at t = {t} s: {}; smallest singular value {smallest_singular_value:.1e} \
-         of the largest. The reactions, and where the motion goes on, are undetermined: change the geometry or the \
-         start so that the rows are independent, or remove one of them", list(.rows)
+        "constraint rows contradict each other at t = {t} s: {}; nothing leaves less than {residual:.3e} of {level} (tolerance \
+         {tolerance:.1e}). Remove one of them, or make them agree", rows_or_unknown(.rows)
     )]
-    DependentRows {
+    ContradictoryRows {
         /// Time, s.
         t: f64,
-        /// Names of the rows that take part in a dependency.
+        /// Names of the rows that depend on each other.
         rows: Vec<&'static str>,
-        /// Smallest singular value of the scaled K relative to the largest.
-        smallest_singular_value: f64,
+        /// `the positions`, `the velocities` or `the accelerations`.
+        level: &'static str,
+        /// What is left of the rows: the largest |C|, or of velocities and accelerations a share of their length in the mass
+        /// matrix.
+        residual: f64,
+        /// What may be left.
+        tolerance: f64,
     },
-    /// In a system too large to work out which rows depend on each other, one row has no pivot.
+    /// Next to a position where rows depend on each other, no step leads on.
     #[error(
-        "constraint row `{row}` depends on other rows at t = {t} s: its pivot vanishes. The system is too large to \
-         work out which: look at the joints around it, or at the same scene with smaller counts"
+        "the motion does not get past the position at t = {t} s, where rows nearly depend on each other: {}; smallest pivot \
+         {smallest_pivot:.1e}. {cause}. If the mechanism locks there, it is the geometry or a drive that has to change", rows_or_unknown(.rows)
     )]
-    VanishedRow {
-        /// Time, s.
+    LockedUp {
+        /// Time of the last good state, s.
         t: f64,
-        /// Name of the row.
-        row: &'static str,
+        /// Names of the rows that nearly depend on each other.
+        rows: Vec<&'static str>,
+        /// The smallest pivot of rows scaled to one.
+        smallest_pivot: f64,
+        /// What no step could do.
+        cause: Box<MotionError>,
     },
     /// In lanes and with derivatives only the generated elimination solves, and a pivot of it vanishes.
     #[error(
@@ -236,6 +244,10 @@ pub enum StartError {
         /// Names of the given values.
         held: Vec<&'static str>,
     },
+}
+
+pub(super) fn rows_or_unknown(names: &[&str]) -> String {
+    if names.is_empty() { "too many to work out which".to_owned() } else { list(names) }
 }
 
 fn held_and_remedy(names: &[&str]) -> String {

@@ -2,7 +2,7 @@
 
 use super::System;
 use super::geometry::is_angle;
-use crate::linalg::{KktFactorization, SparseKkt, singular_values};
+use crate::linalg::{KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
 use crate::model::Scene;
 use nalgebra::{DMatrix, DVector};
 
@@ -57,8 +57,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 jacobian.push(self.buffers.jacobian[k]);
             }
         }
+        let mut damping = vec![0.0; n_rows];
+        let places = entries.iter().enumerate().map(|(k, &(row, column))| (k, row, column));
+        write_diagonal(places, &weight, &jacobian, &mut damping);
+        damping.iter_mut().for_each(|d| *d *= DAMPING);
         let mut kkt = SparseKkt::from_entries(free.len(), n_rows, entries).ok()?;
-        kkt.factor_damped(&weight, &jacobian, DAMPING).ok()?;
+        kkt.factor_damped(&weight, &jacobian, &damping).ok()?;
         let mut solution = vec![0.0; free.len()];
         solution.extend(self.buffers.residual[..n_rows].iter().map(|r| -r));
         kkt.solve(&mut solution);
@@ -131,17 +135,7 @@ fn cutoff(singular_values: &DVector<f64>) -> f64 {
     (RANK_TOLERANCE * singular_values.max()).max(f64::MIN_POSITIVE)
 }
 
-/// Square roots of M for the sparse correction; a coordinate without mass takes the smallest positive entry of its kind, or one.
+/// Square roots of M for the sparse correction, with substitutes for coordinates without mass.
 fn root_weights(mass: &[f64]) -> Vec<f64> {
-    let substitute = |angle: bool| {
-        let of_kind = mass.iter().enumerate().filter(|(i, m)| (i % 3 == 2) == angle && **m > 0.0).map(|(_, m)| *m);
-        of_kind.min_by(f64::total_cmp).unwrap_or(1.0)
-    };
-    let (length, angle) = (substitute(false), substitute(true));
-    let weight = |(i, m): (usize, &f64)| match (*m > 0.0, i % 3 == 2) {
-        (true, _) => *m,
-        (false, false) => length,
-        (false, true) => angle,
-    };
-    mass.iter().enumerate().map(weight).map(f64::sqrt).collect()
+    weights(mass).into_iter().map(f64::sqrt).collect()
 }

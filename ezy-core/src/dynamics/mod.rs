@@ -6,6 +6,7 @@
 
 mod acceleration;
 mod any;
+mod deficient;
 mod energy;
 mod error;
 mod free_correction;
@@ -18,6 +19,7 @@ mod system;
 mod worst;
 
 pub use any::{Dynamics, SystemOf};
+pub use deficient::RankLoss;
 pub use error::{MotionError, StartError, SystemError};
 pub use projection::{Metric, Projection};
 pub use residual::Slopes;

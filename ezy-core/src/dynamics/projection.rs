@@ -1,9 +1,10 @@
 //! Back onto the constraints: positions first, then velocities at the projected positions.
 
+use super::deficient::{Rank, Threshold};
 use super::system::Buffers;
 use super::{MotionError, System, Worst, max_abs};
-use crate::linalg::{DenseKkt, KktFactorization, LARGEST_DENSE};
-use crate::model::{Scene, SceneInfo};
+use crate::linalg::{DampedKkt, DenseKkt, KktFactorization, LARGEST_DENSE};
+use crate::model::{Scene, SceneInfo, SparsityPattern};
 
 /// What is projected after each step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -52,6 +53,10 @@ const PASSES_TO_ROUNDING: usize = 3;
 
 /// The first one converges quadratically, the second one removes its rounding.
 const PASSES_NEAR_RANK_LOSS: usize = 2;
+
+/// |C| that may stay where rows nearly depend on each other: there its square root is a displacement, and the next step,
+/// farther away, removes both.
+const TOLERANCE_AT_RANK_LOSS: f64 = 1e-10;
 
 /// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each
 /// other; levers of a centimetre make it a hundred times as large.
@@ -146,6 +151,15 @@ impl<S: Scene + ?Sized> System<'_, S> {
             if !norm.is_finite() {
                 return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
             }
+            if passes == MAX_PASSES && self.rank.deficient {
+                if norm <= TOLERANCE_AT_RANK_LOSS {
+                    self.projected.positions_after = worst;
+                    return Ok(passes);
+                }
+                let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
+                let (rows, level) = (self.rank_loss(t, q).rows, "the positions");
+                return Err(MotionError::ContradictoryRows { t, rows, level, residual: norm, tolerance });
+            }
             if passes == MAX_PASSES {
                 let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
                 return Err(MotionError::ProjectionStalled {
@@ -188,6 +202,9 @@ impl<S: Scene + ?Sized> System<'_, S> {
     pub fn project_velocities(&mut self, t: f64, q: &[f64], v: &mut [f64], metric: Metric) -> Result<(), MotionError> {
         self.projected.velocities_before = self.worst_velocity(t, q, v);
         self.correct(t, q, metric, Level::Velocity)?;
+        if self.rank.deficient {
+            self.check_velocities(t, q, v)?;
+        }
         v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v += delta);
         Ok(())
     }
@@ -197,27 +214,33 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let residual = std::mem::take(&mut self.buffers.residual);
         let mut delta = std::mem::take(&mut self.buffers.delta);
         let outcome = match (metric, level) {
-            (Metric::Euclidean, Level::Position) => self.euclidean_position_correction(t, q, &residual, &mut delta),
-            _ => self.correction(t, q, &residual, metric, &mut delta),
+            (Metric::Euclidean, Level::Position) => {
+                let n_h = self.info.n_position_rows;
+                self.counters.factorizations += 1;
+                self.euclidean_correction(t, q, &residual[..n_h], Threshold::Position, &mut delta)
+            }
+            (_, Level::Position) => self.correction_from(t, q, &residual, metric, Threshold::Position, &mut delta),
+            (_, Level::Velocity) => self.correction(t, q, &residual, metric, &mut delta),
         };
         self.buffers.residual = residual;
         self.buffers.delta = delta;
         outcome
     }
 
-    fn euclidean_position_correction(
+    /// For the residual of the position rows, or of all.
+    pub(super) fn euclidean_correction(
         &mut self,
         t: f64,
         q: &[f64],
         residual: &[f64],
+        threshold: Threshold,
         delta: &mut [f64],
     ) -> Result<(), MotionError> {
-        self.counters.factorizations += 1;
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let info = self.info;
-        let euclidean = Euclidean::of(&mut self.euclidean, info)?;
-        let regular = euclidean.position_correction(&self.buffers.jacobian, &residual[..info.n_position_rows], delta);
-        if regular { Ok(()) } else { Err(self.why_singular(t, q)) }
+        let euclidean = Euclidean::of(&mut self.euclidean, self.info)?;
+        let rank = euclidean.correction(&self.info.jacobian, &self.buffers.jacobian, residual, threshold, delta);
+        self.rank = rank.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian" })?;
+        Ok(())
     }
 }
 
@@ -230,14 +253,14 @@ enum Level {
 /// `δ = −Gᵀ (G Gᵀ)⁻¹ r`, from K with M = 1: over the position rows for positions, over all rows for velocities.
 pub(super) struct Euclidean {
     ones: Vec<f64>,
-    positions: DenseKkt,
-    velocities: DenseKkt,
+    positions: (DenseKkt, DampedKkt),
+    velocities: (DenseKkt, DampedKkt),
     right_side: Vec<f64>,
 }
 
 impl Euclidean {
     /// The one of a system, made when it is first asked for.
-    pub fn of<'e>(made: &'e mut Option<Box<Self>>, info: &SceneInfo) -> Result<&'e mut Self, MotionError> {
+    fn of<'e>(made: &'e mut Option<Box<Self>>, info: &SceneInfo) -> Result<&'e mut Self, MotionError> {
         let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
         if n > limit {
             return Err(MotionError::EuclideanTooLarge { n, limit });
@@ -247,40 +270,39 @@ impl Euclidean {
 
     fn new(info: &SceneInfo) -> Self {
         let n_q = info.n_coordinates();
+        let ones = vec![1.0; n_q];
+        let solvers = |n_rows| (DenseKkt::new(n_q, &info.jacobian, n_rows), DampedKkt::new(&ones, n_rows));
         Self {
-            ones: vec![1.0; n_q],
-            positions: DenseKkt::new(n_q, &info.jacobian, info.n_position_rows),
-            velocities: DenseKkt::new(n_q, &info.jacobian, info.n_rows()),
+            positions: solvers(info.n_position_rows),
+            velocities: solvers(info.n_rows()),
+            ones,
             right_side: vec![0.0; n_q + info.n_rows()],
         }
     }
 
-    /// False when the rows depend on each other.
-    pub fn position_correction(&mut self, jacobian: &[f64], residual: &[f64], delta: &mut [f64]) -> bool {
-        solve(&mut self.positions, &self.ones, jacobian, residual, &mut self.right_side, delta)
-    }
-
-    /// False when the rows depend on each other.
-    pub fn velocity_correction(&mut self, jacobian: &[f64], residual: &[f64], delta: &mut [f64]) -> bool {
-        solve(&mut self.velocities, &self.ones, jacobian, residual, &mut self.right_side, delta)
-    }
-}
-
-fn solve(
-    kkt: &mut DenseKkt,
-    ones: &[f64],
-    jacobian: &[f64],
-    residual: &[f64],
-    right_side: &mut [f64],
-    delta: &mut [f64],
-) -> bool {
-    let (n_q, x) = (ones.len(), &mut right_side[..ones.len() + residual.len()]);
-    let regular = kkt.factor(ones, jacobian).is_ok();
-    if regular {
+    /// For a residual of the position rows, or of all; `None` when a number is not finite.
+    fn correction(
+        &mut self,
+        pattern: &SparsityPattern,
+        jacobian: &[f64],
+        residual: &[f64],
+        threshold: Threshold,
+        delta: &mut [f64],
+    ) -> Option<Rank> {
+        let Self { ones, positions, velocities, right_side } = self;
+        let n_q = ones.len();
+        let x = &mut right_side[..n_q + residual.len()];
+        let (kkt, damped) = if residual.len() < velocities.1.n_rows() { positions } else { velocities };
         x[..n_q].fill(0.0);
         x[n_q..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-        kkt.solve(x);
+        let rank = if kkt.factor(ones, jacobian).is_ok() {
+            kkt.solve(x);
+            Rank::default()
+        } else {
+            damped.factor(kkt, pattern, ones, jacobian, threshold.share()).ok()?;
+            Rank { deficient: true, left: Some(damped.solve(kkt, pattern, ones, jacobian, x)) }
+        };
         delta.copy_from_slice(&x[..n_q]);
+        Some(rank)
     }
-    regular
 }

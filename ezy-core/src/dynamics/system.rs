@@ -1,9 +1,10 @@
 //! A scene with its constants, solver and buffers.
 
+use super::deficient::Rank;
 use super::geometry::Geometry;
 use super::projection::Euclidean;
 use super::{Projected, SystemError};
-use crate::linalg::{Backend, DenseKkt, KktFactorization, LARGEST_DENSE, SparseKkt};
+use crate::linalg::{Backend, DampedKkt, DenseKkt, KktFactorization, LARGEST_DENSE, SparseKkt};
 use crate::model::{Scene, SceneInfo, Start};
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
@@ -23,6 +24,9 @@ pub struct System<'s, S: Scene + ?Sized> {
     pub(super) solver: Solver,
     /// Made when a pivot of the generated elimination vanishes for the first time.
     pub(super) second_opinion: Option<Box<DenseKkt>>,
+    /// Made when rows depend on each other for the first time.
+    pub(super) damped: Option<Box<DampedKkt>>,
+    pub(super) rank: Rank,
     /// The row at which the last factorisation failed, where the method knows.
     pub(super) vanished_row: Option<usize>,
     /// Made at the first Euclidean correction.
@@ -94,6 +98,8 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             solver: solver(info, &mass, &geometry, backend)?,
             geometry,
             second_opinion: None,
+            damped: None,
+            rank: Rank::default(),
             vanished_row: None,
             fixed,
             mass,

@@ -30,6 +30,7 @@ pub struct DenseKkt {
     largest: Vec<f64>,
     pivot_rows: Vec<usize>,
     refinement: Refinement,
+    is_damped: bool,
 }
 
 impl DenseKkt {
@@ -43,6 +44,7 @@ impl DenseKkt {
             scale: vec![1.0; n],
             largest: vec![0.0; n],
             pivot_rows: vec![0; n],
+            is_damped: false,
         }
     }
 }
@@ -60,19 +62,39 @@ impl DenseKkt {
     }
 }
 
+/// Smallest pivot of a damped K: damping leaves no pivot of a row below its share, unless a number is not finite or
+/// nothing moves a coordinate.
+const DAMPED_TOLERANCE: f64 = 1e-15;
+
 impl KktFactorization for DenseKkt {
     fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
         self.refinement.keep(mass, jacobian);
-        self.eliminate(mass, jacobian, 1.0).or_else(|vanished| {
+        self.is_damped = false;
+        self.scale_and_eliminate(mass, jacobian, 1.0).or_else(|vanished| {
             let heaviest = mass.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
             let lightest = mass.iter().copied().filter(|m| *m > 0.0).fold(heaviest, f64::min);
             // light bodies that rows hold leave pivots in units of the heaviest, those that swing freely in their own
             let units = [heaviest, lightest].into_iter().filter(|unit| !OF_ORDER_ONE.contains(unit));
-            units.fold(Err(vanished), |outcome, unit| outcome.or_else(|_| self.eliminate(mass, jacobian, unit)))
+            units.fold(Err(vanished), |outcome, unit| {
+                outcome.or_else(|_| self.scale_and_eliminate(mass, jacobian, unit))
+            })
         })
     }
 
+    fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot> {
+        self.scale_from(mass, jacobian, 1.0);
+        for (i, damping) in (mass.len()..).zip(damping) {
+            self.factors[(i, i)] = -self.scale[i] * damping * self.scale[i];
+        }
+        self.is_damped = true;
+        self.eliminate(DAMPED_TOLERANCE)
+    }
+
     fn solve(&mut self, right_side: &mut [f64]) {
+        if self.is_damped {
+            // whoever damps goes on from what is left
+            return self.substitute(right_side);
+        }
         self.refinement.begin(right_side);
         self.substitute(right_side);
         for _ in 0..MAX_REFINEMENTS {
@@ -88,18 +110,27 @@ impl KktFactorization for DenseKkt {
 }
 
 impl DenseKkt {
-    /// Factors K, scaled from a unit of mass on.
-    fn eliminate(&mut self, mass: &[f64], jacobian: &[f64], unit: f64) -> Result<(), VanishedPivot> {
+    /// Writes K, scaled from a unit of mass on.
+    fn scale_from(&mut self, mass: &[f64], jacobian: &[f64], unit: f64) {
         let (coordinates, rows) = self.scale.split_at_mut(mass.len());
         coordinates.fill(1.0 / unit.sqrt());
         rows.fill(unit.sqrt());
         scale(&self.entries, mass, jacobian, &mut self.scale, &mut self.largest);
         assemble(&self.entries, mass, jacobian, &self.scale, &mut self.factors);
+    }
+
+    fn scale_and_eliminate(&mut self, mass: &[f64], jacobian: &[f64], unit: f64) -> Result<(), VanishedPivot> {
+        self.scale_from(mass, jacobian, unit);
+        self.eliminate(PIVOT_TOLERANCE)
+    }
+
+    /// Factors the scaled K, which stands in `factors`.
+    fn eliminate(&mut self, tolerance: f64) -> Result<(), VanishedPivot> {
         let n = self.scale.len();
         for i in 0..n {
             let i_pivot = i + self.factors.view((i, i), (n - i, 1)).column(0).icamax();
             let pivot = self.factors[(i_pivot, i)];
-            if pivot.is_nan() || pivot.abs() <= PIVOT_TOLERANCE {
+            if pivot.is_nan() || pivot.abs() <= tolerance {
                 return Err(VanishedPivot { relative: pivot.abs(), row: None });
             }
             self.pivot_rows[i] = i_pivot;

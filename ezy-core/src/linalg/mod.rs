@@ -5,11 +5,14 @@
 //! | generated | M > 0 | the scene's own straight-line elimination, [`crate::model::Equations::accelerations`] |
 //! | dense | K regular | LU with partial pivoting of the scaled K ([`DenseKkt`]) |
 //! | sparse | M > 0 | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
+//!
+//! Where rows of G depend on each other, dense and sparse factor K with these rows damped ([`DampedKkt`]).
 
 // matrices keep the capital letters of the notation
 #![allow(non_snake_case)]
 
 mod conditioning;
+mod damped;
 mod dense;
 mod lower;
 mod lu;
@@ -21,9 +24,10 @@ mod singular;
 mod sparse;
 
 pub use conditioning::{ConditionEstimator, Conditioning};
+pub use damped::{COARSE, DampedKkt, FINE, Left, weights, write_diagonal};
 pub use dense::{DenseKkt, LARGEST_DENSE};
 pub use lu::Lu;
-pub use rank::{LARGEST_DIAGNOSED, RankDiagnosis, diagnose};
+pub use rank::{Dependencies, LARGEST_DIAGNOSED, dependencies, undetermined_coordinates};
 pub(crate) use singular::singular_values;
 pub use sparse::{SparseKkt, SparseKktError};
 
@@ -48,8 +52,16 @@ pub trait KktFactorization: Send {
     /// Factors K for the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of the pattern.
     ///
     /// # Errors
-    /// [`VanishedPivot`] when K is singular to working precision; [`diagnose`] tells why.
+    /// [`VanishedPivot`] when K is singular to working precision; [`dependencies`] and
+    /// [`undetermined_coordinates`] tell why.
     fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot>;
+
+    /// As [`Self::factor`], of `[M Gᵀ; G −Δ]` with the positive diagonal `damping` (`n_c`) of Δ; regular whatever the rank
+    /// of G.
+    ///
+    /// # Errors
+    /// [`VanishedPivot`] when a number is not finite, or a coordinate has neither mass nor a row that holds it.
+    fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot>;
 
     /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]`, with the factors of the last successful [`Self::factor`].
     fn solve(&mut self, right_side: &mut [f64]);

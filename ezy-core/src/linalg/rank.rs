@@ -1,60 +1,97 @@
-//! Why K is singular: which rows depend on each other, which coordinates nothing moves or holds.
+//! Which rows depend on each other, which coordinates nothing moves or holds.
 
-use super::scaled::{assemble, scale};
-use super::singular::singular_values;
+use super::damped::{weights, write_diagonal};
 use crate::model::SparsityPattern;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, SymmetricEigen};
 
-/// The null space of K. Since K [z; μ] = 0 splits into M z = 0, G z = 0 and Gᵀ μ = 0, a singular K means
-/// dependent rows, or coordinates without mass that no row holds, or both.
+/// Dependencies between rows: the null space of the scaled `D^(−1/2) G M⁻¹ Gᵀ D^(−1/2)`, `D` its diagonal before, with
+/// substitutes for massless coordinates.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RankDiagnosis {
-    /// Rows that take part in a dependency μ, in declared order.
+pub struct Dependencies {
+    /// Rows that take part in one, in declared order.
     pub rows: Vec<usize>,
-    /// Massless coordinates that take part in a free motion z.
-    pub coordinates: Vec<usize>,
-    /// Smallest singular value of the scaled K relative to the largest.
-    pub smallest_singular_value: f64,
+    /// How many there are: rows beyond the rank of G.
+    pub n: usize,
+    /// The smallest eigenvalue: the smallest pivot that an elimination of rows scaled to one could meet.
+    pub smallest_pivot: f64,
 }
 
-/// Singular values below this fraction of the largest span the null space. The pivots that led here are below
-/// 1e-10 of what they started from and go with the square of the angle between dependent rows, so that angle is
-/// below 1e-5.
-const NULL_SPACE_TOLERANCE: f64 = 1e-5;
-
-/// A row or coordinate takes part when its share of a null vector exceeds this; rounding leaves 1e-10 at most
-/// next to singular values 1e-5 apart from the rest.
+/// A row or coordinate takes part when its share of a null vector exceeds this; rounding leaves 1e-10 at most.
 const PARTICIPATION: f64 = 1e-4;
+
+/// Columns of massless coordinates scaled to one keep this part of what they are when rows hold them.
+const HELD: f64 = 1e-9;
 
 /// Largest n_q + n_c that is diagnosed: beyond it the decomposition takes longer than anyone waits for a message.
 pub const LARGEST_DIAGNOSED: usize = 500;
 
-/// Null space of K by the singular value decomposition of the scaled K. Slow: for reports on up to
+/// Eigenvalues up to `tolerance` count as dependencies; up to [`super::COARSE`] solutions pass over what the rows say. Slow: for reports on up to
 /// [`LARGEST_DIAGNOSED`] unknowns only. `None` when M or G is not finite or the decomposition does not converge.
-pub fn diagnose(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Option<RankDiagnosis> {
+pub fn dependencies(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64], tolerance: f64) -> Option<Dependencies> {
     if !mass.iter().chain(jacobian).all(|x| x.is_finite()) {
         return None;
     }
-    let (n_q, n_c) = (mass.len(), pattern.n_rows());
-    let entries: Vec<_> = pattern.entries().collect();
-    let mut d = vec![1.0; n_q + n_c];
-    scale(&entries, mass, jacobian, &mut d, &mut vec![0.0; n_q + n_c]);
-    let mut K = DMatrix::zeros(n_q + n_c, n_q + n_c);
-    assemble(&entries, mass, jacobian, &d, &mut K);
-    let svd = singular_values(K, false, true)?;
-    let (sigma, v_t) = (&svd.singular_values, svd.v_t.as_ref()?);
-    let (largest, smallest) = (sigma.max(), sigma.min());
-    let mut takes_part = vec![false; n_q + n_c];
-    for (i, s) in sigma.iter().enumerate() {
-        if *s <= (NULL_SPACE_TOLERANCE * largest).max(smallest) {
-            takes_part.iter_mut().zip(v_t.row(i).iter()).for_each(|(p, x)| *p |= x.abs() > PARTICIPATION);
+    let n_rows = pattern.n_rows();
+    let weight = weights(mass);
+    let mut diagonal = vec![0.0; n_rows];
+    write_diagonal(pattern.entries(), &weight, jacobian, &mut diagonal);
+    let mut rows = DMatrix::<f64>::zeros(n_rows, mass.len());
+    for (k, row, column) in pattern.entries() {
+        rows[(row, column)] += jacobian[k] / (diagonal[row] * weight[column]).sqrt();
+    }
+    let eigen = null_space(&rows * rows.transpose(), tolerance)?;
+    Some(Dependencies { rows: eigen.takes_part, n: eigen.n, smallest_pivot: eigen.smallest })
+}
+
+/// Massless coordinates that take part in a motion which no row sees. `None` as for [`dependencies`].
+pub fn undetermined_coordinates(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Option<Vec<usize>> {
+    if !jacobian.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let massless: Vec<usize> = (0..mass.len()).filter(|&i| mass[i] == 0.0).collect();
+    let mut columns = DMatrix::<f64>::zeros(pattern.n_rows(), massless.len());
+    for (k, row, column) in pattern.entries() {
+        if let Ok(i) = massless.binary_search(&column) {
+            columns[(row, i)] += jacobian[k];
         }
     }
-    let (coordinates, rows) = takes_part.split_at(n_q);
-    let members = |flags: &[bool]| (0..flags.len()).filter(|&i| flags[i]).collect::<Vec<_>>();
-    Some(RankDiagnosis {
-        rows: members(rows),
-        coordinates: (0..n_q).filter(|&i| coordinates[i] && mass[i] == 0.0).collect(),
-        smallest_singular_value: smallest / largest,
+    for mut column in columns.column_iter_mut() {
+        let length = column.norm();
+        if length > 0.0 {
+            column /= length;
+        }
+    }
+    let eigen = null_space(columns.transpose() * &columns, HELD)?;
+    Some(eigen.takes_part.into_iter().map(|i| massless[i]).collect())
+}
+
+struct NullSpace {
+    takes_part: Vec<usize>,
+    n: usize,
+    smallest: f64,
+}
+
+/// What belongs to eigenvalues up to a tolerance.
+fn null_space(symmetric: DMatrix<f64>, tolerance: f64) -> Option<NullSpace> {
+    if !symmetric.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let size = symmetric.nrows();
+    if size == 0 {
+        return Some(NullSpace { takes_part: Vec::new(), n: 0, smallest: 1.0 });
+    }
+    let eigen = SymmetricEigen::try_new(symmetric, f64::EPSILON, 0)?;
+    let mut takes_part = vec![false; size];
+    let mut n = 0;
+    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        if *value <= tolerance {
+            n += 1;
+            takes_part.iter_mut().zip(vector.iter()).for_each(|(p, x)| *p |= x.abs() > PARTICIPATION);
+        }
+    }
+    Some(NullSpace {
+        takes_part: (0..size).filter(|&i| takes_part[i]).collect(),
+        n,
+        smallest: eigen.eigenvalues.min().max(0.0),
     })
 }

@@ -83,22 +83,6 @@ impl SparseKkt {
         self.analysis.factors.len()
     }
 
-    /// As [`KktFactorization::factor`], with `share` times the diagonal of `G M⁻¹ Gᵀ` added to the rows:
-    /// `K = [M Gᵀ; G −D]`. Such a K is regular whatever the rank of G; a row without entries gets a one.
-    ///
-    /// # Errors
-    /// [`VanishedPivot`] when a number is not finite.
-    pub fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], share: f64) -> Result<(), VanishedPivot> {
-        self.assemble(mass, jacobian);
-        let Analysis { values, row_places, .. } = &mut self.analysis;
-        for (place, start) in row_places.iter().zip(&self.pivot_starts) {
-            values[*place] = if *start > 0.0 { -share * start } else { -1.0 };
-        }
-        self.analysis.eliminate()?;
-        let finite = self.analysis.factors.iter().all(|x| x.is_finite());
-        if finite { Ok(()) } else { Err(VanishedPivot { relative: f64::NAN, row: None }) }
-    }
-
     /// Writes values, and for each row the part of `g M⁻¹ gᵀ` that its pivot starts from.
     fn assemble(&mut self, mass: &[f64], jacobian: &[f64]) {
         let Analysis { values, mass_places, jacobian_places, supports, .. } = &mut self.analysis;
@@ -209,6 +193,17 @@ impl KktFactorization for SparseKkt {
                 self.try_factor(mass, jacobian)
             }
         }
+    }
+
+    fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot> {
+        self.assemble(mass, jacobian);
+        let Analysis { values, row_places, .. } = &mut self.analysis;
+        for (place, damping) in row_places.iter().zip(damping) {
+            values[*place] = -damping;
+        }
+        self.analysis.eliminate()?;
+        let finite = self.analysis.factors.iter().all(|x| x.is_finite());
+        if finite { Ok(()) } else { Err(VanishedPivot { relative: f64::NAN, row: None }) }
     }
 
     fn solve(&mut self, right_side: &mut [f64]) {

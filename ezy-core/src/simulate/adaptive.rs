@@ -32,10 +32,32 @@ pub(super) struct Adaptive<T = f64> {
     rejected: u64,
     /// Whether values between the ends of the last step are prepared.
     dense: bool,
+    /// Whether steps are projected, so that errors across the rows do not count.
+    projects: bool,
+    /// Whether the last step was good without these errors only.
+    is_held_by_rows: bool,
+    /// Length of the longest of the last other steps, s.
+    usual_s: f64,
 }
 
+/// So many tries of one step fail before errors across the rows are told from the others: away from rank loss it is one.
+const PATIENCE: u32 = 2;
+
+/// Part of the usual length below which steps do not shrink for rank loss: noise would only grow, and a mechanism that passes a
+/// singular position in one such step is farther from it than one that creeps up to it.
+const SHORTEST_HELD: f64 = 1.0 / 16.0;
+
+/// Part of the usual length below which a step next to rank loss leads nowhere but into noise.
+const CREEPING: f64 = 1e-4;
+
+/// Error over the tolerance that is taken for that.
+const LARGEST_HELD: f64 = 1e3;
+
+/// Part of a step by which the usual length comes nearer to it where it is shorter.
+const FADING: f64 = 0.1;
+
 impl<T: Scalar> Adaptive<T> {
-    pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance) -> Self {
+    pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance, projects: bool) -> Self {
         Self {
             method: Dop853::new(n_coordinates, n_rows, n_works),
             control: StepControl::new(DOP853_ERROR_ORDER),
@@ -45,7 +67,17 @@ impl<T: Scalar> Adaptive<T> {
             watch: StiffnessWatch::default(),
             rejected: 0,
             dense: false,
+            projects,
+            is_held_by_rows: false,
+            usual_s: 0.0,
         }
+    }
+
+    /// Steps of another method, of usually this length, s, led here.
+    pub fn take_over(&mut self, usual_s: f64) {
+        self.restart();
+        self.step_s = Some(usual_s);
+        self.usual_s = usual_s;
     }
 
     /// Forgets the steps taken so far.
@@ -53,6 +85,8 @@ impl<T: Scalar> Adaptive<T> {
         self.method.restart();
         self.control = StepControl::new(DOP853_ERROR_ORDER);
         self.step_s = None;
+        self.is_held_by_rows = false;
+        self.usual_s = 0.0;
         self.last_s = None;
         self.watch.restart();
     }
@@ -108,12 +142,32 @@ impl<T: Scalar> Adaptive<T> {
         };
         // the length before a kink: behind it the law is as smooth as before
         let (mut whole, mut n_kinks) = (None, 0);
+        let shortest = SHORTEST_HELD * self.usual_s;
+        if length < shortest {
+            self.is_held_by_rows = self.projects && system.is_near_rank_loss(t, &from.state.q);
+            if self.is_held_by_rows {
+                length = shortest;
+            }
+        }
+        let mut patience = if self.is_held_by_rows { 0 } else { PATIENCE };
         loop {
             let Reach { step_s: h, t_next } = reach(t, end, length);
-            if is_too_short(t, h) && h < left {
+            let creeps = self.projects && h < CREEPING * self.usual_s && system.is_near_rank_loss(t, &from.state.q);
+            if (is_too_short(t, h) || creeps) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
-            match self.method.attempt(system, from, h, self.tolerance, to) {
+            let mut outcome = self.method.attempt(system, from, h, self.tolerance, to);
+            self.is_held_by_rows = false;
+            if let Ok(error) = &mut outcome
+                && *error > 1.0
+                && self.projects
+                && patience == 0
+                && let Some(tangential) = self.tangential_error(system, from, h, to)
+            {
+                self.is_held_by_rows = true;
+                *error = if h <= shortest && tangential <= LARGEST_HELD { tangential.min(1.0) } else { tangential };
+            }
+            match outcome {
                 Ok(error) => {
                     let shorter = if n_kinks < MAX_KINKS { up_to(system, to) } else { None };
                     if let Some(shorter) = shorter {
@@ -126,9 +180,15 @@ impl<T: Scalar> Adaptive<T> {
                         let factor = self.control.accept(error);
                         self.step_s = Some(whole.filter(|whole| h > SPLINTER * whole).unwrap_or(h * factor));
                         self.last_s = Some(h);
+                        if !self.is_held_by_rows {
+                            self.usual_s = h.max(self.usual_s - FADING * h);
+                        }
                         return Ok(());
                     } else {
                         length = h * self.control.reject(error);
+                        if self.is_held_by_rows && h > shortest {
+                            length = length.max(shortest);
+                        }
                     }
                 }
                 // a stage may have left the region of the motion: a shorter step may not
@@ -139,7 +199,23 @@ impl<T: Scalar> Adaptive<T> {
                     }
                 }
             }
+            patience = patience.saturating_sub(1);
             self.rejected += 1;
         }
+    }
+
+    /// Where rows nearly depend on each other, the error of the step that was tried last without what the projection takes away.
+    fn tangential_error(
+        &mut self,
+        system: &mut impl Dynamics<T>,
+        from: Knot<'_, T>,
+        h: f64,
+        to: &State<T>,
+    ) -> Option<f64> {
+        let is_near = [to, from.state].into_iter().any(|at| system.is_near_rank_loss(at.t, &at.q));
+        if !is_near {
+            return None;
+        }
+        self.method.tangential_error(system, h, self.tolerance.at_rank_loss(), to)
     }
 }

@@ -11,6 +11,8 @@ pub(super) struct Instantaneous {
     pub lambda: Vec<f64>,
     /// As many as the state has works.
     pub power: Vec<f64>,
+    /// Whether rows depend on each other there.
+    pub lost_rank: bool,
 }
 
 impl Instantaneous {
@@ -18,13 +20,30 @@ impl Instantaneous {
     pub fn zero(info: &SceneInfo, work: bool) -> Self {
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let n_works = if work { info.n_effects() } else { 0 };
-        Self { state: State::zero(n_q, n_works), a: vec![0.0; n_q], lambda: vec![0.0; n_c], power: vec![0.0; n_works] }
+        Self {
+            state: State::zero(n_q, n_works),
+            a: vec![0.0; n_q],
+            lambda: vec![0.0; n_c],
+            power: vec![0.0; n_works],
+            lost_rank: false,
+        }
     }
 
     /// Accelerations, multipliers and powers at the state.
     pub fn evaluate<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
         system.accelerations(*t, q, v, &mut self.a, &mut self.lambda)?;
+        self.complete(system)
+    }
+
+    /// What belongs to accelerations that were computed last.
+    ///
+    /// # Errors
+    /// [`MotionError::ContradictoryRows`].
+    pub fn complete<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
+        let State { t, q, v, .. } = &self.state;
+        self.lost_rank = system.lost_rank();
+        system.check_accelerations(*t, q)?;
         system.power(*t, q, v, &self.lambda, &mut self.power);
         Ok(())
     }

@@ -2,30 +2,36 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
+use super::detour::TaylorWithDetour;
 use super::events::Kinks;
 use super::implicit::Implicit;
 use super::instantaneous::Instantaneous;
-use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{Knot, Method, Radau, Rk4, Taylor, Tolerance, interpolate, taylor_order};
+use crate::integrate::{Knot, Method, Radau, Rk4, Taylor, interpolate, taylor_order};
 use crate::model::Scene;
 
 pub(super) enum Integrator<'s> {
     Rk4(Box<Rk4>),
     Dop853(Box<Adaptive>),
-    Taylor(Box<Taylor<'s>>, Tolerance),
+    Taylor(Box<TaylorWithDetour<'s>>),
     Radau(Box<Implicit>),
 }
 
 impl<'s> Integrator<'s> {
-    pub fn new<S: Scene + ?Sized>(method: Method, scene: &'s S, n_works: usize) -> Result<Self, SetupError> {
+    pub fn new<S: Scene + ?Sized>(
+        method: Method,
+        scene: &'s S,
+        n_works: usize,
+        projects: bool,
+    ) -> Result<Self, SetupError> {
         let info = scene.info();
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let adaptive = |tolerance| Adaptive::new(n_q, n_c, n_works, tolerance, projects);
         Ok(match method {
             Method::Rk4 { .. } => Self::Rk4(Box::new(Rk4::new(n_q, n_c, n_works))),
-            Method::Dop853(tolerance) => Self::Dop853(Box::new(Adaptive::new(n_q, n_c, n_works, tolerance))),
+            Method::Dop853(tolerance) => Self::Dop853(Box::new(adaptive(tolerance))),
             Method::Taylor(tolerance) => match Taylor::new(scene, taylor_order(tolerance), n_works) {
-                Some(taylor) => Self::Taylor(Box::new(taylor), tolerance),
+                Some(taylor) => Self::Taylor(Box::new(TaylorWithDetour::new(taylor, tolerance, adaptive(tolerance)))),
                 None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),
             },
             Method::Radau(tolerance) => match Radau::new(scene, n_works) {
@@ -40,7 +46,7 @@ impl<'s> Integrator<'s> {
         match self {
             Self::Rk4(rk4) => rk4.restart(),
             Self::Dop853(adaptive) => adaptive.restart(),
-            Self::Taylor(taylor, _) => taylor.restart(),
+            Self::Taylor(series) => series.restart(),
             Self::Radau(implicit) => implicit.restart(),
         }
     }
@@ -53,7 +59,8 @@ impl<'s> Integrator<'s> {
     /// Steps that were tried and not taken.
     pub fn n_rejected(&self) -> u64 {
         match self {
-            Self::Rk4(_) | Self::Taylor(..) => 0,
+            Self::Rk4(_) => 0,
+            Self::Taylor(series) => series.n_rejected(),
             Self::Dop853(adaptive) => adaptive.n_rejected(),
             Self::Radau(implicit) => implicit.n_rejected(),
         }
@@ -74,11 +81,10 @@ impl<'s> Integrator<'s> {
         at: &mut Instantaneous,
     ) -> Result<(), MotionError> {
         match self {
-            Self::Taylor(taylor, _) => {
-                let Instantaneous { state, a, lambda, power } = at;
-                taylor.expand(system, state, a, lambda)?;
-                system.power(state.t, &state.q, &state.v, lambda, power);
-                Ok(())
+            Self::Taylor(series) => {
+                let Instantaneous { state, a, lambda, .. } = at;
+                series.taylor.expand(system, state, a, lambda)?;
+                at.complete(system)
             }
             _ => at.evaluate(system),
         }
@@ -86,8 +92,8 @@ impl<'s> Integrator<'s> {
 
     /// The next step starts at the state that was evaluated last.
     pub fn accept(&mut self) {
-        if let Self::Taylor(taylor, _) = self {
-            taylor.accept();
+        if let Self::Taylor(series) = self {
+            series.taylor.accept();
         }
     }
 
@@ -107,16 +113,7 @@ impl<'s> Integrator<'s> {
                 adaptive.step(system, from, t_next, to, |system, end| kinks.up_to(system, from, end))
             }
             Self::Radau(implicit) => implicit.step(system, from, t_next, to),
-            Self::Taylor(taylor, tolerance) => {
-                let (t, length) = (from.state.t, taylor.longest_step(*tolerance));
-                if is_too_short(t, length) && length < t_next - t {
-                    return Err(MotionError::StepCollapsed { t, step_s: length });
-                }
-                let Reach { step_s, t_next } = reach(t, t_next, length);
-                taylor.advance(system, from.state, step_s, to);
-                to.t = t_next;
-                Ok(())
-            }
+            Self::Taylor(series) => series.step(system, from, t_next, to),
         }
     }
 
@@ -135,8 +132,8 @@ impl<'s> Integrator<'s> {
                 adaptive.between(system, from, to, t, out)?;
                 out.t = t;
             }
-            Self::Taylor(taylor, _) => {
-                taylor.dense_at(system, from.state, t - from.state.t, out);
+            Self::Taylor(series) => {
+                series.between(system, from, to, t, out)?;
                 out.t = t;
             }
             Self::Radau(implicit) => {

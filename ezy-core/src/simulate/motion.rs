@@ -8,6 +8,12 @@ use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, no
 use crate::integrate::Method;
 use crate::model::Scene;
 
+/// A step that ends at a singular position, where accelerations are hardly known, ends earlier instead by this factor.
+const SHORTENED: f64 = 0.9;
+
+/// More than one are needed only where rank is lost for good.
+const MAX_SHORTENED: usize = 3;
+
 /// The state `now`, and `next` where the step under way ends.
 pub(super) struct Motion<'s, S: Scene + ?Sized> {
     pub system: System<'s, S>,
@@ -31,7 +37,8 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     ) -> Result<Self, SetupError> {
         let info = system.info();
         let [now, next] = std::array::from_fn(|_| Instantaneous::zero(info, work));
-        let integrator = Integrator::new(method, system.scene(), now.power.len())?;
+        let projects = projection == Projection::Both && metric == Metric::Mass;
+        let integrator = Integrator::new(method, system.scene(), now.power.len(), projects)?;
         let kinks = Kinks::new(info);
         Ok(Self { system, integrator, kinks, projection, metric, work, now, next })
     }
@@ -49,6 +56,27 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
     /// that chooses its steps may stop before `t_next`.
     pub fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+        let outcome = self.advance_past_singular_positions(h, t_next);
+        let State { t, q, .. } = &self.now.state;
+        outcome.map_err(|error| self.system.locked_up(*t, q, error))
+    }
+
+    fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+        self.step(h, t_next)?;
+        if self.integrator.chooses_steps() && !self.now.lost_rank {
+            for _ in 0..MAX_SHORTENED {
+                if !self.system.lost_rank() {
+                    break;
+                }
+                let t = self.now.state.t;
+                let shorter = SHORTENED * (self.next.state.t - t);
+                self.step(shorter, t + shorter)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let (system, next) = (&mut self.system, &mut self.next);
         self.integrator.step(system, self.now.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;

@@ -1,6 +1,6 @@
 //! What a run leaves.
 
-use super::{ExceededLimit, Monitors, Occurrence};
+use super::{ExceededLimit, Monitors, Occurrence, RankRecord};
 use crate::dynamics::{MotionError, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
@@ -17,6 +17,8 @@ pub struct Run {
     /// Since when stability and not accuracy held the steps of dop853, s: an implicit method, such as radau, takes longer ones.
     /// Other methods do not tell.
     pub stiff_since_s: Option<f64>,
+    /// Where rows depended on each other.
+    pub rank: RankRecord,
     pub(super) info: &'static SceneInfo,
     pub(super) events: Vec<Occurrence>,
     /// Holds the start at least.

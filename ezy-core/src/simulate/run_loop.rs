@@ -7,6 +7,7 @@ use super::keeper::Keeper;
 use super::monitor::Watch;
 use super::motion::Motion;
 use super::pace::Pace;
+use super::rank_watch::RankRecord;
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, not_finite};
 use crate::model::{EventInfo, Scene};
@@ -41,6 +42,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     on_progress: Option<Box<dyn FnMut(f64) + 's>>,
     /// Hundredths of the run that were told.
     told: f64,
+    rank: RankRecord,
 }
 
 impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
@@ -62,10 +64,12 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         let mut keeper = Keeper::new(info, plan.wanted, recorder);
         keeper.keep(&mut motion.system, &motion.now)?;
+        let mut rank = RankRecord::default();
+        rank.see(&mut motion.system, &motion.now);
         let between = Instantaneous::zero(info, plan.wanted.work);
         let inputs = motion.system.inputs().to_vec();
         let lookout = Lookout::new(plan.events, info.n_coordinates(), motion.now.power.len());
-        Ok(Self { motion, control, plan, watch, lookout, between, inputs, keeper, on_progress, told: 0.0 })
+        Ok(Self { motion, control, plan, watch, lookout, between, inputs, keeper, on_progress, told: 0.0, rank })
     }
 
     pub fn run(mut self) -> Result<Run, SetupError> {
@@ -108,7 +112,16 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         };
         let (info, monitors, events) = (self.motion.system.info(), self.watch.monitors(), self.lookout.occurred);
         let stiff_since_s = self.motion.stiff_since();
-        Ok(Run { outcome, cost, monitors, stiff_since_s, info, events, record: self.keeper.into_record() })
+        Ok(Run {
+            outcome,
+            cost,
+            monitors,
+            rank: self.rank,
+            stiff_since_s,
+            info,
+            events,
+            record: self.keeper.into_record(),
+        })
     }
 
     /// One step from `now`, which stays as it is when the step fails; returns what ends the run.
@@ -141,6 +154,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         let on_end = self.is_on_end(self.next_sample());
         self.motion.accept();
+        self.rank.see(&mut self.motion.system, &self.motion.now);
         self.inputs.copy_from_slice(self.motion.system.inputs());
         if on_end && !last {
             self.keeper.keep(&mut self.motion.system, &self.motion.now)?;

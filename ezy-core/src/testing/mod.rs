@@ -31,7 +31,7 @@ use probe::Probe;
 /// differences of their residual; accelerations, multipliers and mass-weighted corrections
 /// of the generated elimination and the sparse backend against the dense one, at fewer states in large scenes; the Taylor
 /// series against the equations a little later. At the
-/// start: the rank of the rows. Over a short run: the energy balance, extrapolated to step zero.
+/// start: whether rows that depend on each other agree. Over a short run: the energy balance, extrapolated to step zero.
 ///
 /// # Errors
 /// [`CheckError::Failed`] with the report when a check failed, others when the scene cannot be set up or started.
@@ -43,7 +43,7 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
     let info = scene.info();
     let probe = Probe::new(scene, system.fixed());
     let mut checks = vec![
-        solvers::rank_at_start(&mut system, &start),
+        solvers::agreement_at_start(&mut system, &start),
         derivatives::jacobian_of_positions(&probe),
         derivatives::velocity_rows(&probe),
         derivatives::convective_term(&probe),

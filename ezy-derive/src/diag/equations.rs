@@ -37,7 +37,10 @@ pub fn dependent_as_declared(at: &Ident, row: &str, others: &[&str]) -> Warning 
     Warning {
         span: at.span(),
         name: "row_that_repeats_others",
-        text: format!("with the declared parameters row `{row}` {fault}; runs end there unless it is removed"),
+        text: format!(
+            "with the declared parameters row `{row}` {fault}; runs share the forces between them and say so, \
+             remove it if that is not meant"
+        ),
     }
 }
 
@@ -60,10 +63,13 @@ pub fn integrates(at: &Ident, kind: &str, row: &str) -> Warning {
     }
 }
 
-pub fn too_many_rows(at: &Ident, n_rows: usize, n_coordinates: usize) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("`{at}` has {n_rows} constraint rows but only {n_coordinates} coordinates"),
-        "remove rows until the model can move, or add bodies",
-    )
+pub fn more_rows_than_coordinates(at: &Ident, n_rows: usize, n_coordinates: usize) -> Warning {
+    Warning {
+        span: at.span(),
+        name: "more_rows_than_coordinates",
+        text: format!(
+            "`{at}` has {n_rows} constraint rows but only {n_coordinates} coordinates: it moves only where rows repeat \
+             each other; runs then share the forces between them and say so"
+        ),
+    }
 }

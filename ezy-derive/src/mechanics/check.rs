@@ -71,9 +71,10 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
         }
     }
     if n_c > n_q {
-        diag.error(message::too_many_rows(&model.name, n_c, n_q));
+        // at random states, which do not meet them, such rows repeat each other in any case
+        diag.warning(message::more_rows_than_coordinates(&model.name, n_c, n_q));
     }
-    if diag.n_errors() > n_errors {
+    if n_c > n_q || diag.n_errors() > n_errors {
         return;
     }
     let constraints = &equations.constraints;

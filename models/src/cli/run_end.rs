@@ -4,7 +4,7 @@ use ezy_core::integrate::{Method, Tolerance};
 use ezy_core::model::SceneInfo;
 use ezy_core::record::{EnergyState, Sample};
 use ezy_core::report::table::{Table, fixed};
-use ezy_core::simulate::{Cost, Outcome, Run};
+use ezy_core::simulate::{Cost, Outcome, RankSpell, Run};
 
 use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
@@ -72,7 +72,20 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
         ),
         ("outcome", Json::text(outcome)),
     ]);
+    if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.spells.is_empty()) {
+        members.push(("rank", Json::List(rank.spells.iter().map(spell_json).collect())));
+    }
     Json::object(members)
+}
+
+/// A stretch in which rows depended on each other.
+fn spell_json(spell: &RankSpell) -> Json {
+    Json::object([
+        ("from", Json::Number(spell.from_s)),
+        ("to", Json::Number(spell.to_s)),
+        ("redundant", spell.loss.n_redundant.map_or(Json::Null, |n| Json::Count(n as u64))),
+        ("rows", Json::List(spell.loss.rows.iter().map(|row| Json::text(*row)).collect())),
+    ])
 }
 
 /// The end as text.
@@ -120,6 +133,7 @@ pub fn run_text(run: &Run, method: Method) -> String {
         cost.evaluations,
         cost.seconds
     );
+    text += &run.rank.to_string();
     text + &remarks(run, method)
 }
 

@@ -183,11 +183,41 @@ impl<T: Scalar> Dop853<T> {
         Ok(())
     }
 
+    /// Error of the step that was tried last, over the tolerance, without what the projection at its end `to` takes away.
+    ///
+    /// Next to rank loss, stages off the rows see forces along them, noise that goes with the distance over σ²: it drives
+    /// the motion where the rows do not let it go.
+    ///
+    /// # Source
+    /// Eich, SIAM J. Numer. Anal. 30 (1993).
+    pub fn tangential_error(
+        &mut self,
+        system: &mut impl Dynamics<T>,
+        h: f64,
+        tolerance: Tolerance,
+        to: &State<T>,
+    ) -> Option<f64> {
+        for errors in &mut self.errors {
+            let (positions, rest) = errors.as_flattened_mut().split_at_mut(self.n_q);
+            for part in [positions, &mut rest[..self.n_q]] {
+                if !system.take_what_rows_forbid(to.t, &to.q, part) {
+                    return None;
+                }
+            }
+        }
+        Some(self.weighted_error(h, tolerance))
+    }
+
     /// Error of the motion over the tolerance, from both embedded solutions; the largest where several go together.
     fn error(&mut self, h: f64, tolerance: Tolerance) -> f64 {
         let [fives, threes] = &mut self.errors;
         error_5(&self.slopes, fives);
         error_3(&self.slopes, threes);
+        self.weighted_error(h, tolerance)
+    }
+
+    fn weighted_error(&self, h: f64, tolerance: Tolerance) -> f64 {
+        let [fives, threes] = &self.errors;
         let n = 2 * self.n_q;
         let zero = T::from_f64(0.0);
         let (mut five, mut three) = (zero, zero);

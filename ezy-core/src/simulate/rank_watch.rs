@@ -1,0 +1,64 @@
+//! Where in a run rows depended on each other.
+
+use super::instantaneous::Instantaneous;
+use crate::dynamics::{RankLoss, System};
+use crate::model::Scene;
+
+/// A stretch of a run in which rows depended on each other: from the first state at which they did to the last.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RankSpell {
+    /// Time of the first state, s.
+    pub from_s: f64,
+    /// Time of the last one, s.
+    pub to_s: f64,
+    /// What was lost at the first.
+    pub loss: RankLoss,
+}
+
+/// Rank of the rows along a run.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RankRecord {
+    /// Stretches in which rows depended on each other, the first 16 of them.
+    pub spells: Vec<RankSpell>,
+    /// How many came after those.
+    pub n_more: u64,
+    is_open: bool,
+}
+
+/// A mechanism that passes a singular position at every turn needs no more to be told.
+const MAX_SPELLS: usize = 16;
+
+impl RankRecord {
+    /// Takes note of an accepted state.
+    pub(super) fn see<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, at: &Instantaneous) {
+        let was_open = std::mem::replace(&mut self.is_open, at.lost_rank);
+        if !at.lost_rank {
+            return;
+        }
+        let (t, n_known) = (at.state.t, self.spells.len());
+        match self.spells.last_mut() {
+            Some(spell) if was_open && self.n_more == 0 => spell.to_s = t,
+            _ if was_open => {}
+            _ if n_known == MAX_SPELLS => self.n_more += 1,
+            _ => self.spells.push(RankSpell { from_s: t, to_s: t, loss: system.rank_loss(t, &at.state.q) }),
+        }
+    }
+}
+
+/// `rows depended on each other from 0 s to 2 s: rank 17 of 20 (…)`, a line for each stretch; empty where there was none.
+impl std::fmt::Display for RankRecord {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for RankSpell { from_s, to_s, loss } in &self.spells {
+            if from_s == to_s {
+                write!(f, "rows depended on each other at t = {from_s} s: {loss}")?;
+            } else {
+                write!(f, "rows depended on each other from t = {from_s} s to {to_s} s: {loss}")?;
+            }
+            writeln!(f)?;
+        }
+        match self.n_more {
+            0 => Ok(()),
+            n => writeln!(f, "and {n} times more"),
+        }
+    }
+}

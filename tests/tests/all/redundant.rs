@@ -1,0 +1,141 @@
+//! Rows that repeat others and agree: one motion, the smallest reactions, and a word about it.
+
+// that rows repeat others is what the compiler warns of
+#![allow(deprecated)]
+
+use ezy_core::model;
+use ezy_core::model::Scene;
+use ezy_core::prelude::*;
+
+model! {
+    /// A cart on one axle with two wheels, beside the same with one.
+    pub model Axle {
+        /// where the left wheel stands
+        param left_x: m = 0.25;
+        /// where the right wheel stands
+        param right_x: m = 0.25;
+        body cart { mass: 2.0, inertia: 0.3 }
+        skate left: at cart(left_x, 0.5) along cart(1, 0);
+        force at cart(0, 0.3): (1.0, 0.4);
+        /// The second wheel.
+        effect pair { skate right: at cart(right_x, -0.5) along cart(1, 0); }
+        start moving { cart at (0, 0) angle 0.3 velocity (0.5, _) rate 0.2; }
+        scene one { start moving; until 1 s; }
+        scene two { start moving; until 1 s; with pair; }
+    }
+}
+
+model! {
+    /// A bar on two parallel cranks that are both driven.
+    pub model TwoMotors {
+        /// speed of the first motor
+        param omega: rad/s = 1.0;
+        /// acceleration of the second motor beyond that of the first
+        param more: rad/s^2 = 0.0;
+        body left { mass: 1.0, inertia: 0.1 }
+        body right { mass: 1.0, inertia: 0.1 }
+        body bar { mass: 1.0, inertia: 0.3 }
+        hinge A: ground(0, 0) ~ left(-0.5, 0);
+        hinge B: left(0.5, 0) ~ bar(-1, 0);
+        hinge C: right(0.5, 0) ~ bar(1, 0);
+        hinge D: ground(2, 0) ~ right(-0.5, 0);
+        drive first: left.phi = 1 + omega*t;
+        drive second: right.phi = 1 + omega*t + more*t^2/2;
+        start turning { bar near angle 0; }
+        scene turn { start turning; until 0.4 s; }
+    }
+}
+
+model! {
+    /// A bar on five equal cranks of 1 kg to 5 kg: 18 coordinates, 20 rows of rank 17.
+    pub model FiveCranks {
+        /// angle of the cranks from the upright
+        param from_top: rad = 2.1;
+        body a { mass: 1.0, inertia: 1.0/12 }
+        body b { mass: 2.0, inertia: 2.0/12 }
+        body c { mass: 3.0, inertia: 3.0/12 }
+        body d { mass: 4.0, inertia: 4.0/12 }
+        body e { mass: 5.0, inertia: 5.0/12 }
+        body bar { mass: 10.0, inertia: 0.7 }
+        hinge A: ground(0, 0) ~ a(-0.5, 0);
+        hinge B: ground(1, 0) ~ b(-0.5, 0);
+        hinge C: ground(2, 0) ~ c(-0.5, 0);
+        hinge D: ground(3, 0) ~ d(-0.5, 0);
+        hinge E: ground(4, 0) ~ e(-0.5, 0);
+        hinge P: a(0.5, 0) ~ bar(-2, 0);
+        hinge Q: b(0.5, 0) ~ bar(-1, 0);
+        hinge R: c(0.5, 0) ~ bar(0, 0);
+        hinge S: d(0.5, 0) ~ bar(1, 0);
+        hinge T: e(0.5, 0) ~ bar(2, 0);
+        gravity (0, -9.81);
+        start parallel {
+            a angle pi/2 - from_top; b angle pi/2 - from_top; c angle pi/2 - from_top;
+            d angle pi/2 - from_top; e angle pi/2 - from_top; bar angle 0; at rest;
+        }
+        scene swing { start parallel; until 0.5 s; }
+    }
+}
+
+/// What tolerances of 1e-10 leave of positions over a second.
+const MOTION: f64 = 1e-9;
+
+/// Digits of multipliers that belong to one row of several: rounding over the damping of 1e-9.
+const SHARES: f64 = 1e-6;
+
+const METHODS: [Method; 3] = [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10)];
+
+#[test]
+fn cross_two_wheels_on_one_axle_move_like_one() {
+    for method in METHODS {
+        for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
+            let order = |scene: &dyn Scene| Simulation::new(scene).method(method).backend(backend).run().unwrap();
+            let one = order(&axle::One::default());
+            let two = order(&axle::Two::default());
+            for (x, y) in one.last().coordinates.iter().zip(two.last().coordinates) {
+                assert!((x - y).abs() <= MOTION, "{method:?} {backend:?}: {x} and {y}");
+            }
+            let (whole, shares) = (one.last().multipliers[0], two.last().multipliers);
+            assert!((shares[0] + shares[1] - whole).abs() <= MOTION, "{method:?} {backend:?}: {shares:?} of {whole}");
+            // both wheels have the same diagonal entry of A
+            assert!((shares[0] - shares[1]).abs() <= SHARES, "{method:?} {backend:?}: {shares:?}");
+            let loss = &two.rank.spells[0].loss;
+            assert_eq!((loss.n_redundant, &loss.rows[..]), (Some(1), &["left", "right"][..]));
+        }
+    }
+}
+
+#[test]
+fn analytic_wheels_beside_one_axle_are_independent() {
+    let scene = axle::Two { right_x: 0.3, ..Default::default() };
+    let run = Simulation::new(&scene).give("cart.omega", 0.0).run().unwrap();
+    assert!(run.rank.spells.is_empty());
+}
+
+#[test]
+fn analytic_motors_that_agree_share_the_work_and_others_are_an_error() {
+    for method in METHODS {
+        let run = Simulation::new(&two_motors::Turn::default()).method(method).run().unwrap();
+        assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
+        let scene = two_motors::Turn { more: 0.5, ..Default::default() };
+        let error = Simulation::new(&scene).method(method).run().unwrap_err().to_string();
+        assert!(error.contains("contradict each other") && error.contains("first, second"), "{method:?}: {error}");
+    }
+}
+
+/// The closed form I φ'' = m g l sin φ at 0.5 s, with 21 digits.
+const FIVE_CRANKS: [(f64, f64); 2] = [(2.1, 3.148_641_106_523_704), (0.2, 0.555_840_754_099_477_2)];
+
+#[test]
+fn reference_five_cranks_swing_like_one_and_three_rows_are_redundant() {
+    for method in [Method::rk4(5e-3), Method::dop853(1e-9), Method::taylor(1e-9)] {
+        for (from_top, expected) in FIVE_CRANKS {
+            let scene = five_cranks::Swing { from_top, ..Default::default() };
+            let run = Simulation::new(&scene).method(method).run().unwrap();
+            let last = run.last();
+            let phi = std::f64::consts::FRAC_PI_2 - last.coordinates[2];
+            assert!((phi - expected).abs() <= 1e-8, "{method:?}: {phi}");
+            assert!((0..5).all(|i| (last.coordinates[3 * i + 2] - last.coordinates[2]).abs() <= 1e-12));
+            assert_eq!(run.rank.spells[0].loss.n_redundant, Some(3), "{method:?}");
+        }
+    }
+}

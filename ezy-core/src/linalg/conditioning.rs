@@ -97,11 +97,18 @@ mod tests {
     const TWO_ROWS: SparsityPattern = SparsityPattern { starts: &[0, 2, 4], columns: &[0, 1, 0, 1] };
     const ONE_ROW: SparsityPattern = SparsityPattern { starts: &[0, 1], columns: &[0] };
 
+    /// An estimate is at most the condition number, and rarely below a third of it (Higham 2002, 15.2).
+    fn assert_estimates(found: Conditioning, exact: f64) {
+        let rounding = 1.0 + 1e-9;
+        assert!(found.condition <= exact * rounding && found.condition >= exact / 3.0, "{found:?}, {exact:e}");
+    }
+
     #[test]
     fn analytic_condition_of_one_held_coordinate() {
         // K⁻¹ = [0 0 1; 0 1 0; 1 0 −1]: both norms are 2
         let found = ConditionEstimator::new(2, &ONE_ROW).estimate(&[1.0, 1.0], &ONE_ROW, &[1.0]);
-        assert_eq!((found.condition, found.pivot), (4.0, 1.0));
+        assert_estimates(found, 4.0);
+        assert_eq!(found.pivot, 1.0);
     }
 
     #[test]
@@ -111,7 +118,7 @@ mod tests {
             let found = estimator.estimate(&[1.0, 1.0], &TWO_ROWS, &[1.0, 0.0, 1.0, angle]);
             // the largest column of K⁻¹ is that of the first row: G⁻¹ above −(G Gᵀ)⁻¹
             let exact = 3.0 * (1.0 + 1.0 / angle + (2.0 + angle * angle) / (angle * angle));
-            assert!(found.condition <= exact * (1.0 + 1e-9) && found.condition >= exact / 3.0, "{found:?}, {exact:e}");
+            assert_estimates(found, exact);
         }
     }
 

@@ -75,9 +75,8 @@ impl KktFactorization for DenseKkt {
             let lightest = mass.iter().copied().filter(|m| *m > 0.0).fold(heaviest, f64::min);
             // light bodies that rows hold leave pivots in units of the heaviest, those that swing freely in their own
             let units = [heaviest, lightest].into_iter().filter(|unit| !OF_ORDER_ONE.contains(unit));
-            units.fold(Err(vanished), |outcome, unit| {
-                outcome.or_else(|_| self.scale_and_eliminate(mass, jacobian, unit))
-            })
+            let in_these = |unit| self.scale_and_eliminate(mass, jacobian, unit).ok();
+            units.into_iter().find_map(in_these).ok_or(vanished)
         })
     }
 

@@ -56,6 +56,8 @@ pub const SUBJECTS: &[(&str, &[&str])] = &[
             "caster_trail_1e-2",
             "caster_trail_1e-3",
             "slider_crank_equal_lengths",
+            "five_cranks_hanging",
+            "five_cranks_from_top",
             "driven_four_bar",
             "snakeboard_through_90deg",
         ],
@@ -114,9 +116,7 @@ fn scene_of(file: &str, name: &str, data: &Value, block: &Value) -> (Box<dyn Sce
         }
         (_, "three_skates_locked") => (three_skates(skates::three_skates::Pushed::default(), block), &[("B", "plate")]),
         (_, "slider_crank_equal_lengths") => (Box::new(slider::sliding_block::Falling::default()), &[]),
-        (_, "five_cranks_hanging" | "five_cranks_from_top") => {
-            (Box::new(cranks::parallel_cranks::Fall::default()), &[])
-        }
+        (_, "five_cranks_hanging" | "five_cranks_from_top") => (Box::new(cranks::five_cranks::Fall::default()), &[]),
         (_, "inconsistent_velocities") | ("a02_n_four_bar", _) => (Box::new(n_four_bar::Fall::default()), LINKAGE),
         (_, "snakeboard_through_90deg" | "drive_gait" | "rotate_gait" | "locked_steering") => {
             (Box::new(gait(block)), &[])

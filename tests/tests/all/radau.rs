@@ -272,10 +272,16 @@ fn analytic_dop853_says_that_stiffness_holds_it() {
     assert_eq!(Simulation::new(&scene).method(Method::radau(1e-6)).run().unwrap().stiff_since_s, None);
 }
 
+/// Rubber turns its trucks back at c/j = 270 per second, while the rider takes a second for a turn.
+const STIFF: (&str, &str) = ("Skateboard", "ridden");
+
 #[test]
 fn invariant_no_scene_without_stiffness_is_called_stiff() {
     for entry in ezy_models::registry::MODELS.iter().flat_map(|model| model.scenes) {
         let scene = (entry.new)();
+        if (scene.info().model, scene.info().name) == STIFF {
+            continue;
+        }
         let until_s = scene.info().until_s.min(2.0);
         let Ok(run) = Simulation::new(&*scene).method(Method::dop853(1e-9)).until(until_s).run() else { continue };
         assert_eq!(run.stiff_since_s, None, "{}/{}", scene.info().model, scene.info().name);

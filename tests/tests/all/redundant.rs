@@ -129,7 +129,7 @@ const FIVE_CRANKS: [(f64, f64); 2] = [(2.1, 3.148_641_106_523_704), (0.2, 0.555_
 fn reference_five_cranks_swing_like_one_and_three_rows_are_redundant() {
     for method in [Method::rk4(5e-3), Method::dop853(1e-9), Method::taylor(1e-9)] {
         for (from_top, expected) in FIVE_CRANKS {
-            let scene = five_cranks::Swing { from_top, ..Default::default() };
+            let scene = five_cranks::Swing { from_top };
             let run = Simulation::new(&scene).method(method).run().unwrap();
             let last = run.last();
             let phi = std::f64::consts::FRAC_PI_2 - last.coordinates[2];

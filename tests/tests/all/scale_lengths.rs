@@ -15,7 +15,6 @@ fn scaled(length: f64, mass: f64) -> four_bar::Turning {
         m2: mass,
         m3: mass,
         g: 9.81 * length,
-        ..Default::default()
     }
 }
 

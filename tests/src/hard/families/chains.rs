@@ -27,10 +27,10 @@ pub fn cases() -> Vec<Case> {
         "long_chain_energy, 100 rods",
         "elimination of n³ operations, gaps that add up along the chain",
         false,
-        |naive| falling(100, 0.3, Method::rk4(2e-4), naive.then_some(1e-3)),
+        |_| falling(100, 0.3, Method::rk4(2e-4)),
     ));
     cases.push(case("long_chain_energy, 1,000 rods", "the same; too long for dense elimination", false, |_| {
-        falling(1000, 0.3, Method::rk4(5e-5), None)
+        falling(1000, 0.3, Method::rk4(5e-5))
     }));
     cases.push(case(
         "long_chain_energy, 10,000 and 100,000 rods",
@@ -65,23 +65,26 @@ fn compare(name: &'static str, n: usize, naive: bool) -> Findings {
     trial.examine(Method::dop853(1e-12), naive.then_some(1e-3))
 }
 
-fn falling(n: usize, until_s: f64, method: Method, naive_step_s: Option<f64>) -> Findings {
+fn falling(n: usize, until_s: f64, method: Method) -> Findings {
     let scene = rods(n);
     let questions = vec![Question::gaps(GAP), Question::energy(ENERGY, 9.81)];
-    Trial { scene: &scene, given: Vec::new(), times: vec![until_s], questions }.examine(method, naive_step_s)
+    Trial { scene: &scene, given: Vec::new(), times: vec![until_s], questions }.examine(method, None)
 }
 
-/// Times of steps, and the gaps that they leave.
+/// Times of steps, and the gaps that they leave; of several runs the shortest time counts.
 fn times() -> Findings {
     const STEPS: u64 = 4;
     const STEP_S: f64 = 1e-6;
-    let (mut gap, mut seconds) = (0.0, [0.0; 2]);
-    for (time, n) in seconds.iter_mut().zip([10_000, 100_000]) {
-        let scene = rods(n);
-        let order = Simulation::new(&scene).method(Method::rk4(STEP_S)).until(STEPS as f64 * STEP_S);
-        let Ok(run) = order.run() else { return Findings { by: "no run".to_owned(), ..Findings::default() } };
-        gap = worse(gap, run.last().position_residual);
-        *time = run.cost.seconds;
+    const RUNS: usize = 3;
+    let (mut gap, mut seconds) = (0.0, [f64::INFINITY; 2]);
+    for _ in 0..RUNS {
+        for (time, n) in seconds.iter_mut().zip([10_000, 100_000]) {
+            let scene = rods(n);
+            let order = Simulation::new(&scene).method(Method::rk4(STEP_S)).until(STEPS as f64 * STEP_S);
+            let Ok(run) = order.run() else { return Findings { by: "no run".to_owned(), ..Findings::default() } };
+            gap = worse(gap, run.last().position_residual);
+            *time = time.min(run.cost.seconds);
+        }
     }
     let checks = vec![
         Check::new("gaps, m", GAP, gap),

@@ -34,19 +34,19 @@ pub fn cases() -> Vec<Case> {
             false,
             pair,
         ),
-        case("long_run_1e6_steps, A01", "2,000 s in steps of 1 ms", false, long_pendulum),
+        case("long_run_1e6_steps, A01", "2,000 s in steps of 0.5 ms", false, long_pendulum),
         case(
             "long_run_1e6_steps, A02",
             "2,000 s of the linkage of two loops: 1,029 turns through 2,059 level positions",
             false,
             |naive| {
                 let scene = n_four_bar::Fall::default();
-                long(&scene, 2000.0, 1e-3, 1.5 + 34.335, naive)
+                long(&scene, 2000.0, 5e-4, 1.5 + 34.335, naive)
             },
         ),
-        case("long_run_1e6_steps, free racer", "10,000 s in steps of 10 ms", false, |naive| {
+        case("long_run_1e6_steps, free racer", "10,000 s in steps of 4 ms, 12 km away in the end", false, |naive| {
             let scene = roller_racer::Coast::default();
-            long(&scene, 1e4, 1e-2, 1.2, naive)
+            long(&scene, 1e4, 4e-3, 1.2, naive)
         }),
         case("long_run_1e6_steps, knife edge", "10,000 s at 100 rad/s", false, |naive| {
             let subject = subject("knife_edge_incline", "fast_turn");
@@ -75,7 +75,7 @@ fn pair(naive: bool) -> Findings {
         let velocity = 4.0 + 4000.0 / 3.0;
         worse((x - (0.4 / 3.0 + 1.5 * seen.t)).abs(), y - (velocity * seen.t - 4.905 * seen.t * seen.t))
     });
-    let trial = Trial::new(&subject, vec![1.0], vec![rates, centre, Question::gaps(GAP)]);
+    let trial = Trial::new(&subject, vec![1.0], vec![rates, centre]);
     trial.examine(Method::taylor(1e-15), naive.then_some(NAIVE_STEP_S))
 }
 
@@ -88,12 +88,15 @@ fn long_pendulum(naive: bool) -> Findings {
     });
     let questions = vec![place, Question::gaps(GAP), Question::energy(LONG_ENERGY, 9.81)];
     let trial = Trial { scene: &scene, given: Vec::new(), times: times_of_rows(&table), questions };
-    trial.examine(Method::rk4(1e-3), naive.then_some(1e-3))
+    trial.examine(Method::rk4(5e-4), naive.then_some(1e-3))
 }
 
-/// Energy and gaps alone, over the whole run.
+/// Energy and gaps alone, over the whole run; far away a gap drowns in the rounding of coordinates.
 fn long(scene: &dyn Scene, until_s: f64, step_s: f64, scale_j: f64, naive: bool) -> Findings {
-    let questions = vec![Question::gaps(GAP), Question::energy(LONG_ENERGY, scale_j)];
+    let gaps = Question::always("gaps, m, over coordinates beyond 1 m", GAP, |seen| {
+        seen.gap / seen.q.iter().copied().fold(1.0, worse)
+    });
+    let questions = vec![gaps, Question::energy(LONG_ENERGY, scale_j)];
     let trial = Trial { scene, given: Vec::new(), times: vec![until_s], questions };
     trial.examine(Method::rk4(step_s), naive.then_some(step_s))
 }

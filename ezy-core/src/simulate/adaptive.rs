@@ -47,6 +47,9 @@ const PATIENCE: u32 = 2;
 /// singular position in one such step is farther from it than one that creeps up to it.
 const SHORTEST_HELD: f64 = 1.0 / 16.0;
 
+/// A step counts as the shortest when it is longer by what the clock and the end of the run make of it.
+const ABOUT: f64 = 1.01;
+
 /// Part of the usual length below which a step next to rank loss leads nowhere but into noise.
 const CREEPING: f64 = 1e-4;
 
@@ -165,7 +168,8 @@ impl<T: Scalar> Adaptive<T> {
                 && let Some(tangential) = self.tangential_error(system, from, h, to)
             {
                 self.is_held_by_rows = true;
-                *error = if h <= shortest && tangential <= LARGEST_HELD { tangential.min(1.0) } else { tangential };
+                let is_shortest = h <= ABOUT * shortest;
+                *error = if is_shortest && tangential <= LARGEST_HELD { tangential.min(1.0) } else { tangential };
             }
             match outcome {
                 Ok(error) => {
@@ -186,7 +190,7 @@ impl<T: Scalar> Adaptive<T> {
                         return Ok(());
                     } else {
                         length = h * self.control.reject(error);
-                        if self.is_held_by_rows && h > shortest {
+                        if self.is_held_by_rows && h > ABOUT * shortest {
                             length = length.max(shortest);
                         }
                     }

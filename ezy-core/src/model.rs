@@ -11,12 +11,14 @@
 
 mod equations;
 mod event;
+mod grip;
 mod repeats;
 mod series;
 mod slopes;
 
 pub use equations::{Equations, PreciseScene};
 pub use event::{Direction, EventInfo, EventKind};
+pub use grip::GripInfo;
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::{PRODUCT_GROUP, Series, SeriesInfo, SeriesSize, SeriesStore};
 pub use slopes::SlopePlaces;
@@ -229,6 +231,8 @@ pub struct SceneInfo {
     /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the kinks of
     /// its forces; a scene with counts does not know its kinks.
     pub events: &'static [EventInfo],
+    /// The skate that holds up to a limit, where there is one.
+    pub grip: Option<GripInfo>,
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
     /// some; then the effects; last the rows that move with time, under the name `drives`, when there are some.
     pub effects: &'static [EffectInfo],
@@ -499,6 +503,18 @@ pub trait Scene: Equations<f64> {
     /// Values of [`SceneInfo::events`], which pass zero where the event takes place. Writes `n_s`.
     fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
+    }
+
+    /// What the skate of [`SceneInfo::grip`] holds up to, N, and the velocity across it, to the left of its direction, m/s.
+    /// Writes 2.
+    fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
+    }
+
+    /// The scene with its skate of [`SceneInfo::grip`] holding, sliding to the left, and sliding to the right; a scene that
+    /// slides lacks the row. None where no skate has a limit.
+    fn modes(&self) -> Option<[Box<dyn Scene>; 3]> {
+        None
     }
 
     /// The recurrences of its Taylor series; none where a law of the scene is not analytic.

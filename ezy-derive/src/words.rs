@@ -141,7 +141,12 @@ pub static WORDS: &[Word] = &[
     },
     Word { word: "drive", class: PositionRow, form: &[Equation], example: "drive motor: B.angle = omega * t;" },
     Word { word: "constraint", class: PositionRow, form: &[Equation], example: "constraint height: A.y = h * A.x^2;" },
-    Word { word: "skate", class: VelocityRow, form: &[At, Along], example: "skate rear: at A along seat(1, 0);" },
+    Word {
+        word: "skate",
+        class: VelocityRow,
+        form: &[At, Along, Settings(&[Setting { word: "limit", unit: "N", otherwise: Absent, positive: true }])],
+        example: "skate rear: at A along seat(1, 0);",
+    },
     Word {
         word: "roll",
         class: VelocityRow,

@@ -91,6 +91,7 @@ static FIXED: SceneInfo = SceneInfo {
     inputs: &[],
     outputs: &[],
     events: &[],
+    grip: None,
     effects: &[EffectInfo { name: "gravity", documentation: "" }],
     until_s: 1.0,
     n_constants: 0,

@@ -76,6 +76,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: None,
         effects: description.effects,
         until_s: description.until_s,
         n_constants: 0,

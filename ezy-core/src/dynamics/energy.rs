@@ -28,6 +28,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.scene.events(&self.fixed, t, q, v, out);
     }
 
+    /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
+    pub fn grip(&self, t: f64, q: &[f64], v: &[f64]) -> [f64; 2] {
+        let mut grip = [0.0; 2];
+        self.scene.grip(&self.fixed, t, q, v, &mut grip);
+        grip
+    }
+
     /// Outputs of the scene; writes `n_o`.
     pub fn outputs(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         self.scene.outputs(&self.fixed, t, q, v, out);

@@ -239,6 +239,7 @@ mod tests {
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: None,
         effects: &[],
         until_s: 1.0,
         n_constants: 0,

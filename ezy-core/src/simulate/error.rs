@@ -1,7 +1,7 @@
 //! What keeps a run from starting.
 
 use crate::dynamics::{MotionError, StartError, SystemError};
-use crate::model::SeriesInfo;
+use crate::model::{SceneInfo, SeriesInfo};
 use crate::record::{RecordError, UnknownName};
 
 /// A run cannot start like this.
@@ -88,6 +88,17 @@ pub enum SetupError {
         /// Name of the scene.
         scene: &'static str,
     },
+    /// Its skate may slide.
+    #[error(
+        "skate `{row}` of scene `{scene}` has a limit beyond which it slides, which only runs follow; run the scene, or \
+         remove the limit"
+    )]
+    Slides {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Name of the skate.
+        row: &'static str,
+    },
     /// More steps than anyone waits for.
     #[error(
         "{steps:.1e} steps of {step_s} s lie between the start and the end; at most {limit:.0e} are taken: give a larger step or an earlier end"
@@ -147,6 +158,19 @@ pub enum SetupError {
     /// Not even the first sample could be written.
     #[error(transparent)]
     Record(#[from] RecordError),
+}
+
+impl SetupError {
+    /// Refuses a scene that becomes another one while it runs.
+    ///
+    /// # Errors
+    /// [`SetupError::Slides`].
+    pub(crate) fn refuse_slides(info: &'static SceneInfo) -> Result<(), Self> {
+        match &info.grip {
+            None => Ok(()),
+            Some(grip) => Err(Self::Slides { scene: info.name, row: info.rows[grip.row].name }),
+        }
+    }
 }
 
 /// Why there is no series.

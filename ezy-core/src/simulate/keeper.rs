@@ -7,6 +7,7 @@ use crate::record::{EnergyState, Record, RecordError, Recorder, Sample, Wanted};
 
 /// The record of a run and, when there is one, the recorder that a caller gave.
 pub(super) struct Keeper<'s> {
+    info: &'static SceneInfo,
     record: Record,
     recorder: Option<&'s mut dyn Recorder>,
     /// Kinetic and potential energy of the first sample, J.
@@ -16,17 +17,24 @@ pub(super) struct Keeper<'s> {
     wanted: Wanted,
     /// Empty unless wanted.
     outputs: Vec<f64>,
+    /// Row of a skate that slides, and to which side.
+    pub slide: Option<(usize, f64)>,
+    /// Multipliers with the friction of the skate at its row.
+    multipliers: Vec<f64>,
 }
 
 impl<'s> Keeper<'s> {
     pub fn new(info: &'static SceneInfo, wanted: Wanted, recorder: Option<&'s mut dyn Recorder>) -> Self {
         Self {
+            info,
             record: Record::new(info, wanted),
             recorder,
             initial_energy: None,
             a: vec![0.0; info.n_coordinates()],
             wanted,
             outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
+            slide: None,
+            multipliers: Vec::new(),
         }
     }
 
@@ -37,6 +45,11 @@ impl<'s> Keeper<'s> {
     /// Time of the last sample, s.
     pub fn last_time(&self) -> f64 {
         self.record.samples().next_back().map_or(f64::NEG_INFINITY, |last| last.t)
+    }
+
+    /// Names and sizes of what is kept.
+    pub fn info(&self) -> &'static SceneInfo {
+        self.info
     }
 
     pub fn into_record(self) -> Record {
@@ -68,14 +81,23 @@ impl<'s> Keeper<'s> {
         let _ = system.refine_accelerations(*t, q, v, &mut self.a);
         let (position_residual, velocity_residual) =
             (system.position_residual(*t, q), system.velocity_residual(*t, q, v));
+        let multipliers = match self.slide {
+            None => &at.lambda,
+            Some((row, side)) => {
+                let [limit, _] = system.grip(*t, q, v);
+                self.multipliers.clone_from(&at.lambda);
+                self.multipliers.insert(row, side * limit);
+                &self.multipliers
+            }
+        };
         let sample = Sample {
-            info: system.info(),
+            info: self.info,
             wanted: self.wanted,
             t: *t,
             coordinates: q,
             velocities: v,
             accelerations: &self.a,
-            multipliers: &at.lambda,
+            multipliers,
             inputs: system.inputs(),
             outputs: &self.outputs,
             work: works,

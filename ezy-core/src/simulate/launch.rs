@@ -1,6 +1,7 @@
 //! From an order to a run or a stepper: what the order says is checked, then the start is assembled.
 
 use super::control::Control;
+use super::grip::Grip;
 use super::monitor::Watch;
 use super::motion::Motion;
 use super::pace::Pace;
@@ -9,7 +10,7 @@ use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
 use crate::model::{Scene, SceneInfo, Start};
-use crate::record::{UnknownName, find_name, input_index};
+use crate::record::{Recorder, UnknownName, find_name, input_index};
 
 /// At 100 ns a step half an hour; more is a slip of the pen.
 const MAX_STEPS: f64 = 1e10;
@@ -29,7 +30,40 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// # Errors
     /// [`SetupError`] when the run cannot start. A run that stops on the way is not an error: [`Run::outcome`] says
     /// so, and everything up to there is kept.
-    pub fn run(mut self) -> Result<Run, SetupError> {
+    pub fn run(self) -> Result<Run, SetupError> {
+        match self.scene.modes() {
+            None => self.launch(None),
+            Some([holds, left, right]) => self.of_scene(&*holds).launch(Some([&*left, &*right])),
+        }
+    }
+
+    /// The same order for another scene with these names.
+    fn of_scene<'a>(self, scene: &'a dyn Scene) -> Simulation<'a, dyn Scene + 'a>
+    where
+        's: 'a,
+    {
+        Simulation {
+            scene,
+            method: self.method,
+            until_s: self.until_s,
+            every_s: self.every_s,
+            projection: self.projection,
+            metric: self.metric,
+            backend: self.backend,
+            given: self.given,
+            start_gives_way: self.start_gives_way,
+            inputs: self.inputs,
+            law: self.law,
+            wanted: self.wanted,
+            limits: self.limits,
+            watched: self.watched,
+            recorder: self.recorder.map(|recorder| recorder as &mut dyn Recorder),
+            on_progress: self.on_progress,
+        }
+    }
+
+    /// Runs; `sliding` are the scenes in which its skate slides to the left and to the right.
+    fn launch(mut self, sliding: Option<[&'s S; 2]>) -> Result<Run, SetupError> {
         let mut system = System::new(self.scene, self.backend)?;
         let start = self.start(&system)?;
         let control = self.take_control(&mut system)?;
@@ -38,10 +72,17 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let events = if self.watched { self.scene.info().events } else { &[] };
         let plan = Plan { pace, every_s: self.every_s, wanted: self.wanted, events };
         let state = system.consistent_start(&start)?;
-        let mut motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work)?;
+        let mut motion = self.motion_in(system)?;
         motion.place(&state);
         let watch = Watch::new(&mut motion.system, &state, limits, self.projection, self.wanted.work);
-        RunLoop::new(motion, control, plan, watch, self.recorder, self.on_progress)?.run()
+        let sliding = match sliding {
+            None => None,
+            Some([left, right]) => Some([self.motion_of(left)?, self.motion_of(right)?]),
+        };
+        let info = motion.system.info();
+        let grip = info.grip.as_ref().zip(sliding);
+        let grip = grip.map(|(info, [left, right])| Box::new(Grip::new(info, &motion, left, right)));
+        RunLoop::new(motion, grip, control, plan, watch, self.recorder, self.on_progress)?.run()
     }
 
     /// Hands the scene over to be stepped by the caller; end, limits, recording and progress are left to the caller, too.
@@ -49,13 +90,22 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// # Errors
     /// [`SetupError`] when the start or the step cannot be used.
     pub fn stepper(mut self) -> Result<Stepper<'s, S>, SetupError> {
+        SetupError::refuse_slides(self.scene.info())?;
         let mut system = System::new(self.scene, self.backend)?;
         let start = self.start(&system)?;
         let step_s = self.fixed_step()?;
         let state = system.consistent_start(&start)?;
         let control = self.take_control(&mut system)?;
-        let motion = Motion::new(system, self.method, self.projection, self.metric, self.wanted.work)?;
+        let motion = self.motion_in(system)?;
         Ok(Stepper::new(motion, control, step_s, start, state))
+    }
+
+    fn motion_of(&self, scene: &'s S) -> Result<Motion<'s, S>, SetupError> {
+        self.motion_in(System::new(scene, self.backend)?)
+    }
+
+    fn motion_in(&self, system: System<'s, S>) -> Result<Motion<'s, S>, SetupError> {
+        Motion::new(system, self.method, self.projection, self.metric, self.wanted.work)
     }
 
     /// The start of the scene with what is given in its place.

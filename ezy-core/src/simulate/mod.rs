@@ -7,6 +7,7 @@ mod detour;
 mod ensemble;
 mod error;
 mod events;
+mod grip;
 mod implicit;
 mod input_file;
 mod input_table;

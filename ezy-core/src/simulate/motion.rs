@@ -125,6 +125,23 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.next.evaluate(&mut self.system)
     }
 
+    /// Goes to where another scene of the same coordinates is, without history, and evaluates there.
+    pub fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
+        self.system.inputs_mut().copy_from_slice(from.system.inputs());
+        self.place(&from.now.state);
+        let State { t, q, v, work } = &mut self.now.state;
+        work.copy_from_slice(&from.now.state.work);
+        self.system.project(*t, q, v, self.projection, self.metric)?;
+        self.evaluate_now()
+    }
+
+    /// Makes the step under way again, as one of length `h` without history.
+    pub fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+        self.integrator.restart();
+        self.evaluate_now()?;
+        self.advance(h, t_next)
+    }
+
     pub fn n_rejected(&self) -> u64 {
         self.integrator.n_rejected()
     }

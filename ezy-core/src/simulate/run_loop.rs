@@ -1,7 +1,8 @@
 //! The loop: control, step, project, record.
 
 use super::control::Control;
-use super::events::{Lookout, Passage};
+use super::events::{Lookout, Passage, Sought};
+use super::grip::Grip;
 use super::instantaneous::Instantaneous;
 use super::keeper::Keeper;
 use super::monitor::Watch;
@@ -35,6 +36,12 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     plan: Plan,
     watch: Watch,
     lookout: Lookout,
+    /// The skate that holds up to a limit.
+    grip: Option<Box<Grip<'s, S>>>,
+    /// Steps that ended before they should have.
+    n_cut: u64,
+    /// Whether the last one was of these.
+    cut: bool,
     between: Instantaneous,
     /// Inputs of the step under way, to come back to when control of the next one fails.
     inputs: Vec<f64>,
@@ -49,6 +56,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// Evaluates and records the start, where `motion` is.
     pub fn new(
         mut motion: Motion<'s, S>,
+        mut grip: Option<Box<Grip<'s, S>>>,
         mut control: Control<'s>,
         plan: Plan,
         watch: Watch,
@@ -63,13 +71,33 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             return Err(MotionError::NotFinite { t: motion.now.state.t, quantity }.into());
         }
         let mut keeper = Keeper::new(info, plan.wanted, recorder);
+        let mut between = Instantaneous::zero(info, plan.wanted.work);
+        if let Some(grip) = &mut grip {
+            grip.settle(&mut motion)?;
+            between.lambda.clone_from(&motion.now.lambda);
+            keeper.slide = grip.slide();
+        }
         keeper.keep(&mut motion.system, &motion.now)?;
         let mut rank = RankRecord::default();
         rank.see(&mut motion.system, &motion.now);
-        let between = Instantaneous::zero(info, plan.wanted.work);
         let inputs = motion.system.inputs().to_vec();
-        let lookout = Lookout::new(plan.events, info.n_coordinates(), motion.now.power.len());
-        Ok(Self { motion, control, plan, watch, lookout, between, inputs, keeper, on_progress, told: 0.0, rank })
+        let lookout = Lookout::new(Sought::Events, plan.events, info.n_coordinates(), motion.now.power.len());
+        Ok(Self {
+            motion,
+            control,
+            plan,
+            watch,
+            lookout,
+            grip,
+            n_cut: 0,
+            cut: false,
+            between,
+            inputs,
+            keeper,
+            on_progress,
+            told: 0.0,
+            rank,
+        })
     }
 
     pub fn run(mut self) -> Result<Run, SetupError> {
@@ -102,16 +130,21 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
                 outcome = Outcome::Stopped { t: self.motion.now.state.t, reason: error.into(), strain: None };
             }
         }
-        let counters = self.motion.system.counters();
-        let cost = Cost {
-            steps,
-            rejected: self.motion.n_rejected(),
-            evaluations: counters.evaluations,
-            factorizations: counters.factorizations,
-            seconds: began.elapsed().as_secs_f64(),
-        };
-        let (info, monitors, events) = (self.motion.system.info(), self.watch.monitors(), self.lookout.occurred);
-        let stiff_since_s = self.motion.stiff_since();
+        let mut cost = Cost { steps, seconds: began.elapsed().as_secs_f64(), ..Cost::default() };
+        let (mut events, mut stiff_since_s) = (self.lookout.occurred, None);
+        let parked = self.grip.iter().flat_map(|grip| grip.parked());
+        for motion in std::iter::once(&self.motion).chain(parked) {
+            let counters = motion.system.counters();
+            cost.rejected += motion.n_rejected();
+            cost.evaluations += counters.evaluations;
+            cost.factorizations += counters.factorizations;
+            stiff_since_s = stiff_since_s.or(motion.stiff_since());
+        }
+        if let Some(grip) = self.grip {
+            events.extend(grip.occurred);
+            events.sort_by(|a, b| a.state.t.total_cmp(&b.state.t));
+        }
+        let (info, monitors) = (self.keeper.info(), self.watch.monitors());
         Ok(Run {
             outcome,
             cost,
@@ -127,12 +160,12 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// One step from `now`, which stays as it is when the step fails; returns what ends the run.
     fn step(&mut self, n: u64) -> Result<Option<Passage>, StopReason> {
         self.watch.admits_step(self.motion.chooses_steps(), self.motion.n_rejected())?;
-        let (h, t_next) = self.plan.pace.step(n, self.motion.now.state.t);
-        self.motion.advance(h, t_next)?;
+        let (h, t_next) = self.plan.pace.step(n - self.n_cut, self.motion.now.state.t);
+        let changes = self.advance(h, t_next)?;
         let last = self.motion.next.state.t >= self.plan.pace.end();
         let Motion { system, now, next, .. } = &mut self.motion;
         self.watch.look(system, now.state.t, &next.state, last)?;
-        let controlled = !self.control.is_idle() && !last;
+        let controlled = !self.control.is_idle() && !last && !self.cut;
         if !controlled || self.sample_is_due_before() || !self.lookout.is_idle() {
             self.motion.evaluate_next()?;
         }
@@ -148,7 +181,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         if controlled {
             // what is evaluated from here on is the start of the next step
             let motion = &mut self.motion;
-            let (h, _) = self.plan.pace.step(n + 1, motion.next.state.t);
+            let (h, _) = self.plan.pace.step(n + 1 - self.n_cut, motion.next.state.t);
             self.control.act(&motion.next.state, h, &mut motion.system)?;
             motion.evaluate_next()?;
         }
@@ -159,7 +192,36 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         if on_end && !last {
             self.keeper.keep(&mut self.motion.system, &self.motion.now)?;
         }
+        if changes
+            && !last
+            && let Some(grip) = &mut self.grip
+        {
+            grip.change(&mut self.motion)?;
+        }
+        self.follow_grip();
         Ok(None)
+    }
+
+    /// A step from `now` to `next`; whether it ends where a skate lets go or stops.
+    fn advance(&mut self, h: f64, t_next: f64) -> Result<bool, MotionError> {
+        let Some(grip) = &mut self.grip else {
+            return self.motion.advance(h, t_next).map(|()| false);
+        };
+        let h = if self.cut { t_next - self.motion.now.state.t } else { h };
+        let changes = grip.advance(&mut self.motion, h, t_next);
+        self.follow_grip();
+        let changes = changes?;
+        self.cut = self.motion.next.state.t < t_next;
+        self.n_cut += u64::from(self.cut);
+        Ok(changes)
+    }
+
+    /// What is kept follows the mode.
+    fn follow_grip(&mut self) {
+        if let Some(grip) = &self.grip {
+            self.between.lambda.clone_from(&self.motion.now.lambda);
+            self.keeper.slide = grip.slide();
+        }
     }
 
     /// Time of the next sample; infinite when only start and end are kept.

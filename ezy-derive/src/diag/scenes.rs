@@ -139,6 +139,28 @@ pub fn released_by_two(scene: &Ident, row: &Ident, first: &Ident, second: &Ident
     )
 }
 
+pub fn two_limits(scene: &Ident, first: &Ident, second: &Ident) -> syn::Error {
+    fault_at_two_places(
+        fault_with_help(
+            second,
+            format_args!(
+                "scene `{scene}` has two skates with a limit, `{first}` and `{second}`; one of them can slide"
+            ),
+            "remove one limit, or declare this skate in an effect that the scene does not call for",
+        ),
+        first,
+        &format!("`{first}` is declared here"),
+    )
+}
+
+pub fn limit_with_counts(row: &Ident) -> syn::Error {
+    fault_with_help(
+        row,
+        format_args!("skate `{row}` has a limit, which a model with counts, arrays or `for` cannot follow"),
+        "remove the limit, or write `tyre` in place of this skate",
+    )
+}
+
 pub fn effect_with_name_of_a_group(name: &Ident) -> syn::Error {
     let meaning = if name == "model" { "the forces outside of effects" } else { "the rows that move with time" };
     fault_with_help(

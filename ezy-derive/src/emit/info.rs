@@ -47,6 +47,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     let outputs = outputs(model, equations, names);
     let events = equations.events.iter().map(|event| self::event(event, &names.print(event.value)));
     let events: Vec<_> = events.collect();
+    let grip = option(grip(model, scene, equations, names));
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = emitted.n_constants;
@@ -82,6 +83,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             inputs: &[#(#inputs),*],
             outputs: &[#(#outputs),*],
             events: &[#(#events),*],
+            grip: #grip,
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
@@ -224,6 +226,29 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
             }
         })
         .collect()
+}
+
+/// The skate with a limit; not of the scenes in which it slides.
+fn grip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
+    let [limit, velocity] = equations.grip.filter(|_| scene.slide.is_none())?;
+    let (row, _) = model.grip_of(scene)?;
+    let i_row = equations.constraints.rows.iter().position(|scalar| row.name == scalar.name)?;
+    let limit = formula_of(names, limit);
+    let event = |what: &str, formula: &TokenStream, documentation: &str| {
+        let name = format!("{} {what}", row.name);
+        quote! {
+            ::ezy_core::model::EventInfo {
+                name: #name,
+                kind: ::ezy_core::model::EventKind::Mark,
+                direction: ::ezy_core::model::Direction::Falling,
+                formula: #formula,
+                documentation: #documentation,
+            }
+        }
+    };
+    let slides = event("slides", &limit, "The skate would need more than its limit.");
+    let stops = event("stops", &formula_of(names, velocity), "The velocity across the skate comes back to zero.");
+    Some(quote!(::ezy_core::model::GripInfo { row: #i_row, limit: #limit, slides: #slides, stops: #stops }))
 }
 
 /// The description of an event whose value is printed so.

@@ -4,6 +4,7 @@ mod abbreviations;
 mod constants;
 mod info;
 mod kernel;
+mod modes;
 mod page;
 mod repeated;
 mod scene;
@@ -21,7 +22,8 @@ use crate::model::{EffectId, Model, Scene};
 /// The module of a model: one type for each scene, and the description of all of them.
 pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
     let scenes = model.scenes.iter().zip(equations).map(|(scene, equations)| scene::items(model, scene, equations));
-    let (scenes, summaries): (Vec<_>, Vec<_>) = scenes.unzip();
+    let (mut scenes, summaries): (Vec<_>, Vec<_>) = scenes.unzip();
+    scenes.extend(model.scenes.iter().filter_map(|scene| modes::items(model, scene)));
     let page = page::model(model, &summaries);
     module(model, &page, &scenes, |type_name| quote!(|| &#type_name::INFO))
 }
@@ -80,5 +82,8 @@ fn module(
 
 /// Type of a scene, at the span of its name in the model file.
 fn scene_type(scene: &Scene) -> Ident {
-    Ident::new(&camel_case(&scene.name.to_string()), scene.name.span())
+    match scene.slide {
+        Some(slide) => modes::type_name(slide, scene),
+        None => Ident::new(&camel_case(&scene.name.to_string()), scene.name.span()),
+    }
 }

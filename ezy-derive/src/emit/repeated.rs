@@ -169,6 +169,7 @@ fn fixed(
             inputs: &[#(#inputs),*],
             outputs: &[],
             events: &[#(#events),*],
+            grip: ::core::option::Option::None,
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,

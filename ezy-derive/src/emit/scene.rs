@@ -6,7 +6,7 @@ use quote::quote;
 use super::abbreviations::Abbreviations;
 use super::constants::Constants;
 use super::kernel::{self, Body, Numbers};
-use super::{info, page, scene_type, series, slopes};
+use super::{info, modes, page, scene_type, series, slopes};
 use crate::mechanics::Equations;
 use crate::mechanics::series::Series;
 use crate::mechanics::slopes::{Slope, Slopes};
@@ -38,6 +38,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let structure = structure(model, scene, &equations, &type_name, &emitted);
     let parameters: Vec<&Ident> = equations.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
+    let modes = equations.grip.filter(|_| scene.slide.is_none()).map(|_| modes::access(scene, &parameters));
     let summary = page::Summary::new(model, scene, type_name.to_string(), &equations, &emitted);
     let recurrences = series.as_ref().ok();
     let recurrences =
@@ -71,6 +72,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
             }
             #methods
             #access_to_series
+            #modes
         }
 
         #recurrences
@@ -140,6 +142,7 @@ fn methods(
     let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
     let correction = emitter.solver(correction, &[("delta", n_q)], &other);
     let events: Vec<SumId> = equations.events.iter().map(|event| event.value).collect();
+    let grip = equations.grip.map(|grip| emitter.method(Numbers::F64, "grip", &["q", "v"], "out", &grip));
     let events = (!events.is_empty()).then(|| emitter.method(Numbers::F64, "events", &["q", "v"], "out", &events));
     let n_fixed = equations.inputs.len() + emitter.pool.coefficients().len();
     let opening = |numbers: Numbers, reads: &[(&str, usize)], writes: &[(&str, usize)]| {
@@ -148,7 +151,7 @@ fn methods(
         quote!(#(#reads)* #(#writes)*)
     };
     let kernels = kernels.map(|method| method.finish(n_fixed, n_q, n_c));
-    let bodies = bodies.into_iter().chain(events).map(|method| method.finish(n_fixed, n_q, n_c));
+    let bodies = bodies.into_iter().chain(events).chain(grip).map(|method| method.finish(n_fixed, n_q, n_c));
     let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
     let potential_opening =
         opening(Numbers::F64, if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);

@@ -3,7 +3,7 @@
 use super::constraints::Constraints;
 use super::event::SceneEvent;
 use super::expression::Writer;
-use super::forces::Load;
+use super::forces::{Load, sliding};
 use super::kinematics::Vector;
 use super::rows;
 use super::symbols::{Symbols, index};
@@ -24,6 +24,8 @@ pub struct Equations {
     pub outputs: Vec<(usize, SumId)>,
     /// Events, then kinks of F.
     pub events: Vec<SceneEvent>,
+    /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
+    pub grip: Option<[SumId; 2]>,
     /// Diagonal of M.
     pub mass: Vec<Coefficient>,
     /// The same as expressions.
@@ -86,7 +88,9 @@ impl Equations {
         let outputs = model.outputs.iter().enumerate().filter(|(_, output)| called(output.effect));
         let outputs = outputs.map(|(i, output)| (i, writer.write(&output.value))).collect();
         let mut events = SceneEvent::declared(&mut writer, model, scene);
-        events.extend(SceneEvent::kinks(writer.algebra, &force));
+        let grip = model.grip_of(scene).map(|(row, limit)| sliding::grip(&mut writer, row, limit));
+        let laws = laws(&mut writer, scene, &force, grip);
+        events.extend(SceneEvent::kinks(writer.algebra, &laws));
         let parameters =
             (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
@@ -98,6 +102,7 @@ impl Equations {
             inputs,
             outputs,
             events,
+            grip,
             mass,
             mass_entries,
             constraints,
@@ -140,17 +145,29 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
         for force in forces {
             load.add(writer, force);
         }
+        let grip = model.grip_of(scene).filter(|(row, _)| row.effect == group);
+        if let (Some((row, limit)), Some(slide)) = (grip, scene.slide) {
+            sliding::add(writer, row, limit, slide, &mut load);
+        }
         let (generalised, power) = load.finish(writer);
         for (total, part) in applied.force.iter_mut().zip(generalised) {
             *total = writer.algebra.add(*total, part);
         }
         applied.potential = writer.algebra.add(applied.potential, load.potential);
         // forces of the model that have a potential, or none, do no work to record
-        if group.is_some() || !power.is_zero() {
+        if group.is_some() || grip.is_some() || !power.is_zero() {
             applied.power.push((group.map_or(Group::Model, Group::Effect), power));
         }
     }
     applied
+}
+
+/// What may have kinks: F and the limit of a skate, the same in every mode of the skate.
+fn laws(writer: &mut Writer<'_>, scene: &Scene, force: &[SumId], grip: Option<[SumId; 2]>) -> Vec<SumId> {
+    let Some([limit, _]) = grip else { return force.to_vec() };
+    let mut laws = applied_forces(writer, &Scene { slide: None, ..scene.clone() }).force;
+    laws.push(limit);
+    laws
 }
 
 /// Adds the power Σ λ_i g_t,i of the rows that move with time; returns the symbols of these λ_i with their rows.

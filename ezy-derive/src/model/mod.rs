@@ -10,6 +10,7 @@ mod dimension;
 mod event;
 mod expression;
 mod function;
+mod grip;
 mod lazy;
 mod mechanism;
 mod member;
@@ -163,7 +164,7 @@ pub struct Output {
 }
 
 /// What is looked for while a scene runs: a value that passes zero.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Event {
     pub name: String,
     pub documentation: String,
@@ -206,6 +207,13 @@ pub struct Row {
     /// The `for` around its declaration, outermost first.
     pub loops: Vec<Loop>,
     pub arguments: Arguments,
+}
+
+impl Row {
+    /// The force up to which a skate holds; `None` where it always does.
+    pub fn limit(&self) -> Option<&Expr> {
+        if self.word.word == "skate" { self.arguments.settings.first()?.as_ref() } else { None }
+    }
 }
 
 #[derive(Debug)]
@@ -265,7 +273,7 @@ pub struct StartValue {
     pub loops: Vec<Loop>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Scene {
     /// As written, snake_case; the generated type is its CamelCase form.
     pub name: Ident,
@@ -277,6 +285,15 @@ pub struct Scene {
     pub ends: Vec<usize>,
     /// Conditions of its own that end it.
     pub conditions: Vec<Event>,
+    /// Where its skate with a limit slides to; `None` where it holds, or there is none.
+    pub slide: Option<Slide>,
+}
+
+/// To which side of its direction a skate slides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slide {
+    Left,
+    Right,
 }
 
 impl Arguments {
@@ -301,8 +318,17 @@ impl Model {
         declared.chain(scene.conditions.iter().map(|condition| (condition, true)))
     }
 
-    /// The rows of a scene: those of the model and of its effects, without what its effects release.
+    /// The rows of a scene: those of the model and of its effects, without what its effects release and what slides.
     pub fn rows_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (RowId, &'a Row)> {
+        self.selected_rows(scene).filter(|(_, row)| scene.slide.is_none() || row.limit().is_none())
+    }
+
+    /// The skate of a scene that holds up to a limit, and the limit.
+    pub fn grip_of<'a>(&'a self, scene: &'a Scene) -> Option<(&'a Row, &'a Expr)> {
+        self.selected_rows(scene).find_map(|(_, row)| Some((row, row.limit()?)))
+    }
+
+    fn selected_rows<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (RowId, &'a Row)> {
         let called = |row: &Row| row.effect.is_none_or(|effect| scene.effects.contains(&effect));
         let released = |id: RowId| scene.effects.iter().any(|effect| self.effects[effect.0].releases.contains(&id));
         let rows = self.rows.iter().enumerate().map(|(i, row)| (RowId(i), row));

@@ -258,7 +258,7 @@ impl<'a> Resolver<'a> {
         if context.diag.is_empty() {
             context.warn_unused_parameters(&choice, &scene_items);
         }
-        Model {
+        let model = Model {
             visibility: ast.visibility.clone(),
             name: ast.name.clone(),
             documentation: ast.documentation.clone(),
@@ -276,7 +276,11 @@ impl<'a> Resolver<'a> {
             effects,
             starts,
             scenes,
+        };
+        if context.diag.is_empty() {
+            context.check_grips(&model);
         }
+        model
     }
 }
 

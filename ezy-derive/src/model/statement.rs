@@ -163,6 +163,9 @@ impl Context<'_> {
                 }
             }
             Phrase::Settings(known, given) => {
+                // a limit of a row of velocities is a force
+                let limit = Purpose::moving(scope);
+                let purpose = if statement.word.class == Class::VelocityRow { &limit } else { purpose };
                 for (setting, value) in known.iter().zip(given) {
                     let what = format!("`{}` of {subject}", setting.word);
                     arguments.settings.push(match (value, setting.otherwise) {

@@ -174,7 +174,9 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
             break;
         }
     }
-    if given.iter().all(Option::is_none) && known.iter().all(|setting| setting.otherwise == Otherwise::Absent) {
+    // a row is one without settings, too
+    let needs_one = !statement.is_row() && given.iter().all(Option::is_none);
+    if needs_one && known.iter().all(|setting| setting.otherwise == Otherwise::Absent) {
         return Err(syntax::no_setting(input.span(), &place(), &names));
     }
     match known.iter().zip(&given).find(|(setting, value)| setting.otherwise == Otherwise::Required && value.is_none())

@@ -129,6 +129,7 @@ const fn scene(
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: None,
         effects,
         until_s,
         n_constants: parameters.len(),

@@ -15,6 +15,7 @@ mod events;
 mod exact_start;
 mod fuzz;
 mod garage;
+mod grip;
 mod hand_and_generated;
 mod hard;
 mod kinks;

@@ -6,6 +6,7 @@
 mod dip;
 mod kinks;
 mod root;
+mod sought;
 
 use super::motion::Motion;
 use crate::dynamics::{MotionError, State};
@@ -13,6 +14,7 @@ use crate::model::{EventInfo, EventKind, Scene};
 use dip::dip;
 pub(super) use kinks::Kinks;
 use root::root;
+pub(super) use sought::Sought;
 
 /// Places of a step at which values are looked at.
 const N_PARTS: usize = 4;
@@ -41,6 +43,7 @@ pub(super) struct Passage {
 
 /// Watches the values of a run.
 pub(super) struct Lookout {
+    sought: Sought,
     events: &'static [EventInfo],
     /// How many of them are to be told: kinks come last.
     n_told: usize,
@@ -61,9 +64,10 @@ pub(super) struct Lookout {
 }
 
 impl Lookout {
-    pub fn new(events: &'static [EventInfo], n_q: usize, n_works: usize) -> Self {
+    pub fn new(sought: Sought, events: &'static [EventInfo], n_q: usize, n_works: usize) -> Self {
         let zeros = || vec![0.0; events.len()];
         Self {
+            sought,
             events,
             n_told: events.iter().filter(|event| event.kind != EventKind::Kink).count(),
             sides: zeros(),
@@ -84,6 +88,36 @@ impl Lookout {
     /// Looks at the step that `motion` has made, both ends evaluated, and keeps what took place; returns what ends the
     /// run.
     pub fn look<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<Option<Passage>, MotionError> {
+        self.find(motion)?;
+        let end = self.passages.iter().position(|passage| passage.event.kind == EventKind::End);
+        for k in 0..end.map_or(self.passages.len(), |end| end + 1) {
+            let Passage { t, event } = self.passages[k];
+            motion.inside(t, &mut self.place)?;
+            motion.project(&mut self.place)?;
+            self.occurred.push(Occurrence { event, state: self.place.clone() });
+        }
+        Ok(end.map(|end| self.passages[end]))
+    }
+
+    /// Time of the first passage of a step that is looked at by itself, s: from above zero, unless it `begins` there.
+    pub fn first<S: Scene + ?Sized>(
+        &mut self,
+        motion: &mut Motion<'_, S>,
+        begins: bool,
+    ) -> Result<Option<f64>, MotionError> {
+        self.fresh = begins;
+        self.sides.fill(1.0);
+        self.find(motion)?;
+        Ok(self.passages.first().map(|passage| passage.t))
+    }
+
+    /// Whether the first value is below zero at the end of the step.
+    pub fn ends_below(&self) -> bool {
+        self.values[N_PARTS].first().is_some_and(|&value| value < 0.0)
+    }
+
+    /// The passages of a step, in time.
+    fn find<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
         self.passages.clear();
         self.sample(motion)?;
         if self.fresh {
@@ -102,14 +136,7 @@ impl Lookout {
             }
         }
         self.passages.sort_by(|a, b| a.t.total_cmp(&b.t));
-        let end = self.passages.iter().position(|passage| passage.event.kind == EventKind::End);
-        for k in 0..end.map_or(self.passages.len(), |end| end + 1) {
-            let Passage { t, event } = self.passages[k];
-            motion.inside(t, &mut self.place)?;
-            motion.project(&mut self.place)?;
-            self.occurred.push(Occurrence { event, state: self.place.clone() });
-        }
-        Ok(end.map(|end| self.passages[end]))
+        Ok(())
     }
 
     /// Writes the values at the places of a step.
@@ -126,7 +153,7 @@ impl Lookout {
                 }
             };
             self.times[part] = t;
-            motion.system.events(t, &state.q, &state.v, &mut self.values[part]);
+            self.sought.read(&mut motion.system, t, [&state.q, &state.v], &mut self.values[part])?;
         }
         Ok(())
     }
@@ -144,7 +171,7 @@ impl Lookout {
     /// Value `i` at `t` within the step.
     fn value<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, i: usize, t: f64) -> Result<f64, MotionError> {
         motion.inside(t, &mut self.place)?;
-        motion.system.events(t, &self.place.q, &self.place.v, &mut self.tried);
+        self.sought.read(&mut motion.system, t, [&self.place.q, &self.place.v], &mut self.tried)?;
         Ok(self.tried[i])
     }
 

@@ -87,7 +87,10 @@ impl Watch {
             energy.keep(now);
         }
         self.n_steps += 1;
-        if let Some(condition) = &mut self.condition {
+        // while a skate slides there is a row less
+        if let Some(condition) = &mut self.condition
+            && system.info().n_rows() == self.info.n_rows()
+        {
             condition.look(system, state, self.n_steps, last);
         }
         self.last_s = state.t - from;
@@ -111,7 +114,7 @@ impl Watch {
         } else {
             system.worst_position(state.t, &state.q)
         };
-        self.check(worst, state.t, "position")?;
+        self.check(self.info, worst, state.t, "position")?;
         raise(&mut self.position_residual, worst, state.t, self.info);
         Ok(())
     }
@@ -123,24 +126,24 @@ impl Watch {
         last: bool,
     ) -> Result<(), ExceededLimit> {
         if self.projection.velocities() {
-            raise(&mut self.velocity_drift, system.projected().velocities_before, state.t, self.info);
+            raise(&mut self.velocity_drift, system.projected().velocities_before, state.t, system.info());
         }
         let looks = last || self.limits.drift.is_finite() || self.n_steps.is_multiple_of(N_BETWEEN_LOOKS);
-        if !looks || self.info.n_rows() == 0 {
+        if !looks || system.info().n_rows() == 0 {
             return Ok(());
         }
         let worst = system.worst_velocity(state.t, &state.q, &state.v);
-        self.check(worst, state.t, "velocity")?;
-        raise(&mut self.velocity_residual, worst, state.t, self.info);
+        self.check(system.info(), worst, state.t, "velocity")?;
+        raise(&mut self.velocity_residual, worst, state.t, system.info());
         Ok(())
     }
 
-    fn check(&self, worst: Worst, t: f64, level: &'static str) -> Result<(), ExceededLimit> {
+    fn check(&self, info: &'static SceneInfo, worst: Worst, t: f64, level: &'static str) -> Result<(), ExceededLimit> {
         let limit = self.limits.drift;
         if keeps(worst.value, limit) {
             return Ok(());
         }
-        Err(ExceededLimit::Drift { t, level, row: self.info.rows[worst.row].name, value: worst.value, limit })
+        Err(ExceededLimit::Drift { t, level, row: info.rows[worst.row].name, value: worst.value, limit })
     }
 
     /// What was watched.

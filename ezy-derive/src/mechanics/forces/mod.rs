@@ -5,6 +5,7 @@ mod drag;
 mod friction;
 mod gravity;
 mod point_force;
+pub mod sliding;
 mod spring;
 mod torque;
 mod torsion;

@@ -34,7 +34,7 @@ pub fn scene(info: &SceneInfo) -> Json {
         ("events", Json::list(info.events.iter().map(event))),
         ("effects", Json::list(info.effects.iter().map(|effect| Json::text(effect.name)))),
         ("points", Json::list(info.points.iter().map(point))),
-        ("rows", Json::list(info.rows.iter().map(row))),
+        ("rows", Json::list(info.rows.iter().enumerate().map(|(i, of)| row(of, limit(info, i))))),
         ("jacobian", Json::list(info.jacobian.entries().map(|entry| jacobian_entry(info, entry)))),
         ("mass_matrix", by_coordinate(info.mass_entries)),
         ("applied_force", by_coordinate(info.force_entries)),
@@ -76,13 +76,19 @@ fn point(point: &PointInfo) -> Json {
     Json::object([("name", Json::text(point.name)), ("x", x), ("y", y)])
 }
 
-fn row(row: &RowInfo) -> Json {
+/// What row `i` holds up to.
+fn limit(info: &SceneInfo, i: usize) -> Json {
+    info.grip.filter(|grip| grip.row == i).map_or(Json::Null, |grip| formula(&grip.limit))
+}
+
+fn row(row: &RowInfo, limit: Json) -> Json {
     Json::object([
         ("name", Json::text(row.name)),
         ("kind", Json::text(row.kind)),
         ("multiplier_unit", Json::text(row.multiplier_unit)),
         ("constraint", formula(&row.constraint)),
         ("convective_term", formula(&row.convective_term)),
+        ("limit", limit),
     ])
 }
 

@@ -76,9 +76,11 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     put(["coordinate", "unit", "velocity", "", ""], coordinates.collect());
     let rows = info.rows.iter().enumerate().map(|(i, row)| {
         let level = if i < info.n_position_rows { "position" } else { "velocity" };
-        [row.name, row.kind, level, row.multiplier_unit, ""]
+        let limit = info.grip.filter(|grip| grip.row == i).map_or("", |grip| grip.limit.text);
+        [row.name, row.kind, level, row.multiplier_unit, limit]
     });
-    put(["row", "word", "level", "unit of its multiplier", ""], rows.collect());
+    let limit = if info.grip.is_some() { "slides beyond" } else { "" };
+    put(["row", "word", "level", "unit of its multiplier", limit], rows.collect());
     tables
 }
 

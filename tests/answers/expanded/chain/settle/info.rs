@@ -92,6 +92,7 @@ impl Settle {
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "friction_in_hinges",

@@ -76,6 +76,7 @@ impl Swing {
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: ::core::option::Option::None,
         effects: &[],
         until_s: 1f64,
         n_constants: 7usize,

@@ -355,6 +355,7 @@ impl Coast {
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: ::core::option::Option::None,
         effects: &[],
         until_s: 1f64,
         n_constants: 32usize,

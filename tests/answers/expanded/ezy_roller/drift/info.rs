@@ -420,6 +420,7 @@ impl Drift {
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

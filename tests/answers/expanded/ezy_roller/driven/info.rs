@@ -387,6 +387,7 @@ impl Driven {
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

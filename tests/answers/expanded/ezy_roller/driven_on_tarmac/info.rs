@@ -403,6 +403,7 @@ impl DrivenOnTarmac {
         inputs: &[],
         outputs: &[],
         events: &[],
+        grip: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

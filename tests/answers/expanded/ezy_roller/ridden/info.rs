@@ -390,6 +390,7 @@ impl Ridden {
             },
         ],
         events: &[],
+        grip: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "rider",

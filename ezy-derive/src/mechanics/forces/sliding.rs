@@ -1,0 +1,32 @@
+//! A skate beyond its limit: it slides, and a force as large as the limit opposes the velocity across it.
+
+use super::Load;
+use crate::mechanics::expression::Writer;
+use crate::mechanics::kinematics::Vector;
+use crate::model::{Expr, Row, Slide};
+use crate::symbolic::SumId;
+
+/// The limit, and n · v_P: zero while the skate holds.
+pub fn grip(writer: &mut Writer<'_>, row: &Row, limit: &Expr) -> [SumId; 2] {
+    let normal = normal(writer, row);
+    let velocity = writer.velocity(&row.arguments.places[0]);
+    [writer.write(limit), writer.dot(normal, velocity)]
+}
+
+/// The side is a constant of the slide, so that the law is smooth.
+pub fn add(writer: &mut Writer<'_>, row: &Row, limit: &Expr, slide: Slide, load: &mut Load) {
+    let normal = normal(writer, row);
+    let limit = writer.write(limit);
+    let force = match slide {
+        Slide::Left => writer.algebra.neg(limit),
+        Slide::Right => limit,
+    };
+    let force = normal.map(|x| writer.algebra.mul(force, x));
+    load.at(writer, &row.arguments.places[0], force);
+}
+
+/// The unit vector to the left of the direction.
+fn normal(writer: &mut Writer<'_>, row: &Row) -> Vector {
+    let along = writer.unit_direction(&row.arguments.directions[0]);
+    writer.across(along)
+}

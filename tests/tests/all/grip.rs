@@ -1,0 +1,237 @@
+//! Skates that hold up to a limit and slide beyond it.
+
+use ezy_core::prelude::*;
+use ezy_core::simulate::SetupError;
+
+/// Changes are located to 1e-12 s; the value that is located carries rounding of 1e-15 m/s or N at slopes around one, and where
+/// a slide ends its start counts, too.
+const LOCATED_S: f64 = 4e-12;
+
+/// Every motion here is a polynomial, which every method follows but for its tolerance of 1e-12.
+const FOLLOWED: f64 = 2e-11;
+
+/// Balance against energies around 1 J at tolerances of 1e-12.
+const BALANCE_J: f64 = 1e-10;
+
+model! {
+    /// A sled that is pushed across its runner by 4 t - t², up to 4 N.
+    pub model Sled {
+        param limit: N = 3;
+        param mass: kg = 2;
+        param a: N/s = 4;
+        param b: N/s^2 = 1;
+        input push: N = 0;
+        body sled { mass: mass, inertia: 1 }
+        skate runner: at sled(0, 0) along sled(1, 0) limit limit;
+        effect wave { force at sled(0, 0): (0, a * t - b * t^2); }
+        effect hand { force at sled(0, 0): (0, push); }
+        start rest { sled at (0, 0) angle 0; at rest; }
+        scene waved { start rest; until 4.5 s; with wave; }
+        scene pushed { start rest; until 3 s; with hand; }
+    }
+}
+
+model! {
+    /// A sled that is steered into a curve and out of it.
+    pub model Curve {
+        param m: kg = 50;
+        param mu = 0.2;
+        param g: m/s^2 = 9.81;
+        param u: m/s = 4;
+        param a: 1/s^2 = 0.3;
+        param b: 1/s^3 = 0.05;
+        body sled { mass: m, inertia: 2 }
+        drive steer: sled.phi = a * t^2 - b * t^3;
+        skate runner: at sled(0, 0) along sled(1, 0) limit mu * m * g;
+        start fast { sled at (0, 0) angle 0; sled velocity (u, 0) rate 0; }
+        scene ride { start fast; until 4 s; }
+    }
+}
+
+model! {
+    /// A runner that wears out under a steady push.
+    pub model Fading {
+        param push: N = 2;
+        param fresh: N = 3;
+        param wear: N/s = 1;
+        param worn: N = 1;
+        body sled { mass: 2, inertia: 1 }
+        skate runner: at sled(0, 0) along sled(1, 0) limit max(fresh - wear * t, worn);
+        effect hand { force at sled(0, 0): (0, push); }
+        event fast: sled.vy > 0.25;
+        start rest { sled at (0, 0) angle 0; at rest; }
+        scene pushed { start rest; until 3 s; with hand; }
+    }
+}
+
+model! {
+    /// A roller with handles whose rear wheels have little load.
+    pub model Light {
+        param a: m = 0.2; param b: m = 0.6; param c: m = 0.1; param d: m = 0.1;
+        param m0: N*m = 4;
+        param omega: rad/s = pi;
+        body seat { mass: 46, inertia: 10 }
+        body bar { mass: 1, inertia: 0.005 }
+        point A = seat(-a, 0);
+        hinge B: seat(b, 0) ~ bar(-d, 0);
+        skate rear: at A along seat(1, 0);
+        skate front: at bar(c, 0) along bar(1, 0);
+        effect pump { torque seat ~ bar: m0 * cos(omega * t); }
+        effect light { param hold: N = 4; release rear; skate wheels: at A along seat(1, 0) limit hold; }
+        start folded { bar angle pi; seat at (0, 0) angle 0; at rest; }
+        scene drift { start folded; until 10 s; with pump, light; }
+    }
+}
+
+/// Of each kind one: a fixed step with interpolation, a method with dense output, a series, an implicit method.
+const METHODS: [Method; 4] = [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
+
+/// The same with a step that leaves nothing of a motion that is no polynomial.
+const FINE: [Method; 4] = [Method::rk4(2e-3), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
+
+fn named(run: &Run) -> Vec<(&'static str, f64)> {
+    run.events().iter().map(|occurred| (occurred.event.name, occurred.state.t)).collect()
+}
+
+fn assert_changes(run: &Run, expected: &[(&str, f64)]) {
+    let found = named(run);
+    assert_eq!(found.len(), expected.len(), "{found:?}, {}", run.outcome);
+    for ((name, t), (expected_name, expected)) in found.iter().zip(expected) {
+        assert_eq!(name, expected_name);
+        assert!((t - expected).abs() <= LOCATED_S, "{name}: {t} for {expected}");
+    }
+}
+
+#[test]
+fn analytic_sled_lets_go_and_holds_again_by_every_method() {
+    // 4 t - t² - 3 = (t - 1) (3 - t): with u = t - 1, 2 v = u² - u³/3 comes back to zero at u = 3
+    for method in METHODS {
+        let scene = sled::Waved::default();
+        let run = Simulation::new(&scene).method(method).every(0.1).run().unwrap();
+        assert_changes(&run, &[("runner slides", 1.0), ("runner stops", 4.0)]);
+        let end = run.last();
+        // 2 y = u³/3 - u⁴/12
+        assert!((end.get("sled.y").unwrap() - 1.125).abs() <= FOLLOWED, "{}", method.name());
+        assert!(end.get("sled.vy").unwrap().abs() <= FOLLOWED);
+    }
+}
+
+#[test]
+fn analytic_reaction_of_a_sled_is_its_limit_while_it_slides() {
+    let scene = sled::Waved::default();
+    let run = Simulation::new(&scene).method(Method::dop853(1e-12)).every(0.25).run().unwrap();
+    for sample in run.samples() {
+        let push = 4.0 * sample.t - sample.t * sample.t;
+        let expected = if (1.0..4.0).contains(&sample.t) { 3.0 } else { push };
+        let found = sample.get("lambda.runner").unwrap();
+        assert!((found - expected).abs() <= FOLLOWED, "{found} for {expected} at {}", sample.t);
+    }
+}
+
+#[test]
+fn analytic_sled_slides_on_to_the_other_side_where_it_cannot_hold() {
+    // limit 2: it comes to rest at 2 + √8 s, where it is pushed by -4 N
+    for method in METHODS {
+        let scene = sled::Waved { limit: 2.0, ..sled::Waved::default() };
+        let run = Simulation::new(&scene).method(method).until(5.0).run().unwrap();
+        let (begins, turns) = (2.0 - 2f64.sqrt(), 2.0 + 8f64.sqrt());
+        assert_changes(&run, &[("runner slides", begins), ("runner stops", turns), ("runner slides", turns)]);
+        assert!(run.last().get("sled.vy").unwrap() < 0.0, "{}", method.name());
+    }
+}
+
+#[test]
+fn analytic_input_that_jumps_over_the_limit_lets_the_sled_go_at_once() {
+    let scene = sled::Pushed::default();
+    let order = Simulation::new(&scene).method(Method::rk4(0.1));
+    let run = order.control(|t, _, inputs| {
+        inputs[0] = if t < 0.95 {
+            2.0
+        } else if t < 1.45 {
+            5.0
+        } else {
+            1.0
+        }
+    });
+    let run = run.every(0.03).run().unwrap();
+    // 1 m/s² from 1 s to 1.5 s, then -1 m/s²
+    assert_changes(&run, &[("runner slides", 1.0), ("runner stops", 2.0)]);
+    assert!((run.last().get("sled.y").unwrap() - 0.25).abs() <= FOLLOWED);
+    assert!((run.last().t - 3.0).abs() <= LOCATED_S);
+}
+
+#[test]
+fn invariant_energy_of_a_sliding_sled_is_work_of_its_friction() {
+    for method in FINE {
+        let scene = sled::Waved::default();
+        let run = Simulation::new(&scene).method(method).work().every(0.3).run().unwrap();
+        for sample in run.samples() {
+            assert!(sample.energy.balance.abs() <= BALANCE_J, "{} at {}", sample.energy.balance, sample.t);
+        }
+        // 3 N over 1.125 m
+        let friction = run.last().get("work.model").unwrap();
+        assert!((friction + 3.375).abs() <= BALANCE_J, "{friction} by {}", method.name());
+    }
+}
+
+#[test]
+fn analytic_sled_leaves_a_curve_where_the_speed_is_too_high() {
+    // m u φ' = mu m g with φ' = 0.6 t - 0.15 t²
+    let scene = curve::Ride::default();
+    let lets_go = 2.0 - (4.0 - scene.mu * scene.g / scene.u / 0.15).sqrt();
+    for method in FINE {
+        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let found = named(&run);
+        assert_eq!(found.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["runner slides", "runner stops"]);
+        assert!((found[0].1 - lets_go).abs() <= LOCATED_S, "{} for {lets_go}", found[0].1);
+    }
+}
+
+#[test]
+fn cross_methods_agree_where_a_sled_holds_again_in_a_curve() {
+    let scene = curve::Ride::default();
+    let runs = [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
+    let ends = runs.map(|method| named(&Simulation::new(&scene).method(method).run().unwrap())[1].1);
+    assert!(ends.iter().all(|end| (end - ends[0]).abs() <= 1e-9), "{ends:?}");
+}
+
+#[test]
+fn invariant_sled_that_keeps_to_its_limit_never_slides() {
+    let scene = curve::Ride { mu: 10.0, ..curve::Ride::default() };
+    let run = Simulation::new(&scene).method(Method::dop853(1e-10)).run().unwrap();
+    assert!(run.events().is_empty());
+    // the rows hold the whole way
+    assert!(run.monitors.velocity_residual.unwrap().value <= FOLLOWED);
+}
+
+#[test]
+fn invariant_steppers_refuse_a_skate_that_may_slide() {
+    let scene = sled::Waved::default();
+    let error = Simulation::new(&scene).stepper().map(|_| ()).unwrap_err();
+    assert!(matches!(error, SetupError::Slides { row: "runner", .. }), "{error}");
+}
+
+#[test]
+fn analytic_limit_with_a_kink_is_followed_in_every_mode() {
+    // it lets go where 3 - t is 2; then 2 v = (t - 1)²/2 up to 2 s, and 1/2 + (t - 2) from there on
+    for method in [Method::dop853(1e-12), Method::rk4(0.05)] {
+        let run = Simulation::new(&fading::Pushed::default()).method(method).run().unwrap();
+        assert_changes(&run, &[("runner slides", 1.0), ("fast", 2.0)]);
+        assert!((run.last().get("sled.vy").unwrap() - 0.75).abs() <= FOLLOWED, "{}", method.name());
+    }
+}
+
+#[test]
+fn invariant_energy_of_a_roller_that_drifts_is_work() {
+    let scene = light::Drift::default();
+    for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)] {
+        let run = Simulation::new(&scene).method(method).work().every(0.1).run().unwrap();
+        assert!(run.outcome.reached_end(), "{}", run.outcome);
+        assert!(run.events().len() >= 2, "{:?}", named(&run));
+        for sample in run.samples() {
+            assert!(sample.energy.balance.abs() <= BALANCE_J, "{} at {}", sample.energy.balance, sample.t);
+            assert!(sample.get("lambda.wheels").unwrap().abs() <= scene.hold + FOLLOWED);
+        }
+        assert!(run.last().get("work.light").unwrap() < 0.0, "{}", method.name());
+    }
+}

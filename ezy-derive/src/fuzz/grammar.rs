@@ -54,10 +54,10 @@ pub fn model(name: &str, random: &mut Random) -> String {
     }
     writer.free_items();
     let (effects, calls) = writer.effects();
-    let starts = writer.start();
+    let (starts, end) = (writer.start(), writer.end());
     let mut text = format!("pub model {name} {{\n{}{bodies}", writer.names.declarations);
     writer.items.iter().for_each(|item| text += &format!("    {item}\n"));
-    writeln!(text, "{effects}{starts}    scene plain {{ start s; until 0.1 s; }}").expect("a string takes text");
+    writeln!(text, "{effects}{starts}    scene plain {{ start s; until 0.1 s; {end}}}").expect("a string takes text");
     if !calls.is_empty() {
         text += &format!("    scene whole {{ start s; until 2 min; with {}; }}\n", calls.join(", "));
     }
@@ -138,6 +138,10 @@ impl Writer<'_> {
             self.items.push(force);
         }
         for i in 0..self.random.below(3) {
+            let condition = self.condition();
+            self.items.push(format!("event a{i}: {condition};"));
+        }
+        for i in 0..self.random.below(3) {
             let output = self.output(&format!("o{i}"));
             self.items.push(output);
         }
@@ -187,6 +191,23 @@ impl Writer<'_> {
         }
         let rest = if rest { "at rest; " } else { "" };
         format!("    start s {{ {given}{rest}}}\n")
+    }
+
+    /// What ends a scene before its time, often nothing.
+    fn end(&mut self) -> String {
+        match self.random.below(4) {
+            0 if self.items.iter().any(|item| item.starts_with("event a0")) => "until a0; ".to_owned(),
+            1 => format!("until {}; ", self.condition()),
+            _ => String::new(),
+        }
+    }
+
+    /// A comparison of something that moves, mostly.
+    fn condition(&mut self) -> String {
+        let (unit, member) = *self.random.of(&[("m", "x"), ("m/s", "vy"), ("rad/s", "omega")]);
+        let moving = if self.random.once_in(8) { "1".to_owned() } else { format!("{}.{member}", self.owner(false)) };
+        let [added, right] = [0; 2].map(|_| self.scalar(unit, Depends::Everything));
+        format!("{moving} + ({added}) {} {right}", self.random.of(&["<", ">", "="]))
     }
 
     fn row(&mut self) -> String {

@@ -1,6 +1,6 @@
 //! Expressions in parameters alone, shared by value.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::fingerprint::Fingerprint;
 use crate::function::Function;
@@ -33,7 +33,7 @@ pub enum CoefficientNode {
 #[derive(Debug)]
 pub struct Coefficients {
     nodes: Vec<(CoefficientNode, Fingerprint)>,
-    ids: HashMap<Fingerprint, CoefficientId>,
+    ids: FxHashMap<Fingerprint, CoefficientId>,
 }
 
 impl Coefficient {
@@ -56,7 +56,7 @@ impl Coefficient {
 
 impl Coefficients {
     pub fn new() -> Self {
-        let mut new = Self { nodes: Vec::new(), ids: HashMap::new() };
+        let mut new = Self { nodes: Vec::new(), ids: FxHashMap::default() };
         new.intern(CoefficientNode::Number(0.0), Fingerprint::ZERO);
         new.intern(CoefficientNode::Number(1.0), Fingerprint::ONE);
         new

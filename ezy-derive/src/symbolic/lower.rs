@@ -1,6 +1,6 @@
 //! From sums to a straight-line program.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
 use super::coefficient::{Coefficient, CoefficientId};
@@ -13,7 +13,7 @@ use crate::function::Function;
 #[derive(Debug, Clone, Default)]
 pub struct ConstantPool {
     order: Vec<CoefficientId>,
-    ids: HashMap<CoefficientId, usize>,
+    ids: FxHashMap<CoefficientId, usize>,
 }
 
 impl ConstantPool {
@@ -37,8 +37,8 @@ pub struct Lowering<'a> {
     pub program: Program,
     constants: &'a mut ConstantPool,
     planner: Planner,
-    bindings: HashMap<Symbol, Value>,
-    done: HashMap<SumId, Value>,
+    bindings: FxHashMap<Symbol, Value>,
+    done: FxHashMap<SumId, Value>,
 }
 
 impl<'a> Lowering<'a> {
@@ -48,8 +48,8 @@ impl<'a> Lowering<'a> {
             program: Program::default(),
             constants,
             planner: Planner::default(),
-            bindings: HashMap::new(),
-            done: HashMap::new(),
+            bindings: FxHashMap::default(),
+            done: FxHashMap::default(),
         }
     }
 

@@ -13,6 +13,7 @@ pub mod coefficient;
 pub mod diff;
 pub mod evaluate;
 mod fingerprint;
+mod interner;
 pub mod lower;
 pub mod plan;
 pub mod print;

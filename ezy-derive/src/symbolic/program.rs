@@ -1,6 +1,6 @@
 //! Straight-line programs: what a kernel computes, operation by operation.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::sum::Symbol;
 use crate::function::Function;
@@ -45,8 +45,8 @@ impl Value {
 #[derive(Debug, Clone, Default)]
 pub struct Program {
     nodes: Vec<Node>,
-    ids: HashMap<Node, NodeId>,
-    names: HashMap<NodeId, String>,
+    ids: FxHashMap<Node, NodeId>,
+    names: FxHashMap<NodeId, String>,
     outputs: Vec<Value>,
 }
 

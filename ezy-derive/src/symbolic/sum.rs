@@ -1,8 +1,9 @@
 //! Sums of products of atoms in normal form.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::coefficient::{Coefficient, Coefficients};
+use super::interner::Interner;
 use crate::function::Function;
 
 /// A variable of an expression; what it stands for is known to the caller.
@@ -51,7 +52,7 @@ pub struct Algebra {
     monomials: Interner<Monomial>,
     sums: Interner<Terms>,
     /// Of sums that were differentiated: without it the time would double with every law inside of a law.
-    pub(super) derivatives: HashMap<(SumId, Symbol), SumId>,
+    pub(super) derivatives: FxHashMap<(SumId, Symbol), SumId>,
 }
 
 impl SumId {
@@ -72,10 +73,10 @@ impl Algebra {
     pub fn new() -> Self {
         let mut new = Self {
             coefficients: Coefficients::new(),
-            atoms: Interner::new(),
-            monomials: Interner::new(),
-            sums: Interner::new(),
-            derivatives: HashMap::new(),
+            atoms: Interner::default(),
+            monomials: Interner::default(),
+            sums: Interner::default(),
+            derivatives: FxHashMap::default(),
         };
         new.monomials.intern(Vec::new());
         new.sums.intern(Vec::new());
@@ -183,32 +184,5 @@ impl Algebra {
 impl Default for Algebra {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// Values with ids in order of first appearance.
-#[derive(Debug)]
-struct Interner<T> {
-    values: Vec<T>,
-    ids: HashMap<T, u32>,
-}
-
-impl<T: Clone + Eq + std::hash::Hash> Interner<T> {
-    fn new() -> Self {
-        Self { values: Vec::new(), ids: HashMap::new() }
-    }
-
-    fn get(&self, id: u32) -> &T {
-        &self.values[id as usize]
-    }
-
-    fn intern(&mut self, value: T) -> u32 {
-        if let Some(&id) = self.ids.get(&value) {
-            return id;
-        }
-        let id = u32::try_from(self.values.len()).unwrap_or(u32::MAX);
-        self.values.push(value.clone());
-        self.ids.insert(value, id);
-        id
     }
 }

@@ -5,7 +5,7 @@
 //! # Source
 //! Moore, Interval Analysis (1966); Jorba, Zou, Exp. Math. 14 (2005), section 2.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::Step;
 use super::level::{Level, plus};
@@ -43,7 +43,7 @@ pub struct Coefficients<'s, 'e> {
     pub step: &'s mut Step<'e>,
     pub program: Program,
     target: Target,
-    found: HashMap<NodeId, Value>,
+    found: FxHashMap<NodeId, Value>,
 }
 
 impl<'s, 'e> Coefficients<'s, 'e> {
@@ -55,7 +55,7 @@ impl<'s, 'e> Coefficients<'s, 'e> {
 
     /// Writes on in a program.
     pub fn within(step: &'s mut Step<'e>, target: Target, program: Program) -> Self {
-        Self { step, program, target, found: HashMap::new() }
+        Self { step, program, target, found: FxHashMap::default() }
     }
 
     pub fn input(&mut self, slot: Slot) -> Value {

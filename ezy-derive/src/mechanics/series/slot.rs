@@ -1,6 +1,6 @@
 //! Where the numbers of a recurrence are found and written.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::mechanics::symbols::Symbols;
 use crate::symbolic::Symbol;
@@ -40,8 +40,8 @@ pub type Ahead = usize;
 /// Symbols that stand for slots.
 #[derive(Debug, Default)]
 pub struct Slots {
-    symbols: HashMap<Slot, Symbol>,
-    slots: HashMap<Symbol, Slot>,
+    symbols: FxHashMap<Slot, Symbol>,
+    slots: FxHashMap<Symbol, Slot>,
 }
 
 impl Slots {

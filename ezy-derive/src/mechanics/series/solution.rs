@@ -1,6 +1,6 @@
 //! The part of the solution that is repeated at every order: what depends on the right side.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::orders::Outputs;
 use super::slot::Slot;
@@ -10,7 +10,7 @@ use crate::symbolic::program::{Node, NodeId, Program, Value};
 
 /// a and λ from f, r and what is known at the start of the step.
 pub fn kernel(step: &mut Step<'_>, written: &Written) -> Kernel {
-    let mut copy = Copy { repeated: repeated(step), step, program: Program::default(), done: HashMap::new() };
+    let mut copy = Copy { repeated: repeated(step), step, program: Program::default(), done: FxHashMap::default() };
     let mut outputs = Outputs::default();
     for (i, &value) in written.solution.iter().enumerate() {
         let value = copy.value(value);
@@ -41,7 +41,7 @@ struct Copy<'s, 'e> {
     step: &'s mut Step<'e>,
     repeated: Vec<bool>,
     program: Program,
-    done: HashMap<NodeId, Value>,
+    done: FxHashMap<NodeId, Value>,
 }
 
 impl Copy<'_, '_> {

@@ -126,6 +126,7 @@ fn check_keys(run: &Value) {
         "residual",
         "scene",
         "state",
+        "stiff_since",
         "t",
     ];
     assert_eq!(keys(run), top);
@@ -240,6 +241,25 @@ fn invariant_run_from_a_singular_position_says_which_rows_depend_on_each_other()
     let object: Value = serde_json::from_str(&output(&[&still[..], &["--json"]].concat())).unwrap();
     assert_eq!(object["rank"][0]["rows"], serde_json::json!(["B.y", "rear", "front"]));
     assert_eq!((object["rank"][0]["from"].as_f64(), object["rank"][0]["redundant"].as_u64()), (Some(0.0), Some(1)));
+}
+
+/// Rubber turns the trucks of a skateboard back at 270 per second, while the rider takes a second for a turn.
+#[test]
+fn invariant_run_that_stiffness_holds_says_since_when() {
+    let stiff = ["run", "skateboard/ridden", "--method", "dop853"];
+    let as_text = output(&stiff);
+    assert!(
+        as_text.contains("the steps of dop853 were held by stiffness") && as_text.contains("--method radau"),
+        "{as_text}"
+    );
+    let as_json = [&stiff[..], &["--json"]].concat();
+    let object = json(&as_json);
+    let since = object["stiff_since"].as_f64().expect("a time");
+    assert!((0.0..object["t"].as_f64().unwrap()).contains(&since), "since {since} s");
+    // beside an object the remark goes to standard error
+    assert!(text(&ezy(&as_json).stderr).contains("held by stiffness"));
+    let implicit = ["run", "skateboard/ridden", "--method", "radau", "--json"];
+    assert!(json(&implicit)["stiff_since"].is_null());
 }
 
 #[test]

@@ -60,6 +60,7 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
             ]),
         ),
         ("monitors", monitors_json(run.map(|run| &run.monitors))),
+        ("stiff_since", run.and_then(|run| run.stiff_since_s).map_or(Json::Null, Json::Number)),
         (
             "cost",
             Json::object([

@@ -64,6 +64,7 @@ impl<T: Scalar> Rk4<T> {
         self.sum.copy_from(&self.slope);
         for (t, c, b) in [(from.t + 0.5 * h, 0.5 * h, 2.0), (from.t + 0.5 * h, 0.5 * h, 2.0), (t_next, h, 1.0)] {
             advance(&mut self.stage, from, c, &self.slope);
+            self.stage.t = t;
             self.slope.q.copy_from_slice(&self.stage.v);
             system.accelerations(t, &self.stage.q, &self.stage.v, &mut self.slope.v, &mut self.lambda)?;
             system.power(t, &self.stage.q, &self.stage.v, &self.lambda, &mut self.slope.work);
@@ -74,6 +75,11 @@ impl<T: Scalar> Rk4<T> {
         add(&mut to.work, &from.work, h / 6.0, &self.sum.work, &mut self.rest.work);
         to.t = t_next;
         Ok(())
+    }
+
+    /// Where the last step looked at the slope of its end; works are left out.
+    pub fn last_stage(&self) -> &State<T> {
+        &self.stage
     }
 }
 

@@ -1,5 +1,6 @@
 //! Radau IIA with its step control.
 
+use super::events::{Cut, Kinks};
 use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Attempt, Knot, Radau, RadauControl, Tolerance, tolerance_of_estimate};
@@ -39,28 +40,54 @@ impl Implicit {
         self.method.dense_at(from, to, (t - from.t) / (to.t - from.t), out);
     }
 
-    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
+    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected. It ends at a kink.
     pub fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Knot<'_>,
         end: f64,
+        kinks: &mut Kinks,
         to: &mut State,
     ) -> Result<(), MotionError> {
         let t = from.state.t;
         let left = end - t;
         let mut length = self.step_s.unwrap_or_else(|| self.method.first_step(from, left, self.tolerance));
+        // the length before a kink: behind it the law is as smooth as before
+        let (mut whole, mut cut) = (None, None);
         loop {
             let Reach { step_s: h, t_next } = reach(t, end, length);
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
             let doubtful = self.control.is_doubtful();
-            match self.method.attempt(system, from, h, self.tolerance, doubtful, to)? {
+            let attempt = self.method.attempt(system, from, h, self.tolerance, doubtful, to)?;
+            if matches!(attempt, Attempt::Solved { .. }) {
+                to.t = t_next;
+                let next_cut = match cut {
+                    None => kinks.cut(system, from, &[to], h),
+                    Some(Cut::Before(_)) if kinks.are_crossed(system, from.state, &[to]) => Some(Cut::Before(0.5 * h)),
+                    Some(_) => None,
+                };
+                if let Some(Cut::Before(shorter) | Cut::Over(shorter)) = next_cut {
+                    whole.get_or_insert(h);
+                    (cut, length) = (next_cut, shorter);
+                    self.rejected += 1;
+                    continue;
+                }
+            }
+            match attempt {
                 Attempt::Solved { error, n_passes } if error <= 1.0 => {
-                    self.step_s = Some(self.control.accept(h, error, n_passes, self.method.keeps_factors()));
+                    self.step_s = Some(match whole {
+                        Some(whole) => whole,
+                        None => {
+                            kinks.restart();
+                            self.control.accept(h, error, n_passes, self.method.keeps_factors())
+                        }
+                    });
                     self.method.accept(h);
-                    to.t = t_next;
+                    if cut.is_some() {
+                        self.method.turn();
+                    }
                     return Ok(());
                 }
                 Attempt::Solved { error, n_passes } => length = self.control.reject(h, error, n_passes),

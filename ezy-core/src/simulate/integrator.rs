@@ -3,7 +3,7 @@
 use super::SetupError;
 use super::adaptive::Adaptive;
 use super::detour::TaylorWithDetour;
-use super::events::Kinks;
+use super::events::{Cut, Kinks};
 use super::implicit::Implicit;
 use super::instantaneous::Instantaneous;
 use crate::dynamics::{MotionError, State, System};
@@ -97,7 +97,8 @@ impl<'s> Integrator<'s> {
         }
     }
 
-    /// A step of length `h` from `from` to `t_next`, not yet projected; a method that chooses its steps may stop before.
+    /// A step of length `h` from `from` to `t_next`, not yet projected; a method that chooses its steps may stop before, and
+    /// any at a kink.
     pub fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -108,11 +109,25 @@ impl<'s> Integrator<'s> {
         to: &mut State,
     ) -> Result<(), MotionError> {
         match self {
-            Self::Rk4(rk4) => rk4.step(system, from, h, t_next, to),
+            Self::Rk4(rk4) => {
+                rk4.step(system, from, h, t_next, to)?;
+                let mut cut = kinks.cut(system, from, &[to, rk4.last_stage()], h);
+                while let Some(Cut::Before(length) | Cut::Over(length)) = cut {
+                    rk4.restart();
+                    rk4.step(system, from, length, from.state.t + length, to)?;
+                    let is_before = matches!(cut, Some(Cut::Before(_)));
+                    let is_over = is_before && kinks.are_crossed(system, from.state, &[to, rk4.last_stage()]);
+                    cut = is_over.then_some(Cut::Before(0.5 * length));
+                }
+                if to.t >= t_next {
+                    kinks.rest();
+                }
+                Ok(())
+            }
             Self::Dop853(adaptive) => {
                 adaptive.step(system, from, t_next, to, |system, end| kinks.up_to(system, from, end))
             }
-            Self::Radau(implicit) => implicit.step(system, from, t_next, to),
+            Self::Radau(implicit) => implicit.step(system, from, t_next, kinks, to),
             Self::Taylor(series) => series.step(system, from, t_next, to),
         }
     }

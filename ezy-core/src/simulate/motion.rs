@@ -51,10 +51,11 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         now.v.copy_from_slice(&state.v);
         now.work.fill(0.0);
         self.integrator.restart();
+        self.kinks.restart();
     }
 
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
-    /// that chooses its steps may stop before `t_next`.
+    /// that chooses its steps may stop before `t_next`, and any at a kink.
     pub fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let outcome = self.advance_past_singular_positions(h, t_next);
         let State { t, q, .. } = &self.now.state;

@@ -204,11 +204,11 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
 
     /// A step from `now` to `next`; whether it ends where a skate lets go or stops.
     fn advance(&mut self, h: f64, t_next: f64) -> Result<bool, MotionError> {
-        let Some(grip) = &mut self.grip else {
-            return self.motion.advance(h, t_next).map(|()| false);
-        };
         let h = if self.cut { t_next - self.motion.now.state.t } else { h };
-        let changes = grip.advance(&mut self.motion, h, t_next);
+        let changes = match &mut self.grip {
+            None => self.motion.advance(h, t_next).map(|()| false),
+            Some(grip) => grip.advance(&mut self.motion, h, t_next),
+        };
         self.follow_grip();
         let changes = changes?;
         self.cut = self.motion.next.state.t < t_next;

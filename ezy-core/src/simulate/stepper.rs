@@ -170,12 +170,17 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
                 self.evaluated = false;
                 self.control.act(&self.motion.now.state, self.step_s, &mut self.motion.system)?;
             }
-            self.evaluate()?;
             let t_next = self.start_s + (self.n_steps + 1) as f64 * self.step_s;
-            self.motion.advance(self.step_s, t_next)?;
-            self.motion.accept();
+            let mut h = self.step_s;
+            while self.motion.now.state.t < t_next {
+                self.evaluate()?;
+                self.motion.advance(h, t_next)?;
+                self.motion.accept();
+                self.evaluated = false;
+                // from a kink on
+                h = t_next - self.motion.now.state.t;
+            }
             self.n_steps += 1;
-            self.evaluated = false;
         }
         Ok(())
     }

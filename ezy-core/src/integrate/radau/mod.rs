@@ -132,13 +132,18 @@ impl Radau {
         })
     }
 
-    /// Forgets the steps before, at the beginning of another run or after a jump.
-    pub fn restart(&mut self) {
+    /// Forgets the stages and slopes of the steps before, which belong to another law.
+    pub fn turn(&mut self) {
         self.before_s = None;
         self.fresh = false;
         self.rate = SLOW;
         self.share = 1.0;
         self.n_coupled = 0;
+    }
+
+    /// Forgets the steps before, at the beginning of another run or after a jump.
+    pub fn restart(&mut self) {
+        self.turn();
         for rest in [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work] {
             rest.fill(0.0);
         }

@@ -2,6 +2,10 @@
 //!
 //! Across a kink a method of high order has a low one: its error estimate may miss that, or halve the steps until they
 //! have crept over. Where the values of the scene say that a step went over a kink, its interpolation tells where.
+//!
+//! A stage at the end of a step sees the other law as soon as its own error carries it over. DOP853 makes the last part of
+//! the way short, and its error estimate does the rest. Methods of lower order follow the law of this side instead: they
+//! stop before the kink by more than what they know of its place, where they know it better, and at last hop over it.
 
 use super::root::root;
 use super::{RESOLUTION_S, side_of};
@@ -15,6 +19,27 @@ const AT_END: f64 = 10.0;
 /// So much behind a kink steps end, in resolutions: the next one begins on its other side.
 const BEHIND: f64 = 2.0;
 
+/// A parabola from the start of a step knows the place of a kink at its end up to this part of the way, at the middle up to
+/// half of that, and so on.
+const UNKNOWN: f64 = 1.0 / 32.0;
+
+/// What a cut step counts, and how far that may add up: where a second kink follows closely, as where dry friction sticks, or
+/// a value is nothing but rounding, steps go over what comes.
+const CUT: u32 = 2;
+const MOST_CUT: u32 = 48;
+
+/// A hop over a kink takes this part of the time at least, or resolutions as above: enough for a step to move anything.
+const HOP: f64 = 2e-14;
+
+/// A step that ends at a kink.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::simulate) enum Cut {
+    /// Before it, after this time, s.
+    Before(f64),
+    /// Just behind it, after this time, s.
+    Over(f64),
+}
+
 /// The kinks of a scene, with room to look for them.
 pub(in crate::simulate) struct Kinks {
     /// Places among the events.
@@ -24,6 +49,8 @@ pub(in crate::simulate) struct Kinks {
     a: Vec<f64>,
     lambda: Vec<f64>,
     between: State,
+    /// Steps that were cut, [`CUT`] for each, less those that were not.
+    debt: u32,
 }
 
 impl Kinks {
@@ -40,26 +67,55 @@ impl Kinks {
             a: zeros(n_q),
             lambda: zeros(n_c),
             between: State::zero(n_q, 0),
+            debt: 0,
         }
+    }
+
+    /// Nothing was cut before.
+    pub fn restart(&mut self) {
+        self.debt = 0;
+    }
+
+    /// A step of fixed length came to its end.
+    pub fn rest(&mut self) {
+        self.debt = self.debt.saturating_sub(1);
+    }
+
+    /// Whether a step goes over a kink, to its end or to the other places, `ends`, in which it looks at the law of that time;
+    /// leaves the values at the start and beyond.
+    pub fn are_crossed<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, ends: &[&State]) -> bool {
+        let Self { places, values: [before, after, inside], .. } = self;
+        if places.is_empty() {
+            return false;
+        }
+        system.events(from.t, &from.q, &from.v, before);
+        after.copy_from_slice(before);
+        let mut are_crossed = false;
+        for end in ends {
+            system.events(end.t, &end.q, &end.v, inside);
+            for &i in &*places {
+                if !changes(before[i], after[i]) {
+                    after[i] = inside[i];
+                    are_crossed |= changes(before[i], after[i]);
+                }
+            }
+        }
+        are_crossed
     }
 
     /// Length of the step from `from` that ends at the first kink, s, where the step to `end` goes over one.
     pub fn up_to<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, from: Knot<'_>, end: &State) -> Option<f64> {
-        let Self { places, values, a, lambda, between } = self;
-        if places.is_empty() {
+        if !self.are_crossed(system, from.state, &[end]) {
             return None;
         }
-        let [before, after, inside] = values;
-        system.events(from.state.t, &from.state.q, &from.state.v, before);
-        system.events(end.t, &end.q, &end.v, after);
-        places.iter().find(|&&i| side_of(before[i]) * side_of(after[i]) < 0.0)?;
+        let Self { places, values: [before, after, inside], a, lambda, between, .. } = self;
         system.accelerations(end.t, &end.q, &end.v, a, lambda).ok()?;
         let (start, last) = (from.state.t, end.t);
         // works do not matter here
         let to = Knot { state: end, a, power: from.power };
-        let resolution = RESOLUTION_S.max(2.0 * f64::EPSILON * last.abs());
+        let resolution = resolution_at(last);
         let mut first = last;
-        for &i in places.iter().filter(|&&i| side_of(before[i]) * side_of(after[i]) < 0.0) {
+        for &i in places.iter().filter(|&&i| changes(before[i], after[i])) {
             let Ok(t) = root((start, before[i]), (last, after[i]), resolution, |t| {
                 interpolate(from, to, t, between);
                 system.events(t, &between.q, &between.v, inside);
@@ -70,5 +126,78 @@ impl Kinks {
         let near = AT_END * resolution;
         let length = first - start;
         (length > near && last - first > near).then_some(length + BEHIND * resolution)
+    }
+
+    /// A step from `from` that ends at the first kink, where the one to `ends` goes over one; `whole_s` is the length that
+    /// steps have otherwise.
+    pub fn cut<S: Scene + ?Sized>(
+        &mut self,
+        system: &System<'_, S>,
+        from: Knot<'_>,
+        ends: &[&State],
+        whole_s: f64,
+    ) -> Option<Cut> {
+        let end_s = ends.first()?.t;
+        if self.debt >= MOST_CUT {
+            return None;
+        }
+        let is_crossed = self.are_crossed(system, from.state, ends);
+        let Self { places, values: [before, after, inside], between, .. } = self;
+        let (start, h) = (from.state.t, end_s - from.state.t);
+        let resolution = resolution_at(end_s);
+        let hop = (BEHIND * resolution).max(HOP * start.abs());
+        // a start on the kink belongs to neither side
+        if places.iter().any(|&i| before[i] == 0.0 && after[i] != 0.0) && h > hop {
+            self.debt += CUT;
+            return Some(Cut::Over(hop));
+        }
+        if !is_crossed {
+            return None;
+        }
+        let mut length = h;
+        for &i in places.iter().filter(|&&i| changes(before[i], after[i])) {
+            let mut value = |t: f64| {
+                follow(from, t, between);
+                system.events(start + t, &between.q, &between.v, inside);
+                Ok::<f64, std::convert::Infallible>(inside[i])
+            };
+            let Ok(last) = value(h);
+            let Ok(t) = if changes(before[i], last) {
+                root((0.0, before[i]), (h, last), resolution, value)
+            } else {
+                // the way bends: half of it is foreseen better
+                Ok(0.5 * h)
+            };
+            length = length.min(t);
+        }
+        let near = AT_END * resolution;
+        if h - length <= near {
+            return None;
+        }
+        self.debt += CUT;
+        Some(if length > near {
+            Cut::Before(length * (1.0 - UNKNOWN * length / whole_s))
+        } else {
+            Cut::Over(length + hop)
+        })
+    }
+}
+
+/// Whether a value passes to the other side of zero.
+fn changes(before: f64, after: f64) -> bool {
+    side_of(before) * side_of(after) < 0.0
+}
+
+/// How well the time of a kink about `t` is known, s.
+fn resolution_at(t: f64) -> f64 {
+    RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs())
+}
+
+/// The motion after the time `t` by the accelerations at its start; works are left out.
+fn follow(from: Knot<'_>, t: f64, out: &mut State) {
+    let State { q, v, .. } = from.state;
+    for (i, a) in from.a.iter().enumerate() {
+        out.q[i] = q[i] + t * (v[i] + 0.5 * t * a);
+        out.v[i] = v[i] + t * a;
     }
 }

@@ -12,7 +12,7 @@ use super::motion::Motion;
 use crate::dynamics::{MotionError, State};
 use crate::model::{EventInfo, EventKind, Scene};
 use dip::dip;
-pub(super) use kinks::Kinks;
+pub(super) use kinks::{Cut, Kinks};
 use root::root;
 pub(super) use sought::Sought;
 

@@ -15,6 +15,7 @@ mod grip;
 mod repeats;
 mod series;
 mod slopes;
+mod stop;
 
 pub use equations::{Equations, PreciseScene};
 pub use event::{Direction, EventInfo, EventKind};
@@ -22,6 +23,7 @@ pub use grip::GripInfo;
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::{PRODUCT_GROUP, Series, SeriesInfo, SeriesSize, SeriesStore};
 pub use slopes::SlopePlaces;
+pub use stop::StopInfo;
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -233,8 +235,11 @@ pub struct SceneInfo {
     pub events: &'static [EventInfo],
     /// The skate that holds up to a limit, where there is one.
     pub grip: Option<GripInfo>,
+    /// The stop, where there is one.
+    pub stop: Option<StopInfo>,
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
-    /// some; then the effects; last the rows that move with time, under the name `drives`, when there are some.
+    /// some; then the effects; then the rows that move with time, under the name `drives`, when there are some; last
+    /// the impacts on the stop, under the name `stops`, where there is one.
     pub effects: &'static [EffectInfo],
     /// End of the run that the scene declares, s.
     pub until_s: f64,
@@ -511,10 +516,17 @@ pub trait Scene: Equations<f64> {
         let _ = (c, t, q, v, out);
     }
 
-    /// The scene with its skate of [`SceneInfo::grip`] holding, sliding to the left, and sliding to the right; a scene that
-    /// slides lacks the row. None where no skate has a limit.
-    fn modes(&self) -> Option<[Box<dyn Scene>; 3]> {
-        None
+    /// For each end of the stop of [`SceneInfo::stop`] the distance to it, negative beyond, and its rate; last the restitution.
+    /// Writes `2 n_ends + 1`.
+    fn stop(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
+    }
+
+    /// What the scene is while it runs, of which it begins as the first: with the skate of [`SceneInfo::grip`] itself, then
+    /// without its row, sliding to the left and to the right; with the stop of [`SceneInfo::stop`] itself, then with a row
+    /// more for each end, which holds the quantity there. Empty where it stays what it is.
+    fn modes(&self) -> Vec<Box<dyn Scene>> {
+        Vec::new()
     }
 
     /// The recurrences of its Taylor series; none where a law of the scene is not analytic.

@@ -92,6 +92,7 @@ static FIXED: SceneInfo = SceneInfo {
     outputs: &[],
     events: &[],
     grip: None,
+    stop: None,
     effects: &[EffectInfo { name: "gravity", documentation: "" }],
     until_s: 1.0,
     n_constants: 0,

@@ -77,6 +77,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         outputs: &[],
         events: &[],
         grip: None,
+        stop: None,
         effects: description.effects,
         until_s: description.until_s,
         n_constants: 0,

@@ -35,6 +35,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
         grip
     }
 
+    /// Distances to the ends of the stop with their rates, and the restitution; writes what [`Scene::stop`] does.
+    pub fn stop(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.scene.stop(&self.fixed, t, q, v, out);
+    }
+
     /// Outputs of the scene; writes `n_o`.
     pub fn outputs(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         self.scene.outputs(&self.fixed, t, q, v, out);

@@ -178,6 +178,16 @@ pub enum MotionError {
         /// Its value.
         value: f64,
     },
+    /// A stop returns more than it gets, or nothing that is a number.
+    #[error("the restitution of stop `{stop}` is {value} at t = {t} s; it must be between 0 and 1")]
+    Restitution {
+        /// Time, s.
+        t: f64,
+        /// Name of the stop.
+        stop: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// Gauss–Newton does not come closer to C = 0.
     #[error(
         "position projection stalled at t = {t} s: |C| = {residual:.3e} after {passes} passes (tolerance \

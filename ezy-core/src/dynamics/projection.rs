@@ -187,6 +187,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
         2.0 * f64::EPSILON * max_abs(&rows[..self.info.n_position_rows])
     }
 
+    /// One pass beyond the tolerance, for positions that are projected.
+    pub(crate) fn polish_positions(&mut self, t: f64, q: &mut [f64]) -> Result<(), MotionError> {
+        self.position_residual(t, q);
+        self.correct_positions(t, q, Metric::Mass)
+    }
+
     /// One pass, for the residual of the position rows in the buffer.
     fn correct_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<(), MotionError> {
         self.buffers.residual[self.info.n_position_rows..].fill(0.0);

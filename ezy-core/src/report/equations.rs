@@ -240,6 +240,7 @@ mod tests {
         outputs: &[],
         events: &[],
         grip: None,
+        stop: None,
         effects: &[],
         until_s: 1.0,
         n_constants: 0,

@@ -78,8 +78,7 @@ impl<T: Scalar> Adaptive<T> {
 
     /// Steps of another method, of usually this length, s, led here.
     pub fn take_over(&mut self, usual_s: f64) {
-        self.restart();
-        self.step_s = Some(usual_s);
+        self.restart_with(usual_s);
         self.usual_s = usual_s;
     }
 
@@ -92,6 +91,12 @@ impl<T: Scalar> Adaptive<T> {
         self.usual_s = 0.0;
         self.last_s = None;
         self.watch.restart();
+    }
+
+    /// Forgets the steps taken so far, but for what a step from here may be, s.
+    pub fn restart_with(&mut self, step_s: f64) {
+        self.restart();
+        self.step_s = Some(step_s);
     }
 
     /// Since when stability holds the steps, s.

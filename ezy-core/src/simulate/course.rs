@@ -30,7 +30,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
         start: State<T>,
         method: Method,
     ) -> Result<Self, SetupError> {
-        SetupError::refuse_slides(info)?;
+        SetupError::refuse_modes(info)?;
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let method = match method {
             Method::Rk4 { step_s } if step_s.is_finite() && step_s > 0.0 => {

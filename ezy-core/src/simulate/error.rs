@@ -88,16 +88,33 @@ pub enum SetupError {
         /// Name of the scene.
         scene: &'static str,
     },
-    /// Its skate may slide.
+    /// Its skate may slide, or its stop may be hit.
     #[error(
-        "skate `{row}` of scene `{scene}` has a limit beyond which it slides, which only runs follow; run the scene, or \
-         remove the limit"
+        "{what} `{name}` of scene `{scene}` makes another scene of it on the way, which only runs follow; run the scene, or \
+         remove the {}", if *.what == "skate" { "limit" } else { "stop" }
     )]
-    Slides {
+    Modes {
         /// Name of the scene.
         scene: &'static str,
-        /// Name of the skate.
-        row: &'static str,
+        /// `skate` or `stop`.
+        what: &'static str,
+        /// Its name.
+        name: &'static str,
+    },
+    /// The start is where a stop does not let anything be.
+    #[error(
+        "the start of scene `{scene}` is beyond the {end} end of stop `{stop}`, by {beyond:.3e}; start on the other side, or \
+         move the stop"
+    )]
+    BeyondStop {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Name of the stop.
+        stop: &'static str,
+        /// `lower` or `upper`.
+        end: &'static str,
+        /// By how much, in the unit of its quantity.
+        beyond: f64,
     },
     /// More steps than anyone waits for.
     #[error(
@@ -164,11 +181,13 @@ impl SetupError {
     /// Refuses a scene that becomes another one while it runs.
     ///
     /// # Errors
-    /// [`SetupError::Slides`].
-    pub(crate) fn refuse_slides(info: &'static SceneInfo) -> Result<(), Self> {
-        match &info.grip {
+    /// [`SetupError::Modes`].
+    pub(crate) fn refuse_modes(info: &'static SceneInfo) -> Result<(), Self> {
+        let skate = info.grip.map(|grip| ("skate", info.rows[grip.row].name));
+        let stop = info.stop.map(|stop| ("stop", stop.name));
+        match skate.or(stop) {
             None => Ok(()),
-            Some(grip) => Err(Self::Slides { scene: info.name, row: info.rows[grip.row].name }),
+            Some((what, name)) => Err(Self::Modes { scene: info.name, what, name }),
         }
     }
 }

@@ -30,6 +30,12 @@ impl Implicit {
         self.step_s = None;
     }
 
+    /// Forgets the steps taken so far, but for what a step from here may be, s.
+    pub fn restart_with(&mut self, step_s: f64) {
+        self.restart();
+        self.step_s = Some(step_s);
+    }
+
     /// Steps that were tried and not taken.
     pub fn n_rejected(&self) -> u64 {
         self.rejected

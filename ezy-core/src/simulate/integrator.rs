@@ -51,6 +51,16 @@ impl<'s> Integrator<'s> {
         }
     }
 
+    /// Forgets the steps taken so far, but for what a step from here may be, s: where states are near zero, the first one
+    /// that a method would choose by itself is too short.
+    pub fn restart_with(&mut self, step_s: f64) {
+        match self {
+            Self::Dop853(adaptive) => adaptive.restart_with(step_s),
+            Self::Radau(implicit) => implicit.restart_with(step_s),
+            Self::Rk4(_) | Self::Taylor(_) => self.restart(),
+        }
+    }
+
     /// Whether it keeps to a tolerance by steps of its own length.
     pub const fn chooses_steps(&self) -> bool {
         !matches!(self, Self::Rk4(_))

@@ -17,9 +17,9 @@ pub(super) struct Keeper<'s> {
     wanted: Wanted,
     /// Empty unless wanted.
     outputs: Vec<f64>,
-    /// Row of a skate that slides, and to which side.
-    pub slide: Option<(usize, f64)>,
-    /// Multipliers with the friction of the skate at its row.
+    /// A row that the mode under way lacks, and its multiplier as a multiple of the limit of a skate.
+    pub lacking: Option<(usize, f64)>,
+    /// Multipliers with the one of that row.
     multipliers: Vec<f64>,
 }
 
@@ -33,7 +33,7 @@ impl<'s> Keeper<'s> {
             a: vec![0.0; info.n_coordinates()],
             wanted,
             outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
-            slide: None,
+            lacking: None,
             multipliers: Vec::new(),
         }
     }
@@ -81,12 +81,12 @@ impl<'s> Keeper<'s> {
         let _ = system.refine_accelerations(*t, q, v, &mut self.a);
         let (position_residual, velocity_residual) =
             (system.position_residual(*t, q), system.velocity_residual(*t, q, v));
-        let multipliers = match self.slide {
+        let multipliers = match self.lacking {
             None => &at.lambda,
-            Some((row, side)) => {
+            Some((row, multiple)) => {
                 let [limit, _] = system.grip(*t, q, v);
                 self.multipliers.clone_from(&at.lambda);
-                self.multipliers.insert(row, side * limit);
+                self.multipliers.insert(row, multiple * limit);
                 &self.multipliers
             }
         };

@@ -1,7 +1,7 @@
 //! From an order to a run or a stepper: what the order says is checked, then the start is assembled.
 
 use super::control::Control;
-use super::grip::Grip;
+use super::modes::Modes;
 use super::monitor::Watch;
 use super::motion::Motion;
 use super::pace::Pace;
@@ -31,9 +31,12 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// [`SetupError`] when the run cannot start. A run that stops on the way is not an error: [`Run::outcome`] says
     /// so, and everything up to there is kept.
     pub fn run(self) -> Result<Run, SetupError> {
-        match self.scene.modes() {
-            None => self.launch(None),
-            Some([holds, left, right]) => self.of_scene(&*holds).launch(Some([&*left, &*right])),
+        match &self.scene.modes()[..] {
+            [] => self.launch(&[]),
+            [first, others @ ..] => {
+                let others: Vec<&dyn Scene> = others.iter().map(|scene| &**scene).collect();
+                self.of_scene(&**first).launch(&others)
+            }
         }
     }
 
@@ -62,8 +65,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         }
     }
 
-    /// Runs; `sliding` are the scenes in which its skate slides to the left and to the right.
-    fn launch(mut self, sliding: Option<[&'s S; 2]>) -> Result<Run, SetupError> {
+    /// Runs; `others` are the scenes that this one may become.
+    fn launch(mut self, others: &[&'s S]) -> Result<Run, SetupError> {
         let mut system = System::new(self.scene, self.backend)?;
         let start = self.start(&system)?;
         let control = self.take_control(&mut system)?;
@@ -75,14 +78,9 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let mut motion = self.motion_in(system)?;
         motion.place(&state);
         let watch = Watch::new(&mut motion.system, &state, limits, self.projection, self.wanted.work);
-        let sliding = match sliding {
-            None => None,
-            Some([left, right]) => Some([self.motion_of(left)?, self.motion_of(right)?]),
-        };
-        let info = motion.system.info();
-        let grip = info.grip.as_ref().zip(sliding);
-        let grip = grip.map(|(info, [left, right])| Box::new(Grip::new(info, &motion, left, right)));
-        RunLoop::new(motion, grip, control, plan, watch, self.recorder, self.on_progress)?.run()
+        let others = others.iter().map(|scene| self.motion_of(scene)).collect::<Result<_, _>>()?;
+        let modes = Modes::new(&motion, others).map(Box::new);
+        RunLoop::new(motion, modes, control, plan, watch, self.recorder, self.on_progress)?.run()
     }
 
     /// Hands the scene over to be stepped by the caller; end, limits, recording and progress are left to the caller, too.
@@ -90,7 +88,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// # Errors
     /// [`SetupError`] when the start or the step cannot be used.
     pub fn stepper(mut self) -> Result<Stepper<'s, S>, SetupError> {
-        SetupError::refuse_slides(self.scene.info())?;
+        SetupError::refuse_modes(self.scene.info())?;
         let mut system = System::new(self.scene, self.backend)?;
         let start = self.start(&system)?;
         let step_s = self.fixed_step()?;

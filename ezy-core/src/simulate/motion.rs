@@ -128,17 +128,47 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
 
     /// Goes to where another scene of the same coordinates is, without history, and evaluates there.
     pub fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
-        self.system.inputs_mut().copy_from_slice(from.system.inputs());
-        self.place(&from.now.state);
-        let State { t, q, v, work } = &mut self.now.state;
-        work.copy_from_slice(&from.now.state.work);
+        self.follow(from);
+        let State { t, q, v, .. } = &mut self.now.state;
         self.system.project(*t, q, v, self.projection, self.metric)?;
         self.evaluate_now()
     }
 
+    /// Goes to where another scene comes to rest on the rows of this one, as by an impulse; to the last digit, since errors
+    /// across the rows would stay while flights become short.
+    pub fn land(&mut self, from: &Self) -> Result<(), MotionError> {
+        self.follow(from);
+        let State { t, q, v, .. } = &mut self.now.state;
+        self.system.project_positions(*t, q, Metric::Mass)?;
+        self.system.polish_positions(*t, q)?;
+        self.system.project_velocities(*t, q, v, Metric::Mass)?;
+        self.evaluate_now()
+    }
+
+    fn follow(&mut self, from: &Self) {
+        self.system.inputs_mut().copy_from_slice(from.system.inputs());
+        self.place(&from.now.state);
+        self.now.state.work.copy_from_slice(&from.now.state.work);
+    }
+
+    /// Goes on from other positions and velocities, without history.
+    pub fn rebound(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
+        self.now.state.q.copy_from_slice(q);
+        self.now.state.v = v;
+        self.integrator.restart();
+        self.kinks.restart();
+        self.evaluate_now()
+    }
+
+    /// Kinetic and potential energy, J.
+    pub fn energy(&self) -> f64 {
+        let State { t, q, v, .. } = &self.now.state;
+        self.system.kinetic_energy(v) + self.system.potential_energy(*t, q)
+    }
+
     /// Makes the step under way again, as one of length `h` without history.
     pub fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        self.integrator.restart();
+        self.integrator.restart_with(h);
         self.evaluate_now()?;
         self.advance(h, t_next)
     }

@@ -2,9 +2,9 @@
 
 use super::control::Control;
 use super::events::{Lookout, Passage, Sought};
-use super::grip::Grip;
 use super::instantaneous::Instantaneous;
 use super::keeper::Keeper;
+use super::modes::Modes;
 use super::monitor::Watch;
 use super::motion::Motion;
 use super::pace::Pace;
@@ -36,8 +36,8 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     plan: Plan,
     watch: Watch,
     lookout: Lookout,
-    /// The skate that holds up to a limit.
-    grip: Option<Box<Grip<'s, S>>>,
+    /// Of a scene that becomes another one on the way.
+    modes: Option<Box<Modes<'s, S>>>,
     /// Steps that ended before they should have.
     n_cut: u64,
     /// Whether the last one was of these.
@@ -56,7 +56,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// Evaluates and records the start, where `motion` is.
     pub fn new(
         mut motion: Motion<'s, S>,
-        mut grip: Option<Box<Grip<'s, S>>>,
+        mut modes: Option<Box<Modes<'s, S>>>,
         mut control: Control<'s>,
         plan: Plan,
         watch: Watch,
@@ -70,12 +70,13 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         if let Some(quantity) = not_finite(info, &motion.now.a, &[]) {
             return Err(MotionError::NotFinite { t: motion.now.state.t, quantity }.into());
         }
-        let mut keeper = Keeper::new(info, plan.wanted, recorder);
+        let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&motion));
+        let mut keeper = Keeper::new(recorded, plan.wanted, recorder);
         let mut between = Instantaneous::zero(info, plan.wanted.work);
-        if let Some(grip) = &mut grip {
-            grip.settle(&mut motion)?;
+        if let Some(modes) = &mut modes {
+            modes.start(&mut motion)?;
             between.lambda.clone_from(&motion.now.lambda);
-            keeper.slide = grip.slide();
+            keeper.lacking = modes.lacking();
         }
         keeper.keep(&mut motion.system, &motion.now)?;
         let mut rank = RankRecord::default();
@@ -88,7 +89,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             plan,
             watch,
             lookout,
-            grip,
+            modes,
             n_cut: 0,
             cut: false,
             between,
@@ -132,7 +133,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         let mut cost = Cost { steps, seconds: began.elapsed().as_secs_f64(), ..Cost::default() };
         let (mut events, mut stiff_since_s) = (self.lookout.occurred, None);
-        let parked = self.grip.iter().flat_map(|grip| grip.parked());
+        let parked = self.modes.iter().flat_map(|modes| modes.parked());
         for motion in std::iter::once(&self.motion).chain(parked) {
             let counters = motion.system.counters();
             cost.rejected += motion.n_rejected();
@@ -140,8 +141,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             cost.factorizations += counters.factorizations;
             stiff_since_s = stiff_since_s.or(motion.stiff_since());
         }
-        if let Some(grip) = self.grip {
-            events.extend(grip.occurred);
+        if let Some(modes) = self.modes {
+            events.extend(modes.occurred);
             events.sort_by(|a, b| a.state.t.total_cmp(&b.state.t));
         }
         let (info, monitors) = (self.keeper.info(), self.watch.monitors());
@@ -194,22 +195,22 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         if changes
             && !last
-            && let Some(grip) = &mut self.grip
+            && let Some(modes) = &mut self.modes
         {
-            grip.change(&mut self.motion)?;
+            modes.change(&mut self.motion)?;
         }
-        self.follow_grip();
+        self.follow_mode();
         Ok(None)
     }
 
-    /// A step from `now` to `next`; whether it ends where a skate lets go or stops.
+    /// A step from `now` to `next`; whether it ends where the mode changes.
     fn advance(&mut self, h: f64, t_next: f64) -> Result<bool, MotionError> {
         let h = if self.cut { t_next - self.motion.now.state.t } else { h };
-        let changes = match &mut self.grip {
+        let changes = match &mut self.modes {
             None => self.motion.advance(h, t_next).map(|()| false),
-            Some(grip) => grip.advance(&mut self.motion, h, t_next),
+            Some(modes) => modes.advance(&mut self.motion, h, t_next),
         };
-        self.follow_grip();
+        self.follow_mode();
         let changes = changes?;
         self.cut = self.motion.next.state.t < t_next;
         self.n_cut += u64::from(self.cut);
@@ -217,10 +218,10 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     }
 
     /// What is kept follows the mode.
-    fn follow_grip(&mut self) {
-        if let Some(grip) = &self.grip {
+    fn follow_mode(&mut self) {
+        if let Some(modes) = &self.modes {
             self.between.lambda.clone_from(&self.motion.now.lambda);
-            self.keeper.slide = grip.slide();
+            self.keeper.lacking = modes.lacking();
         }
     }
 

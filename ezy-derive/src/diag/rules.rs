@@ -15,6 +15,22 @@ pub fn not_positive(at: Extent, what: &str, value: f64, unit: &str) -> syn::Erro
     fault_with_help(at, format_args!("{what} is {value:?} {unit}"), "write a positive value")
 }
 
+pub fn stop_of_nothing(at: Extent, what: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("{what} bounds a quantity that does not move with a body"),
+        "write a position or an angle, such as `B.angle`",
+    )
+}
+
+pub fn no_restitution(at: Extent, what: &str, value: f64) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("{what} is {value:?}"),
+        "write a number from 0, which comes to rest, to 1, which loses no energy",
+    )
+}
+
 pub fn massless_and_free(at: Extent, body: &Ident, word: &str) -> syn::Error {
     fault_with_help(
         at,

@@ -139,17 +139,33 @@ pub fn released_by_two(scene: &Ident, row: &Ident, first: &Ident, second: &Ident
     )
 }
 
-pub fn two_limits(scene: &Ident, first: &Ident, second: &Ident) -> syn::Error {
-    fault_at_two_places(
-        fault_with_help(
-            second,
-            format_args!(
-                "scene `{scene}` has two skates with a limit, `{first}` and `{second}`; one of them can slide"
-            ),
+/// Names with "skate" or "stop".
+pub fn two_changing(scene: &Ident, first: (&Ident, &str), second: (&Ident, &str)) -> syn::Error {
+    let ((first, first_what), (second, second_what)) = (first, second);
+    let (text, help) = match (first_what, second_what) {
+        ("skate", "skate") => (
+            format!("two skates with a limit, `{first}` and `{second}`; one of them can slide"),
             "remove one limit, or declare this skate in an effect that the scene does not call for",
         ),
-        first,
-        &format!("`{first}` is declared here"),
+        ("stop", "stop") => (
+            format!("two stops, `{first}` and `{second}`; one of them can be followed"),
+            "write both bounds of one quantity as `from a to b`, or declare this stop in an effect that the scene does not \
+             call for",
+        ),
+        _ => (
+            format!("a skate with a limit, `{first}`, and a stop, `{second}`; one of them can be followed"),
+            "remove the limit, or declare the stop in an effect that the scene does not call for",
+        ),
+    };
+    let fault = fault_with_help(second, format_args!("scene `{scene}` has {text}"), help);
+    fault_at_two_places(fault, first, &format!("`{first}` is declared here"))
+}
+
+pub fn stop_with_counts(stop: &Ident) -> syn::Error {
+    fault_with_help(
+        stop,
+        format_args!("stop `{stop}` cannot be followed in a model with counts, arrays or `for`"),
+        "write single bodies, or a stiff `spring` or `torsion` in place of this stop",
     )
 }
 
@@ -162,7 +178,11 @@ pub fn limit_with_counts(row: &Ident) -> syn::Error {
 }
 
 pub fn effect_with_name_of_a_group(name: &Ident) -> syn::Error {
-    let meaning = if name == "model" { "the forces outside of effects" } else { "the rows that move with time" };
+    let meaning = match name.to_string().as_str() {
+        "model" => "the forces outside of effects",
+        "stops" => "the impacts on a stop",
+        _ => "the rows that move with time",
+    };
     fault_with_help(
         name,
         format_args!("no effect can be named `{name}`: this is the name of {meaning}"),

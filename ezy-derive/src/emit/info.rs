@@ -1,6 +1,6 @@
 //! The description of a scene: names, units, equations, sparsity, counts.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::abbreviations::Abbreviations;
@@ -9,7 +9,7 @@ use crate::mechanics::series::Series;
 use crate::mechanics::solve::Solver;
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Equations, EventKind, Group, SceneEvent};
-use crate::model::{InputId, Model, Parameter, ParameterId, Relation, Scene};
+use crate::model::{Bound, InputId, Model, Parameter, ParameterId, Relation, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::program::Count;
@@ -48,6 +48,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     let events = equations.events.iter().map(|event| self::event(event, &names.print(event.value)));
     let events: Vec<_> = events.collect();
     let grip = option(grip(model, scene, equations, names));
+    let stop = option(stop(model, scene, equations, names));
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = emitted.n_constants;
@@ -84,6 +85,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
             outputs: &[#(#outputs),*],
             events: &[#(#events),*],
             grip: #grip,
+            stop: #stop,
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
@@ -125,6 +127,7 @@ pub fn effects(model: &Model, groups: &[Group]) -> Vec<TokenStream> {
                 Group::Effect(id) => (model.effects[id.0].name.to_string(), model.effects[id.0].documentation.as_str()),
                 Group::Model => ("model".to_owned(), "Forces that every scene has."),
                 Group::Drives => ("drives".to_owned(), "Rows that move with time."),
+                Group::Stops => ("stops".to_owned(), "Impacts on a stop."),
             };
             quote!(::ezy_core::model::EffectInfo { name: #name, documentation: #documentation })
         })
@@ -230,25 +233,58 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
 
 /// The skate with a limit; not of the scenes in which it slides.
 fn grip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
-    let [limit, velocity] = equations.grip.filter(|_| scene.slide.is_none())?;
+    let [limit, velocity] = equations.grip.filter(|_| scene.mode.is_none())?;
     let (row, _) = model.grip_of(scene)?;
     let i_row = equations.constraints.rows.iter().position(|scalar| row.name == scalar.name)?;
     let limit = formula_of(names, limit);
-    let event = |what: &str, formula: &TokenStream, documentation: &str| {
-        let name = format!("{} {what}", row.name);
-        quote! {
-            ::ezy_core::model::EventInfo {
-                name: #name,
-                kind: ::ezy_core::model::EventKind::Mark,
-                direction: ::ezy_core::model::Direction::Falling,
-                formula: #formula,
-                documentation: #documentation,
-            }
-        }
-    };
-    let slides = event("slides", &limit, "The skate would need more than its limit.");
-    let stops = event("stops", &formula_of(names, velocity), "The velocity across the skate comes back to zero.");
+    let slides = change(&row.name, "slides", &limit, "The skate would need more than its limit.");
+    let velocity = formula_of(names, velocity);
+    let stops = change(&row.name, "stops", &velocity, "The velocity across the skate comes back to zero.");
     Some(quote!(::ezy_core::model::GripInfo { row: #i_row, limit: #limit, slides: #slides, stops: #stops }))
+}
+
+/// The stop, the same in every mode.
+fn stop(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
+    let (contact, stop) = (equations.contact.as_ref()?, model.stop_of(scene)?);
+    let name = stop.name.to_string();
+    // behind the position rows that there are without it
+    let rows = equations.constraints.rows.iter().take(equations.constraints.n_position_rows);
+    let i_row = rows.filter(|row| row.name != name).count();
+    let restitution = formula_of(names, contact.restitution);
+    let gaps: Vec<_> = contact.gaps.iter().map(|[gap, _]| formula_of(names, *gap)).collect();
+    let sides = stop.ends().map(|(bound, _)| match bound {
+        Bound::Lower => 1i8,
+        Bound::Upper => -1i8,
+    });
+    let gap = &gaps[0];
+    let hits = gaps.iter().map(|gap| change(&stop.name, "hits", gap, "The quantity reaches a bound."));
+    let holds = change(&stop.name, "holds", gap, "The quantity comes to rest on a bound.");
+    let lets_go = change(&stop.name, "lets go", gap, "The stop would have to pull.");
+    Some(quote! {
+        ::ezy_core::model::StopInfo {
+            name: #name,
+            row: #i_row,
+            sides: &[#(#sides),*],
+            restitution: #restitution,
+            hits: &[#(#hits),*],
+            holds: #holds,
+            lets_go: #lets_go,
+        }
+    })
+}
+
+/// A change of mode as an event.
+fn change(of: &Ident, what: &str, formula: &TokenStream, documentation: &str) -> TokenStream {
+    let name = format!("{of} {what}");
+    quote! {
+        ::ezy_core::model::EventInfo {
+            name: #name,
+            kind: ::ezy_core::model::EventKind::Mark,
+            direction: ::ezy_core::model::Direction::Falling,
+            formula: #formula,
+            documentation: #documentation,
+        }
+    }
 }
 
 /// The description of an event whose value is printed so.

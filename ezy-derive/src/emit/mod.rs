@@ -82,8 +82,8 @@ fn module(
 
 /// Type of a scene, at the span of its name in the model file.
 fn scene_type(scene: &Scene) -> Ident {
-    match scene.slide {
-        Some(slide) => modes::type_name(slide, scene),
+    match scene.mode {
+        Some(mode) => modes::type_name(mode, scene),
         None => Ident::new(&camel_case(&scene.name.to_string()), scene.name.span()),
     }
 }

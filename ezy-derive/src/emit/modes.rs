@@ -1,4 +1,4 @@
-//! The scenes that a skate with a limit makes of one: it holds, or slides to one side.
+//! The scenes that a skate with a limit, or a stop, makes of one.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -6,14 +6,17 @@ use quote::{format_ident, quote};
 use super::{scene, scene_type};
 use crate::mechanics::Equations;
 use crate::model::case::snake_case;
-use crate::model::{Model, Scene, Slide};
+use crate::model::{Bound, Mode, Model, Scene, Side};
 
-/// The types of a sliding scene, in a module beside it; none where nothing slides.
+/// The types of what a scene becomes, in a module beside it; none where nothing changes.
 pub fn items(model: &Model, of: &Scene) -> Option<TokenStream> {
-    model.grip_of(of)?;
+    let modes = model.modes_of(of);
+    if modes.is_empty() {
+        return None;
+    }
     let module = module(of);
-    let scenes = [Slide::Left, Slide::Right].map(|slide| {
-        let mode = Scene { slide: Some(slide), ..of.clone() };
+    let scenes = modes.into_iter().map(|mode| {
+        let mode = Scene { mode: Some(mode), ..of.clone() };
         let equations = Equations::derive(model, &mode);
         scene::items(model, &mode, equations).0
     });
@@ -25,25 +28,31 @@ pub fn items(model: &Model, of: &Scene) -> Option<TokenStream> {
     })
 }
 
-/// The method that hands them out, with the parameters of the scene.
-pub fn access(scene: &Scene, parameters: &[&Ident]) -> TokenStream {
+/// The method that hands them out behind the scene itself, with its parameters.
+pub fn access(model: &Model, scene: &Scene, parameters: &[&Ident]) -> Option<TokenStream> {
+    let modes = model.modes_of(scene);
+    if modes.is_empty() || scene.mode.is_some() {
+        return None;
+    }
     let module = module(scene);
-    let slides = [Slide::Left, Slide::Right].map(|slide| {
-        let name = type_name(slide, scene);
+    let others = modes.into_iter().map(|mode| {
+        let name = type_name(mode, scene);
         quote!(::std::boxed::Box::new(#module::#name { #(#parameters: self.#parameters),* }))
     });
-    quote! {
-        fn modes(&self) -> ::core::option::Option<[::std::boxed::Box<dyn ::ezy_core::model::Scene>; 3]> {
-            ::core::option::Option::Some([::std::boxed::Box::new(*self), #(#slides),*])
+    Some(quote! {
+        fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ::ezy_core::model::Scene>> {
+            ::std::vec![::std::boxed::Box::new(*self), #(#others),*]
         }
-    }
+    })
 }
 
-/// Name of the type of a scene that slides.
-pub fn type_name(slide: Slide, scene: &Scene) -> Ident {
-    let name = match slide {
-        Slide::Left => "SlidesLeft",
-        Slide::Right => "SlidesRight",
+/// Name of the type of a scene in another mode.
+pub fn type_name(mode: Mode, scene: &Scene) -> Ident {
+    let name = match mode {
+        Mode::Slides(Side::Left) => "SlidesLeft",
+        Mode::Slides(Side::Right) => "SlidesRight",
+        Mode::Rests(Bound::Lower) => "RestsBelow",
+        Mode::Rests(Bound::Upper) => "RestsAbove",
     };
     Ident::new(name, scene.name.span())
 }

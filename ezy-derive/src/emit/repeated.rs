@@ -170,6 +170,7 @@ fn fixed(
             outputs: &[],
             events: &[#(#events),*],
             grip: ::core::option::Option::None,
+            stop: ::core::option::Option::None,
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,

@@ -38,7 +38,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let structure = structure(model, scene, &equations, &type_name, &emitted);
     let parameters: Vec<&Ident> = equations.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
-    let modes = equations.grip.filter(|_| scene.slide.is_none()).map(|_| modes::access(scene, &parameters));
+    let modes = modes::access(model, scene, &parameters);
     let summary = page::Summary::new(model, scene, type_name.to_string(), &equations, &emitted);
     let recurrences = series.as_ref().ok();
     let recurrences =
@@ -143,6 +143,8 @@ fn methods(
     let correction = emitter.solver(correction, &[("delta", n_q)], &other);
     let events: Vec<SumId> = equations.events.iter().map(|event| event.value).collect();
     let grip = equations.grip.map(|grip| emitter.method(Numbers::F64, "grip", &["q", "v"], "out", &grip));
+    let contact = equations.contact.as_ref();
+    let stop = contact.map(|of| emitter.method(Numbers::F64, "stop", &["q", "v"], "out", &of.values()));
     let events = (!events.is_empty()).then(|| emitter.method(Numbers::F64, "events", &["q", "v"], "out", &events));
     let n_fixed = equations.inputs.len() + emitter.pool.coefficients().len();
     let opening = |numbers: Numbers, reads: &[(&str, usize)], writes: &[(&str, usize)]| {
@@ -151,7 +153,8 @@ fn methods(
         quote!(#(#reads)* #(#writes)*)
     };
     let kernels = kernels.map(|method| method.finish(n_fixed, n_q, n_c));
-    let bodies = bodies.into_iter().chain(events).chain(grip).map(|method| method.finish(n_fixed, n_q, n_c));
+    let bodies =
+        bodies.into_iter().chain(events).chain(grip).chain(stop).map(|method| method.finish(n_fixed, n_q, n_c));
     let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
     let potential_opening =
         opening(Numbers::F64, if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);

@@ -22,6 +22,7 @@ const MORE: &str = "pub model More {
     input u: N*m = 2 * 3; output place: mm = (A.x, u / 1e3); output slip = pin.rate;
     effect wind { input gust = -1; output side: N = gust * rear.vx; force at rear(0, 0): (gust, 2 * u); }
     effect grip { release groove; tyre at front(0, 0) along front(1, 0): stiffness k, limit 2; }
+    stop reach: pin.angle from -k to 2 + 0.1 * t restitution 1 / (2 + abs(pin.rate));
     effect drag { param c: N*s/m = 2; let f = -c * pin.v; force at pin: f; torque rear: c * 3; }
     scene only { start s; until 2 min; with drag, wind; }
 }";

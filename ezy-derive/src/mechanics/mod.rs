@@ -17,6 +17,7 @@ pub mod scene;
 pub mod series;
 pub mod slopes;
 pub mod solve;
+mod stop;
 pub mod symbols;
 mod templates;
 #[cfg(test)]

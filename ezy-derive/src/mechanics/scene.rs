@@ -6,8 +6,9 @@ use super::expression::Writer;
 use super::forces::{Load, sliding};
 use super::kinematics::Vector;
 use super::rows;
+use super::stop::{self, Contact};
 use super::symbols::{Symbols, index};
-use crate::model::{BodyId, EffectId, InputId, Model, ParameterId, Scene};
+use crate::model::{BodyId, EffectId, InputId, Mode, Model, ParameterId, Scene};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -26,6 +27,8 @@ pub struct Equations {
     pub events: Vec<SceneEvent>,
     /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
     pub grip: Option<[SumId; 2]>,
+    /// What its stop looks at.
+    pub contact: Option<Contact>,
     /// Diagonal of M.
     pub mass: Vec<Coefficient>,
     /// The same as expressions.
@@ -51,6 +54,8 @@ pub enum Group {
     Effect(EffectId),
     /// Rows that move with time.
     Drives,
+    /// Impacts on a stop, and a stop that moves with time.
+    Stops,
 }
 
 /// Where a named point is.
@@ -80,7 +85,9 @@ impl Equations {
         let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
 
         let mass = mass_matrix(&mut writer);
-        let scalar_rows = model.rows_of(scene).flat_map(|(id, row)| rows::scalar_rows(&mut writer, row, id)).collect();
+        let scalar_rows = model.rows_of(scene).flat_map(|(id, row)| rows::scalar_rows(&mut writer, row, id));
+        let mut scalar_rows: Vec<_> = scalar_rows.collect();
+        scalar_rows.extend(stop::row(&mut writer, model, scene));
         let constraints = Constraints::derive(&mut writer, scalar_rows);
         let Applied { force, mut power, potential } = applied_forces(&mut writer, scene);
         let points = points(&mut writer);
@@ -89,12 +96,14 @@ impl Equations {
         let outputs = outputs.map(|(i, output)| (i, writer.write(&output.value))).collect();
         let mut events = SceneEvent::declared(&mut writer, model, scene);
         let grip = model.grip_of(scene).map(|(row, limit)| sliding::grip(&mut writer, row, limit));
+        let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
         let laws = laws(&mut writer, scene, &force, grip);
         events.extend(SceneEvent::kinks(writer.algebra, &laws));
         let parameters =
             (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
-        let multipliers = drives(&mut algebra, &mut symbols, &constraints, &mut power);
+        let stop = model.stop_of(scene).map(|stop| stop.name.to_string());
+        let multipliers = drives(&mut algebra, &mut symbols, &constraints, stop.as_deref(), &mut power);
         Self {
             algebra,
             symbols,
@@ -103,6 +112,7 @@ impl Equations {
             outputs,
             events,
             grip,
+            contact,
             mass,
             mass_entries,
             constraints,
@@ -146,8 +156,8 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
             load.add(writer, force);
         }
         let grip = model.grip_of(scene).filter(|(row, _)| row.effect == group);
-        if let (Some((row, limit)), Some(slide)) = (grip, scene.slide) {
-            sliding::add(writer, row, limit, slide, &mut load);
+        if let (Some((row, limit)), Some(Mode::Slides(side))) = (grip, scene.mode) {
+            sliding::add(writer, row, limit, side, &mut load);
         }
         let (generalised, power) = load.finish(writer);
         for (total, part) in applied.force.iter_mut().zip(generalised) {
@@ -165,30 +175,37 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
 /// What may have kinks: F and the limit of a skate, the same in every mode of the skate.
 fn laws(writer: &mut Writer<'_>, scene: &Scene, force: &[SumId], grip: Option<[SumId; 2]>) -> Vec<SumId> {
     let Some([limit, _]) = grip else { return force.to_vec() };
-    let mut laws = applied_forces(writer, &Scene { slide: None, ..scene.clone() }).force;
+    let mut laws = applied_forces(writer, &Scene { mode: None, ..scene.clone() }).force;
     laws.push(limit);
     laws
 }
 
-/// Adds the power Σ λ_i g_t,i of the rows that move with time; returns the symbols of these λ_i with their rows.
+/// Adds the power Σ λ_i g_t,i of the rows that move with time, a `stop` in a group of its own, which it has in every mode;
+/// returns the symbols of these λ_i with their rows.
 ///
 /// From M a + Gᵀ λ = F and G v = −g_t: d/dt ½ vᵀ M v = F·v − λ·G v = F·v + λ·g_t.
 pub fn drives(
     algebra: &mut Algebra,
     symbols: &mut Symbols,
     constraints: &Constraints,
+    stop: Option<&str>,
     power: &mut Vec<(Group, SumId)>,
 ) -> Vec<(Symbol, usize)> {
     let driven = constraints.drift.iter().enumerate().filter(|(_, drift)| !drift.is_zero());
-    let (mut multipliers, mut parts) = (Vec::new(), Vec::new());
+    let (mut multipliers, mut parts, mut parts_of_stop) = (Vec::new(), Vec::new(), Vec::new());
     for (row, &drift) in driven {
         let symbol = symbols.new_named(format!("lambda_{row}"));
         let lambda = algebra.symbol(symbol);
+        let is_stop = stop.is_some_and(|stop| constraints.rows[row].name == stop);
+        let parts = if is_stop { &mut parts_of_stop } else { &mut parts };
         parts.push(algebra.mul(lambda, drift));
         multipliers.push((symbol, row));
     }
-    if !multipliers.is_empty() {
+    if !parts.is_empty() {
         power.push((Group::Drives, algebra.total(&parts)));
+    }
+    if stop.is_some() {
+        power.push((Group::Stops, algebra.total(&parts_of_stop)));
     }
     multipliers
 }

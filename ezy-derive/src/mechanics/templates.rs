@@ -148,7 +148,7 @@ impl<'m> RowTemplate<'m> {
         constraints: Constraints,
     ) -> Self {
         let mut groups = Vec::new();
-        let multipliers = drives(algebra, symbols, &constraints, &mut groups);
+        let multipliers = drives(algebra, symbols, &constraints, None, &mut groups);
         let power = groups.first().map_or(SumId::ZERO, |&(_, power)| power);
         Self { row, slots, constraints, multipliers, power }
     }

@@ -65,6 +65,7 @@ impl Context<'_> {
             | Symbol::Input(_)
             | Symbol::Output
             | Symbol::Event(..)
+            | Symbol::Stop
             | Symbol::Let(_)
             | Symbol::Row(..) => {
                 self.diag.error(names::no_members(member, owner, symbol.what()));

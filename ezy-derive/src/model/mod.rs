@@ -10,10 +10,10 @@ mod dimension;
 mod event;
 mod expression;
 mod function;
-mod grip;
 mod lazy;
 mod mechanism;
 mod member;
+mod modes;
 mod names;
 mod output;
 mod point_array;
@@ -22,6 +22,7 @@ mod resolve;
 mod scene;
 mod start;
 mod statement;
+mod stop;
 #[cfg(test)]
 mod tests;
 mod unit;
@@ -83,6 +84,8 @@ pub struct Model {
     /// Named points in declared order; each hinge adds the point that carries its name (its place on the first body).
     pub points: Vec<Point>,
     pub rows: Vec<Row>,
+    /// Stops of the model, then of its effects.
+    pub stops: Vec<Stop>,
     pub forces: Vec<Force>,
     pub effects: Vec<Effect>,
     pub starts: Vec<Start>,
@@ -216,6 +219,22 @@ impl Row {
     }
 }
 
+/// What a quantity cannot go beyond.
+#[derive(Debug)]
+pub struct Stop {
+    pub name: Ident,
+    /// The effect that declares it; `None` when the model itself does.
+    pub effect: Option<EffectId>,
+    /// Depends on positions, parameters and the time, as its bounds do.
+    pub quantity: Expr,
+    /// The lower one and the upper one; one of them may be missing.
+    pub bounds: [Option<Expr>; 2],
+    /// Rate after an impact over the rate before it.
+    pub restitution: Expr,
+    /// Unit of the multiplier where it holds; empty when it is not known.
+    pub multiplier_unit: String,
+}
+
 #[derive(Debug)]
 pub struct Force {
     pub word: &'static Word,
@@ -285,15 +304,37 @@ pub struct Scene {
     pub ends: Vec<usize>,
     /// Conditions of its own that end it.
     pub conditions: Vec<Event>,
-    /// Where its skate with a limit slides to; `None` where it holds, or there is none.
-    pub slide: Option<Slide>,
+    /// What it has become while it runs; `None` as it begins: its skate with a limit holds, its stop does not.
+    pub mode: Option<Mode>,
+}
+
+/// What becomes of a scene with a skate that has a limit, or with a stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mode {
+    Slides(Side),
+    Rests(Bound),
 }
 
 /// To which side of its direction a skate slides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Slide {
+pub enum Side {
     Left,
     Right,
+}
+
+/// An end of a stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    Lower,
+    Upper,
+}
+
+impl Stop {
+    /// Its ends.
+    pub fn ends(&self) -> impl Iterator<Item = (Bound, &Expr)> {
+        let ends = [Bound::Lower, Bound::Upper].into_iter().zip(&self.bounds);
+        ends.filter_map(|(bound, value)| Some((bound, value.as_ref()?)))
+    }
 }
 
 impl Arguments {
@@ -320,7 +361,27 @@ impl Model {
 
     /// The rows of a scene: those of the model and of its effects, without what its effects release and what slides.
     pub fn rows_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (RowId, &'a Row)> {
-        self.selected_rows(scene).filter(|(_, row)| scene.slide.is_none() || row.limit().is_none())
+        let slides = matches!(scene.mode, Some(Mode::Slides(_)));
+        self.selected_rows(scene).filter(move |(_, row)| !slides || row.limit().is_none())
+    }
+
+    /// The stop of a scene.
+    pub fn stop_of<'a>(&'a self, scene: &'a Scene) -> Option<&'a Stop> {
+        self.stops_of(scene).next()
+    }
+
+    /// Every stop that a scene calls for.
+    fn stops_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = &'a Stop> {
+        self.stops.iter().filter(|stop| stop.effect.is_none_or(|effect| scene.effects.contains(&effect)))
+    }
+
+    /// What a scene becomes while it runs.
+    pub fn modes_of(&self, scene: &Scene) -> Vec<Mode> {
+        match (self.grip_of(scene), self.stop_of(scene)) {
+            (Some(_), _) => [Side::Left, Side::Right].map(Mode::Slides).to_vec(),
+            (None, Some(stop)) => stop.ends().map(|(bound, _)| Mode::Rests(bound)).collect(),
+            (None, None) => Vec::new(),
+        }
     }
 
     /// The skate of a scene that holds up to a limit, and the limit.

@@ -20,6 +20,7 @@ pub enum Symbol {
     Output,
     /// Place among the declared events, with the effect that declares it.
     Event(usize, Scope),
+    Stop,
     Let(usize),
     Point(PointId),
     Hinge(RowId, PointId),
@@ -46,6 +47,7 @@ impl Symbol {
             Self::Input(_) => "an input",
             Self::Output => "an output",
             Self::Event(..) => "an event",
+            Self::Stop => "a stop",
             Self::Let(_) => "a value",
             Self::Point(_) => "a point",
             Self::Hinge(..) => "a hinge",

@@ -36,6 +36,7 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
         inputs: Vec::new(),
         effects: Vec::new(),
         events: Vec::new(),
+        stops: Vec::new(),
         rows: Vec::new(),
     };
     resolver.declare_model(&ast);
@@ -51,6 +52,8 @@ struct Resolver<'a> {
     effects: Vec<&'a ast::Effect>,
     /// Events of the model, then of its effects, with documentation.
     events: Vec<(&'a ast::Event, &'a str, Scope)>,
+    /// Stops of the model, then of its effects.
+    stops: Vec<(&'a ast::Stop, Scope)>,
     /// Rows of the model, then of its effects.
     rows: Vec<RowSource<'a>>,
 }
@@ -113,6 +116,10 @@ impl<'a> Resolver<'a> {
             ItemKind::Event(event) => {
                 self.events.push((event, &item.documentation, scope));
                 (&event.name, Symbol::Event(self.events.len() - 1, scope))
+            }
+            ItemKind::Stop(stop) => {
+                self.stops.push((stop, scope));
+                (&stop.name, Symbol::Stop)
             }
             ItemKind::Let(value) => {
                 context.lets.push(Lazy::waiting((scope, value)));
@@ -200,6 +207,7 @@ impl<'a> Resolver<'a> {
         }
         let events = self.events.iter().filter_map(|(event, text, scope)| context.event(event, text, *scope));
         let events = events.collect();
+        let stops = self.stops.iter().filter_map(|(stop, scope)| context.stop(stop, *scope)).collect();
         let (mut outputs, mut n_arrays) = (Vec::new(), 0);
         for item in &ast.items {
             match &item.kind {
@@ -243,7 +251,9 @@ impl<'a> Resolver<'a> {
         let effect_names: Vec<&Ident> = self.effects.iter().map(|effect| &effect.name).collect();
         unique(&effect_names, "an effect", context.diag);
         unique(&start_names, "a start", context.diag);
-        for name in effect_names.into_iter().filter(|name| *name == "model" || *name == "drives") {
+        for name in
+            effect_names.into_iter().filter(|name| ["model", "drives", "stops"].iter().any(|group| name == group))
+        {
             context.diag.error(scenes::effect_with_name_of_a_group(name));
         }
         let scene_items: Vec<&ast::Scene> = scenes.iter().map(|(_, scene)| *scene).collect();
@@ -272,13 +282,14 @@ impl<'a> Resolver<'a> {
             events,
             points,
             rows,
+            stops,
             forces,
             effects,
             starts,
             scenes,
         };
         if context.diag.is_empty() {
-            context.check_grips(&model);
+            context.check_modes(&model);
         }
         model
     }

@@ -26,7 +26,7 @@ impl Context<'_> {
         self.check_shared_parameters(scene, &effects, choice);
         let (ends, conditions) = self.ends(scene, &effects, &choice.effects);
         let name = scene.name.clone();
-        Some(Scene { name, documentation, start: start?, until_s: until_s?, effects, ends, conditions, slide: None })
+        Some(Scene { name, documentation, start: start?, until_s: until_s?, effects, ends, conditions, mode: None })
     }
 
     /// The rows that an effect releases.
@@ -128,7 +128,7 @@ impl Context<'_> {
         effects.into_iter().map(|(id, _)| id).collect()
     }
 
-    /// The parameters of a scene are the fields of one type; its inputs, outputs and events are known by their names.
+    /// The parameters of a scene are the fields of one type; its inputs, outputs, events and stops are known by their names.
     fn check_shared_parameters(&mut self, scene: &ast::Scene, effects: &[EffectId], choice: &Choice) {
         for (i, second) in effects.iter().enumerate() {
             for first in &effects[..i] {
@@ -167,12 +167,13 @@ pub fn parameters(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
     })
 }
 
-/// Names of parameters, inputs, outputs and events of an effect.
+/// Names of parameters, inputs, outputs, events and stops of an effect.
 fn values(effect: &ast::Effect) -> impl Iterator<Item = &Ident> {
     effect.items.iter().filter_map(|item| match &item.kind {
         ast::ItemKind::Parameter(value) | ast::ItemKind::Input(value) => Some(&value.name),
         ast::ItemKind::Output(output) => Some(&output.name.word),
         ast::ItemKind::Event(event) => Some(&event.name),
+        ast::ItemKind::Stop(stop) => Some(&stop.name),
         _ => None,
     })
 }

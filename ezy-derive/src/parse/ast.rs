@@ -54,6 +54,7 @@ pub enum ItemKind {
     Statement(Statement),
     Release(Ident),
     Event(Event),
+    Stop(Stop),
     Effect(Effect),
     Start(Start),
     Scene(Scene),
@@ -184,6 +185,16 @@ pub struct Scene {
 pub struct Event {
     pub name: Ident,
     pub condition: Condition,
+}
+
+/// `stop name: quantity from a to b restitution e;`
+#[derive(Debug)]
+pub struct Stop {
+    pub name: Ident,
+    pub quantity: Expr,
+    /// Behind `from` and behind `to`.
+    pub bounds: [Option<Expr>; 2],
+    pub restitution: Option<Expr>,
 }
 
 /// `a < b`, `a > b`, `a = b`: what begins to hold, or is passed.

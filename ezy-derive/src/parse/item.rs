@@ -3,7 +3,7 @@
 use super::ast::{Item, ItemKind, Loop};
 use super::statement::statement;
 use super::token::{braced, expected, peek_word, skip};
-use super::{Log, body, effect, event, let_value, output, parameter, point, release, repeat, scene, start};
+use super::{Log, body, effect, event, let_value, output, parameter, point, release, repeat, scene, start, stop};
 use crate::diag::syntax;
 use crate::words::WORDS;
 use proc_macro2::Ident;
@@ -30,12 +30,12 @@ pub struct Level {
 /// The items of a model.
 pub const MODEL: Level = Level {
     place: "a model",
-    items: &[BODY, POINT, EFFECT_ITEM, START, SCENE, PARAM, INPUT, OUTPUT, LET, EVENT, RELEASE, COUNT],
+    items: &[BODY, POINT, EFFECT_ITEM, START, SCENE, PARAM, INPUT, OUTPUT, LET, EVENT, STOP, RELEASE, COUNT],
     in_for: &[POINT, OUTPUT],
 };
 /// The items of an effect.
 pub const EFFECT: Level =
-    Level { place: "an effect", items: &[PARAM, INPUT, OUTPUT, LET, EVENT, RELEASE], in_for: &[OUTPUT] };
+    Level { place: "an effect", items: &[PARAM, INPUT, OUTPUT, LET, EVENT, STOP, RELEASE], in_for: &[OUTPUT] };
 
 const BODY: ItemWord = ItemWord { word: "body", example: "body seat { mass: m1, inertia: i1 }", parse: body::body };
 const POINT: ItemWord = ItemWord { word: "point", example: "point A = seat(-a, 0);", parse: point::point };
@@ -51,6 +51,8 @@ const OUTPUT: ItemWord =
     ItemWord { word: "output", example: "output speed: m/s = norm(seat.v);", parse: output::output };
 const LET: ItemWord = ItemWord { word: "let", example: "let speed = norm(seat.v);", parse: let_value::let_value };
 const EVENT: ItemWord = ItemWord { word: "event", example: "event landing: ball.y < 0;", parse: event::event };
+const STOP: ItemWord =
+    ItemWord { word: "stop", example: "stop limit: B.angle from -1 to 1 restitution 0.5;", parse: stop::stop };
 const RELEASE: ItemWord = ItemWord { word: "release", example: "release rear;", parse: release::release };
 const COUNT: ItemWord = ItemWord { word: "count", example: "count n = 100;", parse: repeat::count };
 

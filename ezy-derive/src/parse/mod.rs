@@ -16,6 +16,7 @@ mod repeat;
 mod scene;
 mod start;
 mod statement;
+mod stop;
 mod token;
 mod unit;
 

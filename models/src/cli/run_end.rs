@@ -10,7 +10,9 @@ use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
 
 /// The end as JSON. A run that could not start has the same keys, all `null` where there is nothing to tell.
-pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
+pub fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
+    // a stop that holds is a row more
+    let info = run.map_or(info, Run::info);
     let last = run.map(Run::last);
     let number = |pick: &dyn Fn(&Sample<'_>) -> f64| last.as_ref().map_or(Json::Null, |last| Json::Number(pick(last)));
     let count = |pick: fn(&Cost) -> u64| run.map_or(Json::Null, |run| Json::Count(pick(&run.cost)));
@@ -36,7 +38,7 @@ pub fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &s
         let outputs = info.outputs.iter().enumerate().map(|(i, output)| (output.name, number(&|last| last.outputs[i])));
         members.push(("outputs", Json::object(outputs)));
     }
-    if !info.events.is_empty() {
+    if !info.events.is_empty() || info.grip.is_some() || info.stop.is_some() {
         let events = run.map_or(&[][..], Run::events).iter().map(|occurred| {
             Json::object([("name", Json::text(occurred.event.name)), ("t", Json::Number(occurred.state.t))])
         });

@@ -130,6 +130,7 @@ const fn scene(
         outputs: &[],
         events: &[],
         grip: None,
+        stop: None,
         effects,
         until_s,
         n_constants: parameters.len(),

@@ -120,7 +120,9 @@ fn analytic_sled_lets_go_and_holds_again_by_every_method() {
 fn analytic_reaction_of_a_sled_is_its_limit_while_it_slides() {
     let scene = sled::Waved::default();
     let run = Simulation::new(&scene).method(Method::dop853(1e-12)).every(0.25).run().unwrap();
-    for sample in run.samples() {
+    // at a change both hold
+    let is_change = |t: f64| (t - 1.0).abs() <= LOCATED_S || (t - 4.0).abs() <= LOCATED_S;
+    for sample in run.samples().filter(|sample| !is_change(sample.t)) {
         let push = 4.0 * sample.t - sample.t * sample.t;
         let expected = if (1.0..4.0).contains(&sample.t) { 3.0 } else { push };
         let found = sample.get("lambda.runner").unwrap();
@@ -208,7 +210,7 @@ fn invariant_sled_that_keeps_to_its_limit_never_slides() {
 fn invariant_steppers_refuse_a_skate_that_may_slide() {
     let scene = sled::Waved::default();
     let error = Simulation::new(&scene).stepper().map(|_| ()).unwrap_err();
-    assert!(matches!(error, SetupError::Slides { row: "runner", .. }), "{error}");
+    assert!(matches!(error, SetupError::Modes { what: "skate", name: "runner", .. }), "{error}");
 }
 
 #[test]

@@ -46,6 +46,7 @@ mod start;
 mod starts_assembly;
 mod starts_projected;
 mod stepper;
+mod stop;
 mod straight_and_locked;
 mod symmetries;
 mod taylor;

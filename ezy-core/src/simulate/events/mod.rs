@@ -20,7 +20,7 @@ pub(super) use sought::Sought;
 const N_PARTS: usize = 4;
 
 /// Events are located this well, s, or as well as the clock can tell.
-const RESOLUTION_S: f64 = 1e-12;
+pub(super) const RESOLUTION_S: f64 = 1e-12;
 
 /// A value that begins below this part of what it reaches in the first step is rounding: it begins on neither side.
 const NOTHING: f64 = 1e-10;
@@ -111,9 +111,9 @@ impl Lookout {
         Ok(self.passages.first().map(|passage| passage.t))
     }
 
-    /// Whether the first value is below zero at the end of the step.
+    /// Whether a value is below zero at the end of the step.
     pub fn ends_below(&self) -> bool {
-        self.values[N_PARTS].first().is_some_and(|&value| value < 0.0)
+        self.values[N_PARTS].iter().any(|&value| value < 0.0)
     }
 
     /// The passages of a step, in time.

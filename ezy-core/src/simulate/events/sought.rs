@@ -11,6 +11,10 @@ pub(in crate::simulate) enum Sought {
     Reserve { row: usize, a: Vec<f64>, lambda: Vec<f64> },
     /// The velocity across a skate that slides, to this side.
     Slide { side: f64 },
+    /// The distances to the ends of a stop, out of these values.
+    Gaps { values: Vec<f64> },
+    /// The force of a stop that holds, from this side.
+    Push { row: usize, side: f64, a: Vec<f64>, lambda: Vec<f64> },
 }
 
 impl Sought {
@@ -31,6 +35,14 @@ impl Sought {
             Self::Slide { side } => {
                 let [_, velocity] = system.grip(t, q, v);
                 out.fill(*side * velocity);
+            }
+            Self::Gaps { values } => {
+                system.stop(t, q, v, values);
+                out.iter_mut().zip(values.iter().step_by(2)).for_each(|(out, gap)| *out = *gap);
+            }
+            Self::Push { row, side, a, lambda } => {
+                system.accelerations(t, q, v, a, lambda)?;
+                out.fill(-*side * lambda[*row]);
             }
         }
         Ok(())

@@ -87,7 +87,7 @@ impl Watch {
             energy.keep(now);
         }
         self.n_steps += 1;
-        // while a skate slides there is a row less
+        // the rows of the start
         if let Some(condition) = &mut self.condition
             && system.info().n_rows() == self.info.n_rows()
         {
@@ -104,18 +104,19 @@ impl Watch {
         system: &mut System<'_, S>,
         state: &State,
     ) -> Result<(), ExceededLimit> {
-        if self.info.n_position_rows == 0 {
+        let info = system.info();
+        if info.n_position_rows == 0 {
             return Ok(());
         }
         let worst = if self.projection.positions() {
             let projected = system.projected();
-            raise(&mut self.position_drift, projected.positions_before, state.t, self.info);
+            raise(&mut self.position_drift, projected.positions_before, state.t, info);
             projected.positions_after
         } else {
             system.worst_position(state.t, &state.q)
         };
-        self.check(self.info, worst, state.t, "position")?;
-        raise(&mut self.position_residual, worst, state.t, self.info);
+        self.check(info, worst, state.t, "position")?;
+        raise(&mut self.position_residual, worst, state.t, info);
         Ok(())
     }
 

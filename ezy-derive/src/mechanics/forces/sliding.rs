@@ -3,7 +3,7 @@
 use super::Load;
 use crate::mechanics::expression::Writer;
 use crate::mechanics::kinematics::Vector;
-use crate::model::{Expr, Row, Slide};
+use crate::model::{Expr, Row, Side};
 use crate::symbolic::SumId;
 
 /// The limit, and n · v_P: zero while the skate holds.
@@ -14,12 +14,12 @@ pub fn grip(writer: &mut Writer<'_>, row: &Row, limit: &Expr) -> [SumId; 2] {
 }
 
 /// The side is a constant of the slide, so that the law is smooth.
-pub fn add(writer: &mut Writer<'_>, row: &Row, limit: &Expr, slide: Slide, load: &mut Load) {
+pub fn add(writer: &mut Writer<'_>, row: &Row, limit: &Expr, side: Side, load: &mut Load) {
     let normal = normal(writer, row);
     let limit = writer.write(limit);
-    let force = match slide {
-        Slide::Left => writer.algebra.neg(limit),
-        Slide::Right => limit,
+    let force = match side {
+        Side::Left => writer.algebra.neg(limit),
+        Side::Right => limit,
     };
     let force = normal.map(|x| writer.algebra.mul(force, x));
     load.at(writer, &row.arguments.places[0], force);

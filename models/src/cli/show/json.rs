@@ -2,7 +2,7 @@
 
 use ezy_core::model::{
     Abbreviation, EliminationStep, EventInfo, EventKind, Formula, InputInfo, OutputInfo, ParameterInfo, PointInfo,
-    RowInfo, SceneInfo,
+    RowInfo, SceneInfo, StopInfo,
 };
 
 use ezy_core::report::templates::{TemplateEquations, templates};
@@ -32,6 +32,7 @@ pub fn scene(info: &SceneInfo) -> Json {
         ("inputs", Json::list(info.inputs.iter().map(input))),
         ("outputs", Json::list(info.outputs.iter().map(output))),
         ("events", Json::list(info.events.iter().map(event))),
+        ("stop", info.stop.as_ref().map_or(Json::Null, stop)),
         ("effects", Json::list(info.effects.iter().map(|effect| Json::text(effect.name)))),
         ("points", Json::list(info.points.iter().map(point))),
         ("rows", Json::list(info.rows.iter().enumerate().map(|(i, of)| row(of, limit(info, i))))),
@@ -69,6 +70,15 @@ fn output(o: &OutputInfo) -> Json {
 fn event(e: &EventInfo) -> Json {
     let ends = e.kind == EventKind::End;
     Json::object([("name", Json::text(e.name)), ("ends", Json::Bool(ends)), ("value", formula(&e.formula))])
+}
+
+fn stop(stop: &StopInfo) -> Json {
+    let distances = stop.hits.iter().map(|end| formula(&end.formula));
+    Json::object([
+        ("name", Json::text(stop.name)),
+        ("distances", Json::list(distances)),
+        ("restitution", formula(&stop.restitution)),
+    ])
 }
 
 fn point(point: &PointInfo) -> Json {

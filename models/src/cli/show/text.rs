@@ -69,6 +69,9 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
         [e.name, passes(e.direction), e.formula.text, follows, e.documentation.trim()]
     });
     put(["event", "passes zero", "value", "what follows", "what it is"], events.collect());
+    let ends = info.stop.iter().flat_map(|stop| stop.hits.iter().map(move |end| (stop, end)));
+    let ends = ends.map(|(stop, end)| [stop.name, end.formula.text, stop.restitution.text, "", ""]);
+    put(["stop", "keeps from below zero", "restitution", "", ""], ends.collect());
     if info.repeats.is_some() {
         return tables;
     }

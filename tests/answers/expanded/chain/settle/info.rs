@@ -93,6 +93,7 @@ impl Settle {
         outputs: &[],
         events: &[],
         grip: ::core::option::Option::None,
+        stop: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "friction_in_hinges",

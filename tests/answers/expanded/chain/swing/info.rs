@@ -77,6 +77,7 @@ impl Swing {
         outputs: &[],
         events: &[],
         grip: ::core::option::Option::None,
+        stop: ::core::option::Option::None,
         effects: &[],
         until_s: 1f64,
         n_constants: 7usize,

@@ -356,6 +356,7 @@ impl Coast {
         outputs: &[],
         events: &[],
         grip: ::core::option::Option::None,
+        stop: ::core::option::Option::None,
         effects: &[],
         until_s: 1f64,
         n_constants: 32usize,

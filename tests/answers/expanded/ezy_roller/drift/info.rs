@@ -421,6 +421,7 @@ impl Drift {
         outputs: &[],
         events: &[],
         grip: ::core::option::Option::None,
+        stop: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

@@ -388,6 +388,7 @@ impl Driven {
         outputs: &[],
         events: &[],
         grip: ::core::option::Option::None,
+        stop: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

@@ -404,6 +404,7 @@ impl DrivenOnTarmac {
         outputs: &[],
         events: &[],
         grip: ::core::option::Option::None,
+        stop: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "pump",

@@ -391,6 +391,7 @@ impl Ridden {
         ],
         events: &[],
         grip: ::core::option::Option::None,
+        stop: ::core::option::Option::None,
         effects: &[
             ::ezy_core::model::EffectInfo {
                 name: "rider",

@@ -1,0 +1,70 @@
+//! A skate that holds up to a limit and slides beyond it.
+
+use super::Modes;
+use crate::dynamics::MotionError;
+use crate::model::{EventInfo, GripInfo, Scene};
+use crate::simulate::events::Sought;
+use crate::simulate::motion::Motion;
+
+const HOLDS: usize = 0;
+const SLIDES_LEFT: usize = 1;
+const SLIDES_RIGHT: usize = 2;
+
+/// To which side of its direction it slides: to the left 1, to the right -1.
+pub fn side(mode: usize) -> Option<f64> {
+    match mode {
+        SLIDES_LEFT => Some(1.0),
+        SLIDES_RIGHT => Some(-1.0),
+        _ => None,
+    }
+}
+
+/// Whether it needs more than its limit.
+pub fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &GripInfo, motion: &Motion<'_, S>) -> bool {
+    modes.mode == HOLDS && reaction(info, motion).abs() > limit(motion)
+}
+
+/// From holding to the slide that its reaction opposes; from a slide to holding, or on to the other side. Whether it slides
+/// then, so that its velocity begins at zero.
+pub fn change<'s, S: Scene + ?Sized>(
+    modes: &mut Modes<'s, S>,
+    info: &'static GripInfo,
+    motion: &mut Motion<'s, S>,
+) -> Result<bool, MotionError> {
+    let held = modes.mode == HOLDS;
+    if !held {
+        modes.tell(&info.stops, motion);
+        modes.switch(HOLDS, motion)?;
+    }
+    let reaction = reaction(info, motion);
+    if held || reaction.abs() > limit(motion) {
+        modes.tell(&info.slides, motion);
+        modes.switch(if reaction > 0.0 { SLIDES_LEFT } else { SLIDES_RIGHT }, motion)?;
+    }
+    Ok(modes.mode != HOLDS)
+}
+
+/// What ends a mode.
+pub fn sought<S: Scene + ?Sized>(
+    info: &'static GripInfo,
+    mode: usize,
+    motion: &Motion<'_, S>,
+) -> (Sought, &'static [EventInfo]) {
+    match side(mode) {
+        None => {
+            let (a, lambda) = (motion.now.a.clone(), motion.now.lambda.clone());
+            (Sought::Reserve { row: info.row, a, lambda }, std::slice::from_ref(&info.slides))
+        }
+        Some(side) => (Sought::Slide { side }, std::slice::from_ref(&info.stops)),
+    }
+}
+
+/// Force of the skate that holds, N.
+fn reaction<S: Scene + ?Sized>(info: &GripInfo, motion: &Motion<'_, S>) -> f64 {
+    motion.now.lambda[info.row]
+}
+
+fn limit<S: Scene + ?Sized>(motion: &Motion<'_, S>) -> f64 {
+    let state = &motion.now.state;
+    motion.system.grip(state.t, &state.q, &state.v)[0]
+}

@@ -1,0 +1,199 @@
+//! A scene that becomes another one while it runs: a motion for each of its modes, and the way from one to the next.
+
+mod grip;
+mod stop;
+
+use super::SetupError;
+use super::events::{Lookout, Occurrence};
+use super::motion::Motion;
+use crate::dynamics::MotionError;
+use crate::model::{EventInfo, GripInfo, Scene, SceneInfo, StopInfo};
+
+/// A mode that begins where its own end is is followed down to this part of a step: rounding of a value inside of a step
+/// grows as steps shrink.
+const SHORTEST: f64 = 1e-5;
+
+/// A mode shorter than a quarter of a step is looked for in a step of this part.
+const SHORTER: f64 = 0.25;
+
+/// More changes at one time never lead to a motion.
+const MAX_AT_ONCE: usize = 8;
+
+/// What makes several scenes of one.
+#[derive(Clone, Copy)]
+enum Law {
+    Grip(&'static GripInfo),
+    Stop(&'static StopInfo),
+}
+
+/// The modes that are not under way, and what ends the one that is.
+pub(super) struct Modes<'s, S: Scene + ?Sized> {
+    law: Law,
+    /// The one under way, a place in [`Scene::modes`].
+    mode: usize,
+    parked: Vec<(usize, Motion<'s, S>)>,
+    lookout: Lookout,
+    /// Whether the mode has made no step yet, so that what ends it may begin at zero.
+    begins: bool,
+    /// Whether the next step begins with a change.
+    is_due: bool,
+    /// No step that begins a mode is longer, s.
+    longest_s: f64,
+    pub occurred: Vec<Occurrence>,
+}
+
+/// How a step ends.
+enum Cut {
+    /// As it is.
+    Whole,
+    /// Where the mode changes.
+    AtChange,
+    /// It does not begin: the mode changes at its start.
+    AtOnce,
+}
+
+impl<'s, S: Scene + ?Sized> Modes<'s, S> {
+    /// Of a scene that begins as `first` and may become one of `others`; `None` where it stays what it is.
+    pub fn new(first: &Motion<'s, S>, others: Vec<Motion<'s, S>>) -> Option<Self> {
+        let info = first.system.info();
+        let law = info.grip.as_ref().map(Law::Grip).or(info.stop.as_ref().map(Law::Stop))?;
+        let lookout = lookout(law, 0, first);
+        let parked: Vec<_> = (1..).zip(others).collect();
+        let longest_s = f64::INFINITY;
+        let occurred = Vec::new();
+        let modes = Self { law, mode: 0, parked, lookout, begins: false, is_due: false, longest_s, occurred };
+        (!modes.parked.is_empty()).then_some(modes)
+    }
+
+    /// Description of the mode that has every row.
+    pub fn record_info(&self, motion: &Motion<'s, S>) -> &'static SceneInfo {
+        let infos = self.parked().chain([motion]).map(|motion| motion.system.info());
+        infos.max_by_key(|info| info.n_rows()).unwrap_or(motion.system.info())
+    }
+
+    /// The row that the mode under way lacks, and its multiplier as a multiple of the limit of the skate.
+    pub fn lacking(&self) -> Option<(usize, f64)> {
+        match self.law {
+            Law::Grip(info) => grip::side(self.mode).map(|side| (info.row, side)),
+            Law::Stop(info) => (self.mode == 0).then_some((info.row, 0.0)),
+        }
+    }
+
+    pub fn parked(&self) -> impl Iterator<Item = &Motion<'s, S>> {
+        self.parked.iter().map(|(_, motion)| motion)
+    }
+
+    /// Chooses the mode of the start.
+    ///
+    /// # Errors
+    /// [`SetupError::BeyondStop`], and those of the change.
+    pub fn start(&mut self, motion: &mut Motion<'s, S>) -> Result<(), SetupError> {
+        match self.law {
+            Law::Grip(_) => Ok(self.settle(motion)?),
+            Law::Stop(info) => stop::start(self, info, motion),
+        }
+    }
+
+    /// A step, up to where the mode changes; whether it ends there.
+    pub fn advance(&mut self, motion: &mut Motion<'s, S>, h: f64, t_next: f64) -> Result<bool, MotionError> {
+        self.settle(motion)?;
+        for _ in 0..MAX_AT_ONCE {
+            if h > self.longest_s {
+                motion.advance_again(self.longest_s, motion.now.state.t + self.longest_s)?;
+            } else {
+                motion.advance(h, t_next)?;
+            }
+            match self.cut(motion)? {
+                Cut::Whole => {
+                    (self.begins, self.longest_s) = (false, f64::INFINITY);
+                    return Ok(false);
+                }
+                Cut::AtChange => return Ok(true),
+                Cut::AtOnce => self.change(motion)?,
+            }
+        }
+        Err(MotionError::StepCollapsed { t: motion.now.state.t, step_s: 0.0 })
+    }
+
+    /// Leaves a mode that cannot go on from where it is.
+    fn settle(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+        let ends = match self.law {
+            Law::Grip(info) => grip::ends(self, info, motion),
+            Law::Stop(info) => stop::ends(self, info, motion),
+        };
+        if std::mem::take(&mut self.is_due) || ends {
+            self.change(motion)?;
+        }
+        Ok(())
+    }
+
+    /// Goes on in the mode that follows.
+    pub fn change(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+        self.longest_s = f64::INFINITY;
+        self.begins = match self.law {
+            Law::Grip(info) => grip::change(self, info, motion)?,
+            Law::Stop(info) => stop::change(self, info, motion)?,
+        };
+        self.lookout = lookout(self.law, self.mode, motion);
+        Ok(())
+    }
+
+    fn switch(&mut self, mode: usize, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+        if let Some(other) = self.parked_in(mode) {
+            other.take_over(motion)?;
+        }
+        self.swap(mode, motion);
+        Ok(())
+    }
+
+    /// The motion of a mode becomes the one under way, as it is.
+    fn swap(&mut self, mode: usize, motion: &mut Motion<'s, S>) {
+        if let Some((parked, other)) = self.parked.iter_mut().find(|(parked, _)| *parked == mode) {
+            std::mem::swap(other, motion);
+            *parked = std::mem::replace(&mut self.mode, mode);
+        }
+    }
+
+    fn parked_in(&mut self, mode: usize) -> Option<&mut Motion<'s, S>> {
+        self.parked.iter_mut().find(|(parked, _)| *parked == mode).map(|(_, motion)| motion)
+    }
+
+    fn tell(&mut self, event: &'static EventInfo, motion: &Motion<'s, S>) {
+        self.occurred.push(Occurrence { event, state: motion.now.state.clone() });
+    }
+
+    /// Makes a step again that goes past the end of the mode.
+    fn cut(&mut self, motion: &mut Motion<'s, S>) -> Result<Cut, MotionError> {
+        let start = motion.now.state.t;
+        let shortest = SHORTEST * (motion.next.state.t - start);
+        loop {
+            motion.evaluate_next()?;
+            if let Some(t) = self.lookout.first(motion, self.begins)? {
+                if t <= start {
+                    return Ok(Cut::AtOnce);
+                }
+                motion.advance_again(t - start, t)?;
+                return Ok(if motion.next.state.t < t { Cut::Whole } else { Cut::AtChange });
+            }
+            if !self.lookout.ends_below() {
+                return Ok(Cut::Whole);
+            }
+            // a mode that begins ends before a value tells
+            let h = SHORTER * (motion.next.state.t - start);
+            if h < shortest || start + h <= start {
+                return Ok(Cut::AtOnce);
+            }
+            motion.advance_again(h, start + h)?;
+        }
+    }
+}
+
+/// What ends a mode.
+fn lookout<S: Scene + ?Sized>(law: Law, mode: usize, motion: &Motion<'_, S>) -> Lookout {
+    let (n_q, n_works) = (motion.now.state.q.len(), motion.now.state.work.len());
+    let (sought, events) = match law {
+        Law::Grip(info) => grip::sought(info, mode, motion),
+        Law::Stop(info) => stop::sought(info, mode, motion),
+    };
+    Lookout::new(sought, events, n_q, n_works)
+}

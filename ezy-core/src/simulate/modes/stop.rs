@@ -1,0 +1,188 @@
+//! A stop: impacts where its quantity reaches an end, and rest there.
+//!
+//! An impact is an impulse along the row that the stop would be. With v₀ the velocity at which the scene would rest on the
+//! stop, the nearest one in the metric of the masses, the velocity after it is v₀ + e (v₀ − v): every other row is kept, since
+//! v and v₀ keep it, and the rate of the quantity becomes −e times what it was.
+
+use super::Modes;
+use crate::dynamics::{MotionError, SystemRow};
+use crate::model::{EventInfo, Scene, StopInfo};
+use crate::simulate::SetupError;
+use crate::simulate::events::{RESOLUTION_S, Sought};
+use crate::simulate::motion::Motion;
+
+const FREE: usize = 0;
+
+/// Bounces follow each other ever faster, infinitely many in a time that is finite. Flights shorter than so many of the
+/// shortest times that can be told have no length to speak of: the first one of these is not flown, but the stop holds.
+const SHORTEST_FLIGHT: f64 = 1e3;
+
+/// Likewise flights that are lower than so many roundings of the quantity.
+const LOWEST_FLIGHT: f64 = 16.0;
+
+/// A flight is over after this part of what it would take under a constant force.
+const LONG_ENOUGH: f64 = 1.25;
+
+/// A start may be beyond an end by so much of what counts as zero.
+const BEYOND: f64 = 100.0;
+
+/// An end of the stop that a scene is at.
+struct Contact {
+    /// Its place among the ends.
+    end: usize,
+    /// Distance, and its rate: positive inside, and away from the end.
+    gap: f64,
+    rate: f64,
+    restitution: f64,
+}
+
+/// Begins at rest on an end where the scene does; refuses what is beyond one.
+pub fn start<'s, S: Scene + ?Sized>(
+    modes: &mut Modes<'s, S>,
+    info: &'static StopInfo,
+    motion: &mut Motion<'s, S>,
+) -> Result<(), SetupError> {
+    let Contact { end, gap, rate, .. } = nearest(info, motion);
+    let state = &motion.now.state;
+    let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
+    let Some(rest) = modes.parked_in(end + 1) else { return Ok(()) };
+    let touching = BEYOND * rest.system.position_tolerance(&row);
+    if gap < -touching {
+        let (scene, end) = (motion.system.info().name, if info.sides[end] > 0 { "lower" } else { "upper" });
+        return Err(SetupError::BeyondStop { scene, stop: info.name, end, beyond: -gap });
+    }
+    if gap > touching {
+        return Ok(());
+    }
+    let stands = rate == 0.0 || flight(info, end, motion, rest).is_some_and(|flight| flight.is_too_short);
+    if stands {
+        modes.change(motion)?;
+        modes.occurred.clear();
+    }
+    modes.is_due = !stands && rate < 0.0;
+    Ok(())
+}
+
+/// Whether it holds, and would have to pull.
+pub fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &StopInfo, motion: &Motion<'_, S>) -> bool {
+    modes.mode != FREE && push(info, modes.mode, motion) < 0.0
+}
+
+/// From free to free again or to rest, by an impact; from rest to free. Whether the distance begins at zero then.
+pub fn change<'s, S: Scene + ?Sized>(
+    modes: &mut Modes<'s, S>,
+    info: &'static StopInfo,
+    motion: &mut Motion<'s, S>,
+) -> Result<bool, MotionError> {
+    if modes.mode == FREE {
+        arrive(modes, info, motion)?;
+    } else {
+        modes.tell(&info.lets_go, motion);
+        modes.switch(FREE, motion)?;
+    }
+    Ok(modes.mode == FREE)
+}
+
+/// What ends a mode.
+pub fn sought<S: Scene + ?Sized>(
+    info: &'static StopInfo,
+    mode: usize,
+    motion: &Motion<'_, S>,
+) -> (Sought, &'static [EventInfo]) {
+    if mode == FREE {
+        return (Sought::Gaps { values: vec![0.0; n_values(info)] }, info.hits);
+    }
+    let (a, lambda) = (motion.now.a.clone(), motion.now.lambda.clone());
+    let side = f64::from(info.sides[mode - 1]);
+    (Sought::Push { row: info.row, side, a, lambda }, std::slice::from_ref(&info.lets_go))
+}
+
+/// The impact, and what follows.
+fn arrive<'s, S: Scene + ?Sized>(
+    modes: &mut Modes<'s, S>,
+    info: &'static StopInfo,
+    motion: &mut Motion<'s, S>,
+) -> Result<(), MotionError> {
+    let Contact { end, rate, restitution, .. } = nearest(info, motion);
+    if !(0.0..=1.0).contains(&restitution) {
+        return Err(MotionError::Restitution { t: motion.now.state.t, stop: info.name, value: restitution });
+    }
+    let comes = rate < 0.0;
+    if comes {
+        modes.tell(&info.hits[end], motion);
+    }
+    let mode = end + 1;
+    let Some(rest) = modes.parked_in(mode) else { return Ok(()) };
+    rest.land(motion)?;
+    let e = if comes { restitution } else { 0.0 };
+    let (before, landed) = (motion.energy(), &rest.now.state);
+    let velocities = landed.v.iter().zip(&motion.now.state.v).map(|(v0, v)| v0 + e * (v0 - v)).collect();
+    motion.rebound(&landed.q, velocities)?;
+    let flight = flight(info, end, motion, rest);
+    let stays = e == 0.0 || flight.is_some_and(|flight| flight.is_too_short);
+    let rests = stays && push(info, mode, rest) >= 0.0;
+    let arrived = if rests { &mut *rest } else { &mut *motion };
+    let lost = arrived.energy() - before;
+    if let Some(work) = arrived.now.state.work.last_mut() {
+        *work += lost;
+    }
+    if rests {
+        modes.swap(mode, motion);
+        modes.tell(&info.holds, motion);
+    } else {
+        modes.longest_s = flight.map_or(f64::INFINITY, |flight| LONG_ENOUGH * flight.length_s);
+    }
+    Ok(())
+}
+
+/// The way from an end back to it.
+#[derive(Clone, Copy)]
+struct Flight {
+    length_s: f64,
+    is_too_short: bool,
+}
+
+/// Under the acceleration at its start; `None` where that leads away.
+fn flight<S: Scene + ?Sized>(
+    info: &StopInfo,
+    end: usize,
+    motion: &Motion<'_, S>,
+    rest: &mut Motion<'_, S>,
+) -> Option<Flight> {
+    let state = &motion.now.state;
+    let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
+    let (acceleration, rounding) = rest.system.row_acceleration(&row, &motion.now.a);
+    let fall = -f64::from(info.sides[end]) * acceleration;
+    if fall.is_nan() || fall <= 0.0 {
+        return None;
+    }
+    let rate = gaps(info, motion)[2 * end + 1];
+    let (length_s, height) = (2.0 * rate.abs() / fall, 0.5 * rate * rate / fall);
+    let shortest_s = SHORTEST_FLIGHT * RESOLUTION_S.max(2.0 * f64::EPSILON * state.t.abs());
+    Some(Flight { length_s, is_too_short: length_s < shortest_s || height < LOWEST_FLIGHT * rounding })
+}
+
+/// The end that is nearest.
+fn nearest<S: Scene + ?Sized>(info: &StopInfo, motion: &Motion<'_, S>) -> Contact {
+    let values = gaps(info, motion);
+    let gap = |end: &usize| values[2 * end];
+    let ends = 0..info.hits.len();
+    let end = ends.min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or_default();
+    Contact { end, gap: gap(&end), rate: values[2 * end + 1], restitution: values[2 * info.hits.len()] }
+}
+
+/// What [`Scene::stop`] writes.
+fn gaps<S: Scene + ?Sized>(info: &StopInfo, motion: &Motion<'_, S>) -> Vec<f64> {
+    let (state, mut values) = (&motion.now.state, vec![0.0; n_values(info)]);
+    motion.system.stop(state.t, &state.q, &state.v, &mut values);
+    values
+}
+
+fn n_values(info: &StopInfo) -> usize {
+    2 * info.hits.len() + 1
+}
+
+/// Force of the stop that holds, away from the end.
+fn push<S: Scene + ?Sized>(info: &StopInfo, mode: usize, motion: &Motion<'_, S>) -> f64 {
+    -f64::from(info.sides[mode - 1]) * motion.now.lambda[info.row]
+}

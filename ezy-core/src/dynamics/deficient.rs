@@ -21,6 +21,8 @@ pub(super) struct Rank {
 /// Which rows depend on each other at one state.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RankLoss {
+    /// Number of coordinates.
+    pub n_coordinates: usize,
     /// Number of rows.
     pub n_rows: usize,
     /// How many of them are redundant: rows beyond the rank. `None` in a system too large to tell.
@@ -29,13 +31,26 @@ pub struct RankLoss {
     pub rows: Vec<&'static str>,
 }
 
-/// `rank 17 of 20; these depend on each other: …`
+impl RankLoss {
+    /// Velocities that are independent of each other there: coordinates less the rank.
+    pub fn freedom(&self) -> Option<usize> {
+        self.n_redundant.map(|n| self.n_coordinates.saturating_sub(self.n_rows - n))
+    }
+}
+
+/// `rank 17 of 20, which leaves a freedom of 1; these depend on each other: …`
 impl std::fmt::Display for RankLoss {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let rows = rows_or_unknown(&self.rows);
-        match self.n_redundant {
-            Some(n) => write!(f, "rank {} of {}; these depend on each other: {rows}", self.n_rows - n, self.n_rows),
-            None => write!(f, "of {} rows these, and others, depend on each other: {rows}", self.n_rows),
+        match (self.n_redundant, self.freedom()) {
+            (Some(n), Some(freedom)) => {
+                let (rank, of) = (self.n_rows - n, self.n_rows);
+                write!(
+                    f,
+                    "rank {rank} of {of}, which leaves a freedom of {freedom}; these depend on each other: {rows}"
+                )
+            }
+            _ => write!(f, "of {} rows these, and others, depend on each other: {rows}", self.n_rows),
         }
     }
 }
@@ -108,6 +123,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// The rows that depend on each other at a state. Slow, for reports.
     pub fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
         let (info, mass, n_rows) = (self.info, &self.mass, self.info.n_rows());
+        let n_coordinates = info.n_coordinates();
         let jacobian = &mut self.buffers.jacobian;
         self.scene.velocity_jacobian(&self.fixed, t, q, jacobian);
         let found = match info.n_unknowns() <= LARGEST_DIAGNOSED {
@@ -122,11 +138,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
         match found {
             Some(found) => {
                 let rows = found.rows.into_iter().map(name).collect();
-                RankLoss { n_rows, n_redundant: Some(found.n), rows }
+                RankLoss { n_coordinates, n_rows, n_redundant: Some(found.n), rows }
             }
             None => {
                 let row = self.vanished_row.filter(|_| self.rank.deficient).map(name);
-                RankLoss { n_rows, n_redundant: None, rows: row.into_iter().collect() }
+                RankLoss { n_coordinates, n_rows, n_redundant: None, rows: row.into_iter().collect() }
             }
         }
     }

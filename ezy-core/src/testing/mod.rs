@@ -42,8 +42,10 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
     let start = system.consistent_start(&system.scene_start())?;
     let info = scene.info();
     let probe = Probe::new(scene, system.fixed());
+    let agreement = solvers::agreement_at_start(&mut system, &start);
+    let rank = system.lost_rank().then(|| system.rank_loss(start.t, &start.q));
     let mut checks = vec![
-        solvers::agreement_at_start(&mut system, &start),
+        agreement,
         derivatives::jacobian_of_positions(&probe),
         derivatives::velocity_rows(&probe),
         derivatives::convective_term(&probe),
@@ -54,7 +56,7 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
     checks.extend(solvers::backends(&probe)?);
     checks.extend(series::ahead(&probe)?);
     checks.push(energy::balance(scene, start.t)?);
-    let report = CheckReport { model: info.model, scene: info.name, checks };
+    let report = CheckReport { model: info.model, scene: info.name, checks, rank };
     if report.passed() { Ok(report) } else { Err(CheckError::Failed(report)) }
 }
 

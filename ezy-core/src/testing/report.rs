@@ -1,6 +1,6 @@
 //! What the checks of a scene found.
 
-use crate::dynamics::{MotionError, StartError, SystemError};
+use crate::dynamics::{MotionError, RankLoss, StartError, SystemError};
 use crate::simulate::SetupError;
 
 /// One check.
@@ -36,6 +36,8 @@ pub struct CheckReport {
     pub scene: &'static str,
     /// In the order in which they were made.
     pub checks: Vec<Check>,
+    /// Rows that depend on each other at the start.
+    pub rank: Option<RankLoss>,
 }
 
 impl CheckReport {
@@ -61,7 +63,10 @@ impl std::fmt::Display for CheckReport {
                 n => writeln!(f, "; {n} left out next to singular points")?,
             }
         }
-        Ok(())
+        match &self.rank {
+            Some(loss) => writeln!(f, "  rows at the start: {loss}"),
+            None => Ok(()),
+        }
     }
 }
 

@@ -23,6 +23,9 @@ pub enum Plan {
 /// Sums with more terms take the most frequent factor out without looking at alternatives.
 const LARGEST_SEARCHED_SUM: usize = 12;
 
+/// Parts of one sum that are searched before the rest is written likewise: a dozen products of powers have millions.
+const MOST_SEARCHED_PARTS: usize = 20_000;
+
 /// A term of a sum; its product is one of the planner's.
 type Term = (MonomialId, Coefficient);
 
@@ -30,6 +33,8 @@ type Term = (MonomialId, Coefficient);
 #[derive(Debug, Default)]
 pub struct Planner {
     plans: FxHashMap<Vec<Term>, (usize, Rc<Plan>)>,
+    /// Parts of the present sum that were searched.
+    n_searched: usize,
     /// Products of sums and what is left of them.
     monomials: Interner<Monomial>,
     /// A product without a factor, where it has it.
@@ -52,6 +57,7 @@ impl Planner {
         let mut own =
             |&(monomial, k): &Term| (MonomialId(self.monomials.intern(algebra.monomial(monomial).clone())), k);
         let terms = varying.iter().chain(&fixed).map(&mut own).collect();
+        self.n_searched = 0;
         self.search(algebra, terms).1
     }
 
@@ -66,7 +72,8 @@ impl Planner {
             return known.clone();
         }
         let mut candidates = self.candidates(algebra, &terms);
-        if terms.len() > LARGEST_SEARCHED_SUM {
+        self.n_searched += 1;
+        if terms.len() > LARGEST_SEARCHED_SUM || self.n_searched > MOST_SEARCHED_PARTS {
             candidates.truncate(1);
         }
         let mut best: Option<(usize, Rc<Plan>)> = None;

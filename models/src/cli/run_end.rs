@@ -87,6 +87,7 @@ fn spell_json(spell: &RankSpell) -> Json {
         ("from", Json::Number(spell.from_s)),
         ("to", Json::Number(spell.to_s)),
         ("redundant", spell.loss.n_redundant.map_or(Json::Null, |n| Json::Count(n as u64))),
+        ("freedom", spell.loss.freedom().map_or(Json::Null, |n| Json::Count(n as u64))),
         ("rows", Json::List(spell.loss.rows.iter().map(|row| Json::text(*row)).collect())),
     ])
 }

@@ -135,7 +135,16 @@ fn reference_five_cranks_swing_like_one_and_three_rows_are_redundant() {
             let phi = std::f64::consts::FRAC_PI_2 - last.coordinates[2];
             assert!((phi - expected).abs() <= 1e-8, "{method:?}: {phi}");
             assert!((0..5).all(|i| (last.coordinates[3 * i + 2] - last.coordinates[2]).abs() <= 1e-12));
-            assert_eq!(run.rank.spells[0].loss.n_redundant, Some(3), "{method:?}");
+            let loss = &run.rank.spells[0].loss;
+            assert_eq!((loss.n_redundant, loss.freedom()), (Some(3), Some(1)), "{method:?}");
         }
     }
+}
+
+#[test]
+fn analytic_check_of_a_wheel_pair_tells_its_freedom_and_its_redundant_row() {
+    let report = ezy_core::testing::check_scene(&axle::Two::default()).unwrap();
+    let loss = report.rank.clone().unwrap();
+    assert_eq!((loss.n_redundant, loss.freedom(), &loss.rows[..]), (Some(1), Some(2), &["left", "right"][..]));
+    assert!(report.to_string().contains("rank 1 of 2, which leaves a freedom of 2"), "{report}");
 }

@@ -137,6 +137,10 @@ impl Writer<'_> {
             let force = self.force();
             self.items.push(force);
         }
+        if self.random.once_in(6) {
+            let stop = self.stop();
+            self.items.push(stop);
+        }
         for i in 0..self.random.below(3) {
             let condition = self.condition();
             self.items.push(format!("event a{i}: {condition};"));
@@ -145,6 +149,17 @@ impl Writer<'_> {
             let output = self.output(&format!("o{i}"));
             self.items.push(output);
         }
+    }
+
+    fn stop(&mut self) -> String {
+        let unit = *self.random.of(&["m", "rad"]);
+        let mut text = format!("stop end: {}", self.scalar(unit, Depends::Positions));
+        for (word, unit) in [("from", unit), ("to", unit), ("restitution", "1")] {
+            if self.random.once_in(2) {
+                text += &format!(" {word} {}", self.scalar(unit, Depends::Parameters));
+            }
+        }
+        text + ";"
     }
 
     fn output(&mut self, name: &str) -> String {

@@ -12,6 +12,7 @@
 mod equations;
 mod event;
 mod grip;
+mod pivots;
 mod repeats;
 mod series;
 mod slopes;
@@ -20,6 +21,7 @@ mod stop;
 pub use equations::{Equations, PreciseScene};
 pub use event::{Direction, EventInfo, EventKind};
 pub use grip::GripInfo;
+pub use pivots::{PIVOT_TOLERANCE, Pivots};
 pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::{PRODUCT_GROUP, Series, SeriesInfo, SeriesSize, SeriesStore};
 pub use slopes::SlopePlaces;
@@ -320,34 +322,6 @@ impl SceneInfo {
         self.inputs.len() + self.n_constants
     }
 }
-
-/// Rows whose pivot vanished in the generated elimination, as a bit set: bit `i` is row `i`, bit 63 stands
-/// for every row from 63 on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct DeficientRows(pub u64);
-
-impl DeficientRows {
-    /// Every row.
-    pub const ALL: Self = Self(u64::MAX);
-
-    /// No pivot vanished.
-    pub const fn none(self) -> bool {
-        self.0 == 0
-    }
-
-    /// Marks `row` when `deficient`; free of branches, so that a kernel can call it for each pivot.
-    #[inline(always)]
-    #[must_use]
-    pub const fn mark(self, row: usize, deficient: bool) -> Self {
-        let bit = if row < 63 { row } else { 63 };
-        Self(self.0 | ((deficient as u64) << bit))
-    }
-}
-
-/// A pivot of the generated elimination counts as vanished when it is below this fraction of the diagonal
-/// entry that it started from. Rounding leaves 1e-16 to 1e-14 of an exactly dependent row; a row that keeps
-/// 1e-9 still has seven digits.
-pub const PIVOT_TOLERANCE: f64 = 1e-10;
 
 /// Start values that a scene prescribes. What is not given is assembled from the constraints.
 #[derive(Debug, Clone, PartialEq)]

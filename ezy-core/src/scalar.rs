@@ -115,8 +115,9 @@ pub trait Scalar:
     #[must_use]
     fn powf(self, exponent: Self) -> Self;
 
-    /// Whether it is above `threshold`, all of it; false where it is not a number.
-    fn is_above(self, threshold: Self) -> bool;
+    /// Its ratio to `divisor` as one `f64`: the smallest where several numbers travel together, without derivatives; not a
+    /// number where one of them is not.
+    fn least_ratio(self, divisor: Self) -> f64;
 
     /// Its size as one `f64`: the largest where several numbers travel together, without derivatives.
     fn magnitude(self) -> f64;

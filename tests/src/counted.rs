@@ -1,6 +1,6 @@
 //! A scene that counts what is asked of it.
 
-use ezy_core::model::{DeficientRows, Equations, Scene, SceneInfo, Start};
+use ezy_core::model::{Equations, Pivots, Scene, SceneInfo, Start};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Another scene, with counters.
@@ -42,19 +42,11 @@ impl<S: Scene> Equations<f64> for Counted<S> {
         self.scene.applied_force(c, t, q, v, out);
     }
 
-    fn accelerations(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> DeficientRows {
+    fn accelerations(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Pivots {
         self.scene.accelerations(c, t, q, v, a, lambda)
     }
 
-    fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
+    fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> Pivots {
         self.scene.correction(c, t, q, residual, delta)
     }
 }

@@ -1,7 +1,7 @@
 //! A crank on the ground whose angle is prescribed in time: rows with C_t and C_tt, and no freedom left.
 
 use crate::leaked::{Description, info};
-use ezy_core::model::{DeficientRows, EffectInfo, Equations, Scene, SceneInfo, Start};
+use ezy_core::model::{EffectInfo, Equations, Pivots, Scene, SceneInfo, Start};
 
 const RADIUS: f64 = 0.3;
 const MASS: f64 = 2.0;
@@ -78,30 +78,22 @@ impl Equations<f64> for Crank {
     }
 
     /// Kinematics alone: a from the rows, then λ from M a + Gᵀ λ = 0.
-    fn accelerations(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> DeficientRows {
+    fn accelerations(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Pivots {
         let mut h = [0.0; 3];
         self.convective_term(c, t, q, v, &mut h);
         self.correction(c, t, q, &h, a);
         let (s, co) = q[2].sin_cos();
         (lambda[0], lambda[1]) = (-MASS * a[0], -MASS * a[1]);
         lambda[2] = -INERTIA * a[2] - RADIUS * s * lambda[0] + RADIUS * co * lambda[1];
-        DeficientRows::default()
+        Pivots::default()
     }
 
-    fn correction(&self, _c: &[f64], _t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
+    fn correction(&self, _c: &[f64], _t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> Pivots {
         let (s, c) = q[2].sin_cos();
         delta[2] = -residual[2];
         delta[0] = -residual[0] - RADIUS * s * delta[2];
         delta[1] = -residual[1] + RADIUS * c * delta[2];
-        DeficientRows::default()
+        Pivots::default()
     }
 }
 

@@ -4,7 +4,7 @@ use super::deficient::{Rank, Threshold};
 use super::system::Solver;
 use super::{Metric, MotionError, System};
 use crate::linalg::{ConditionEstimator, Conditioning};
-use crate::model::{Scene, Series, SeriesStore};
+use crate::model::{Pivots, Scene, Series, SeriesStore};
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Accelerations and multipliers at one state: solves `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`.
@@ -32,8 +32,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ) -> Result<(), MotionError> {
         self.counters.evaluations += 1;
         self.counters.factorizations += 1;
-        if self.uses_elimination() && self.scene.accelerations(&self.fixed, t, q, v, a, lambda).none() {
-            self.rank = Rank::default();
+        if self.uses_elimination() && self.kept(self.scene.accelerations(&self.fixed, t, q, v, a, lambda)) {
             return Ok(());
         }
         self.factor(t, q, Threshold::Motion)?;
@@ -80,8 +79,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         if metric == Metric::Euclidean {
             return self.euclidean_correction(t, q, residual, threshold, delta);
         }
-        if self.uses_elimination() && self.scene.correction(&self.fixed, t, q, residual, delta).none() {
-            self.rank = Rank::default();
+        if self.uses_elimination() && self.kept(self.scene.correction(&self.fixed, t, q, residual, delta)) {
             return Ok(());
         }
         self.factor(t, q, threshold)?;
@@ -106,12 +104,22 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ) -> Result<bool, MotionError> {
         self.counters.evaluations += 1;
         self.counters.factorizations += 1;
-        let deficient = series.begin(&self.fixed, t, store);
-        if deficient.none() && self.uses_elimination() {
-            self.rank = Rank::default();
+        let pivots = series.begin(&self.fixed, t, store);
+        if self.uses_elimination() && self.kept(pivots) {
             return Ok(true);
         }
         self.factorize(t, &store.q[..self.info.n_coordinates()]).map(|()| false)
+    }
+
+    /// Whether the elimination found what it was to find.
+    #[inline]
+    fn kept(&mut self, pivots: Pivots) -> bool {
+        self.see_pivot(pivots.smallest());
+        if !pivots.all_keep() {
+            return false;
+        }
+        self.rank = Rank::default();
+        true
     }
 
     /// Factors K at one state, for [`System::solve_factored`].
@@ -147,6 +155,22 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.buffers.residual.fill(0.0);
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         self.take_residual_from(t, q, x)
+    }
+
+    /// [`System::smallest_pivot`] at positions that no row has to hold.
+    ///
+    /// # Cost
+    /// One correction; no allocation.
+    pub fn pivot_at(&mut self, t: f64, q: &[f64]) -> f64 {
+        let seen = self.least_pivot;
+        let mut residual = std::mem::take(&mut self.buffers.residual);
+        let mut delta = std::mem::take(&mut self.buffers.delta);
+        residual.fill(0.0);
+        let outcome = self.correction(t, q, &residual, Metric::Mass, &mut delta);
+        self.buffers.residual = residual;
+        self.buffers.delta = delta;
+        self.least_pivot = seen;
+        if outcome.is_ok() { self.smallest_pivot } else { 0.0 }
     }
 
     /// How well K can be solved with at a state, by an estimator for this scene.

@@ -3,7 +3,7 @@
 use super::geometry::tolerance_at;
 use super::projection::MAX_PASSES;
 use super::{MotionError, System};
-use crate::model::{DeficientRows, Equations, Scene, SceneInfo};
+use crate::model::{Equations, Pivots, Scene, SceneInfo};
 use crate::scalar::Scalar;
 
 /// What a method needs of a scene in numbers `T`.
@@ -109,15 +109,13 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
     /// Correction for the residual in the buffer, into the buffer.
     fn correct(&mut self, t: f64, q: &[T]) -> Result<(), MotionError> {
         let time = T::from_f64(t);
-        let deficient = self.scene.correction(&self.fixed, time, q, &self.residual, &mut self.delta);
-        self.check(deficient, t)
+        let pivots = self.scene.correction(&self.fixed, time, q, &self.residual, &mut self.delta);
+        self.check(pivots, t)
     }
 
-    fn check(&self, deficient: DeficientRows, t: f64) -> Result<(), MotionError> {
-        if deficient.none() {
-            return Ok(());
-        }
-        let row = (deficient.0.trailing_zeros() as usize).min(self.info.n_rows().saturating_sub(1));
+    fn check(&self, pivots: Pivots, t: f64) -> Result<(), MotionError> {
+        let Some(vanished) = pivots.first_vanished() else { return Ok(()) };
+        let row = vanished.min(self.info.n_rows().saturating_sub(1));
         Err(MotionError::LostPivot { t, row: self.info.rows[row].name })
     }
 }
@@ -125,8 +123,8 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
 impl<S: Equations<T> + ?Sized, T: Scalar> Dynamics<T> for SystemOf<'_, S, T> {
     #[inline]
     fn accelerations(&mut self, t: f64, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Result<(), MotionError> {
-        let deficient = self.scene.accelerations(&self.fixed, T::from_f64(t), q, v, a, lambda);
-        self.check(deficient, t)
+        let pivots = self.scene.accelerations(&self.fixed, T::from_f64(t), q, v, a, lambda);
+        self.check(pivots, t)
     }
 
     fn power(&self, _t: f64, _q: &[T], _v: &[T], _lambda: &[T], _out: &mut [T]) {}

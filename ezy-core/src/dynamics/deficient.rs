@@ -185,11 +185,19 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// [`MotionError`] when a number is not finite or a coordinate is undetermined.
     pub(super) fn factor(&mut self, t: f64, q: &[f64], threshold: Threshold) -> Result<(), MotionError> {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        let generated = self.uses_elimination();
         let kkt = factored(&mut self.solver, &mut self.second_opinion, self.info);
         self.rank = Rank::default();
-        let Err(vanished) = kkt.factor(&self.mass, &self.buffers.jacobian) else { return Ok(()) };
+        let Err(vanished) = kkt.factor(&self.mass, &self.buffers.jacobian) else {
+            if !generated {
+                let smallest = kkt.smallest_pivot();
+                self.see_pivot(smallest);
+            }
+            return Ok(());
+        };
         self.vanished_row = vanished.row;
         self.rank.deficient = true;
+        (self.smallest_pivot, self.least_pivot) = (0.0, 0.0);
         let damped = self.damped.get_or_insert_with(|| Box::new(DampedKkt::new(&self.mass, self.info.n_rows())));
         let outcome = damped.factor(kkt, &self.info.jacobian, &self.mass, &self.buffers.jacobian, threshold.share());
         outcome.map_err(|_| self.why_singular(t, q))

@@ -27,6 +27,10 @@ pub struct System<'s, S: Scene + ?Sized> {
     /// Made when rows depend on each other for the first time.
     pub(super) damped: Option<Box<DampedKkt>>,
     pub(super) rank: Rank,
+    /// Of the last accelerations, correction or factorisation in the mass matrix.
+    pub(super) smallest_pivot: f64,
+    /// Of all of them since someone asked.
+    pub(super) least_pivot: f64,
     /// The row at which the last factorisation failed, where the method knows.
     pub(super) vanished_row: Option<usize>,
     /// Made at the first Euclidean correction.
@@ -100,6 +104,8 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             second_opinion: None,
             damped: None,
             rank: Rank::default(),
+            smallest_pivot: 1.0,
+            least_pivot: 1.0,
             vanished_row: None,
             fixed,
             mass,
@@ -148,6 +154,24 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     /// What the last projection found, and what it left.
     pub fn projected(&self) -> &Projected {
         &self.projected
+    }
+
+    /// Smallest pivot of the last accelerations, correction or factorisation, relative to what it started from: falls with the
+    /// square of the distance to a position in which rows depend on each other, and is zero there. What a pivot is differs
+    /// between backends.
+    pub fn smallest_pivot(&self) -> f64 {
+        self.smallest_pivot
+    }
+
+    /// The least of [`Self::smallest_pivot`] since this was asked last: at ends and stages of steps, also of those that were
+    /// taken back.
+    pub fn take_least_pivot(&mut self) -> f64 {
+        std::mem::replace(&mut self.least_pivot, 1.0)
+    }
+
+    pub(super) fn see_pivot(&mut self, smallest: f64) {
+        self.smallest_pivot = smallest;
+        self.least_pivot = self.least_pivot.min(smallest);
     }
 
     /// Work done so far.

@@ -41,7 +41,7 @@ impl ConditionEstimator {
         if let Err(vanished) = self.kkt.factor(mass, jacobian) {
             return Conditioning { condition: f64::INFINITY, pivot: vanished.relative, unknown: None };
         }
-        let (pivot, unknown) = self.kkt.smallest_pivot();
+        let (pivot, unknown) = self.kkt.weakest_unknown();
         let norm = self.norm(mass, pattern, jacobian);
         let n = self.x.len();
         let mut of_inverse = 0.0;

@@ -56,7 +56,7 @@ impl DenseKkt {
     }
 
     /// Smallest pivot of the last successful factorisation, and its unknown.
-    pub(super) fn smallest_pivot(&self) -> (f64, usize) {
+    pub(super) fn weakest_unknown(&self) -> (f64, usize) {
         let pivots = (0..self.scale.len()).map(|i| (self.factors[(i, i)].abs(), i));
         pivots.min_by(|(x, _), (y, _)| x.total_cmp(y)).unwrap_or((1.0, 0))
     }
@@ -87,6 +87,10 @@ impl KktFactorization for DenseKkt {
         }
         self.is_damped = true;
         self.eliminate(DAMPED_TOLERANCE)
+    }
+
+    fn smallest_pivot(&self) -> f64 {
+        self.weakest_unknown().0
     }
 
     fn solve(&mut self, right_side: &mut [f64]) {

@@ -22,7 +22,6 @@ mod refinement;
 mod scaled;
 mod singular;
 mod sparse;
-mod sparse_lu;
 
 pub use conditioning::{ConditionEstimator, Conditioning};
 pub use damped::{COARSE, DampedKkt, FINE, Left, weights, write_diagonal};
@@ -31,7 +30,6 @@ pub use lu::Lu;
 pub use rank::{Dependencies, LARGEST_DIAGNOSED, dependencies, undetermined_coordinates};
 pub(crate) use singular::singular_values;
 pub use sparse::{SparseKkt, SparseKktError};
-pub use sparse_lu::SparseLu;
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -64,6 +62,10 @@ pub trait KktFactorization: Send {
     /// # Errors
     /// [`VanishedPivot`] when a number is not finite, or a coordinate has neither mass nor a row that holds it.
     fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot>;
+
+    /// Smallest pivot of a row after a successful [`Self::factor`], or of any unknown where the method does not keep them apart;
+    /// relative to what it started from, or of the scaled K.
+    fn smallest_pivot(&self) -> f64;
 
     /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]`, with the factors of the last successful [`Self::factor`].
     fn solve(&mut self, right_side: &mut [f64]);

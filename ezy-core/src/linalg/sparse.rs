@@ -27,6 +27,7 @@ pub struct SparseKkt {
     entries: Vec<(usize, usize)>,
     analysis: Analysis,
     pivot_starts: Vec<f64>,
+    smallest_pivot: f64,
 }
 
 /// What follows from pattern and order.
@@ -75,7 +76,7 @@ impl SparseKkt {
     /// As [`Self::new`].
     pub fn from_entries(n_q: usize, n_rows: usize, entries: Vec<(usize, usize)>) -> Result<Self, SparseKktError> {
         let analysis = Analysis::new(n_q, n_rows, &entries, true)?;
-        Ok(Self { n_q, entries, analysis, pivot_starts: vec![0.0; n_rows] })
+        Ok(Self { n_q, entries, analysis, pivot_starts: vec![0.0; n_rows], smallest_pivot: 1.0 })
     }
 
     /// Stored entries of L.
@@ -104,11 +105,13 @@ impl SparseKkt {
         self.assemble(mass, jacobian);
         self.analysis.eliminate()?;
         let pivots = self.analysis.pivot_places.iter().map(|place| -self.analysis.factors[*place]);
+        self.smallest_pivot = 1.0;
         for (row, (pivot, start)) in pivots.zip(&self.pivot_starts).enumerate() {
             let relative = pivot / start;
             if relative.is_nan() || relative <= PIVOT_TOLERANCE {
                 return Err(VanishedPivot { relative, row: Some(row) });
             }
+            self.smallest_pivot = self.smallest_pivot.min(relative);
         }
         Ok(())
     }
@@ -204,6 +207,10 @@ impl KktFactorization for SparseKkt {
         self.analysis.eliminate()?;
         let finite = self.analysis.factors.iter().all(|x| x.is_finite());
         if finite { Ok(()) } else { Err(VanishedPivot { relative: f64::NAN, row: None }) }
+    }
+
+    fn smallest_pivot(&self) -> f64 {
+        self.smallest_pivot
     }
 
     fn solve(&mut self, right_side: &mut [f64]) {

@@ -1,6 +1,6 @@
 //! The equations of a scene, in any number.
 
-use super::{DeficientRows, Series};
+use super::{Pivots, Series};
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// The kernels of a scene on numbers `T`.
@@ -34,17 +34,17 @@ pub trait Equations<T: Scalar>: Send + Sync {
     /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
     /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished. A scene without
     /// elimination ([`SceneInfo::has_elimination`](super::SceneInfo::has_elimination)) writes nothing and marks every row.
-    fn accelerations(&self, c: &[T], t: T, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> DeficientRows {
+    fn accelerations(&self, c: &[T], t: T, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Pivots {
         let _ = (c, t, q, v, a, lambda);
-        DeficientRows::ALL
+        Pivots::ALL_VANISHED
     }
 
     /// Generated mass-weighted correction: the `delta` of smallest `deltaᵀ M delta` with `G(q, t) delta = −residual`.
     /// Reads `n_c` residuals, writes `n_q`; needs M > 0, meaningless when a pivot vanished. A scene without
     /// elimination writes nothing and marks every row.
-    fn correction(&self, c: &[T], t: T, q: &[T], residual: &[T], delta: &mut [T]) -> DeficientRows {
+    fn correction(&self, c: &[T], t: T, q: &[T], residual: &[T], delta: &mut [T]) -> Pivots {
         let _ = (c, t, q, residual, delta);
-        DeficientRows::ALL
+        Pivots::ALL_VANISHED
     }
 }
 

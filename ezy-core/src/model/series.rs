@@ -14,7 +14,7 @@
 //! Jorba, Zou, Exp. Math. 14 (2005); constraints by their own coefficients: Pryce, Numer. Algorithms 19 (1998), Nedialkov,
 //! Pryce, BIT 45 (2005).
 
-use super::{DeficientRows, Operations};
+use super::{Operations, Pivots};
 use crate::scalar::Scalar;
 
 /// Products come in groups of so many, so that their sums fill vector registers.
@@ -110,9 +110,9 @@ pub trait Series<T: Scalar>: Send + Sync {
     fn series_size(&self) -> SeriesSize;
 
     /// Values at the start of a step, from orders 0 and 1 of q at time `t`: everything of orders 0 and 1, `force` and `row` of
-    /// order 0, and the factors of K where the scene has an elimination; returns the rows whose pivot vanished, every row
+    /// order 0, and the factors of K where the scene has an elimination; returns what its pivots are, all vanished
     /// where it has none.
-    fn begin(&self, c: &[T], t: T, store: &mut SeriesStore<T>) -> DeficientRows;
+    fn begin(&self, c: &[T], t: T, store: &mut SeriesStore<T>) -> Pivots;
 
     /// `force` and `row` of order `k` ≥ 1, from the sums for n = k + 2.
     fn right_side(&self, c: &[T], k: usize, store: &mut SeriesStore<T>);

@@ -195,8 +195,8 @@ impl<const N: usize> Scalar for Dual<N> {
     }
 
     #[inline]
-    fn is_above(self, threshold: Self) -> bool {
-        self.value > threshold.value
+    fn least_ratio(self, divisor: Self) -> f64 {
+        self.value / divisor.value
     }
 
     #[inline]

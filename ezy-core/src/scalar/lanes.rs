@@ -153,12 +153,13 @@ impl<const L: usize> Scalar for Lanes<L> {
     }
 
     #[inline(always)]
-    fn is_above(self, threshold: Self) -> bool {
-        let mut all = true;
+    fn least_ratio(self, divisor: Self) -> f64 {
+        let mut least = f64::INFINITY;
         for i in 0..L {
-            all &= self.0[i] > threshold.0[i];
+            let ratio = self.0[i] / divisor.0[i];
+            least = if ratio >= least || least.is_nan() { least } else { ratio };
         }
-        all
+        least
     }
 
     #[inline(always)]

@@ -97,8 +97,8 @@ impl Scalar for f64 {
     }
 
     #[inline(always)]
-    fn is_above(self, threshold: Self) -> bool {
-        self > threshold
+    fn least_ratio(self, divisor: Self) -> f64 {
+        self / divisor
     }
 
     #[inline(always)]

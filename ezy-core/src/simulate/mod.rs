@@ -31,7 +31,7 @@ pub use error::SetupError;
 pub use events::Occurrence;
 pub use input_file::{InputFileError, read_inputs};
 pub use input_table::{InputTable, TableError};
-pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, Monitors, Peak};
+pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, LeastPivot, Monitors, Peak};
 pub use outcome::{Cost, Outcome, Run, StopReason};
 pub use rank_watch::{RankRecord, RankSpell};
 pub use sensitivity::{Sensitivities, Tangent};

@@ -259,12 +259,11 @@ impl Writer<'_> {
 /// Arguments of kernels, which temporaries must not shadow.
 const RESERVED: [&str; 10] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out"];
 
-/// Marks of the rows whose pivot vanished, from pivots and thresholds in turns.
-pub fn marks(rows: &[Vec<usize>], pivots: &[TokenStream]) -> Vec<TokenStream> {
-    let of_pivot = rows.iter().zip(pivots.chunks(2)).flat_map(|(rows, pair)| {
+/// What takes note of each pivot, from pivots and thresholds in turns.
+pub fn pivots_seen(rows: &[Vec<usize>], pivots: &[TokenStream]) -> Vec<TokenStream> {
+    let of_pivot = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
         let (pivot, threshold) = (&pair[0], &pair[1]);
-        // written so that a pivot that is not a number counts as vanished
-        rows.iter().map(move |row| quote!(.mark(#row, !T::is_above(#pivot, #threshold))))
+        quote!(.see(&[#(#rows),*], T::least_ratio(#pivot, #threshold)))
     });
     of_pivot.collect()
 }

@@ -179,7 +179,7 @@ fn methods(
             v: &[T],
             a: &mut [T],
             lambda: &mut [T],
-        ) -> ::ezy_core::model::DeficientRows {
+        ) -> ::ezy_core::model::Pivots {
             #accelerations_opening
             #accelerations
         }
@@ -191,7 +191,7 @@ fn methods(
             q: &[T],
             residual: &[T],
             delta: &mut [T],
-        ) -> ::ezy_core::model::DeficientRows {
+        ) -> ::ezy_core::model::Pivots {
             #correction_opening
             #correction
         }
@@ -334,7 +334,7 @@ impl Emitter<'_> {
         quote!(#statements #(by_q[#places_q] = #by_q;)* #(by_v[#places_v] = #by_v;)*)
     }
 
-    /// Writes a solution into the named slices and returns the rows whose pivot vanished.
+    /// Writes a solution into the named slices and returns what its pivots are.
     fn solver(
         &mut self,
         solver: &Solver,
@@ -347,11 +347,11 @@ impl Emitter<'_> {
             let name = argument(name);
             (0..length).map(move |i| quote!(#name[#i]))
         });
-        let marks = kernel::marks(&solver.pivots, pivots);
+        let seen = kernel::pivots_seen(&solver.pivots, pivots);
         quote! {
             #statements
             #(#targets = #solution;)*
-            ::ezy_core::model::DeficientRows(0)#(#marks)*
+            ::ezy_core::model::Pivots::new()#(#seen)*
         }
     }
 }

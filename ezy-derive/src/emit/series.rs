@@ -39,7 +39,7 @@ pub fn implementation(type_name: &Ident, equations: &Equations, series: &Series,
                 c: &[T],
                 t: T,
                 store: &mut ::ezy_core::model::SeriesStore<T>,
-            ) -> ::ezy_core::model::DeficientRows {
+            ) -> ::ezy_core::model::Pivots {
                 #begin
             }
             #[inline]
@@ -161,7 +161,7 @@ impl Writer<'_> {
             kernel::body(Numbers::Any, &kernel.program, &self.equations.symbols, &|symbol| self.read(symbol));
         let (written, pivots) = outputs.split_at(kernel.targets.len());
         let written = self.written(&kernel.targets, written, &order);
-        let marks = kernel::marks(&self.series.pivots, pivots);
+        let seen = kernel::pivots_seen(&self.series.pivots, pivots);
         let c = self.constants(kernel);
         quote! {
             #c
@@ -169,7 +169,7 @@ impl Writer<'_> {
             let v = ::ezy_core::kernel::row::<#n_q, T>(&store.q, 1);
             #statements
             #written
-            ::ezy_core::model::DeficientRows(0)#(#marks)*
+            ::ezy_core::model::Pivots::new()#(#seen)*
         }
     }
 

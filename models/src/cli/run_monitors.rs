@@ -1,6 +1,6 @@
 //! What a run watched, as JSON and as text.
 
-use ezy_core::simulate::{ConditionPeak, EnergyError, Monitors, Peak, Run};
+use ezy_core::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run};
 
 use super::json::Json;
 
@@ -14,6 +14,7 @@ pub fn monitors_json(monitors: Option<&Monitors>) -> Json {
         ("position_drift", peak(|m| m.position_drift)),
         ("velocity_drift", peak(|m| m.velocity_drift)),
         ("energy", monitors.and_then(|m| m.energy).map_or(Json::Null, energy_json)),
+        ("smallest_pivot", monitors.and_then(|m| m.pivot).map_or(Json::Null, pivot_json)),
         ("condition", monitors.and_then(|m| m.condition).map_or(Json::Null, condition_json)),
         ("shortest_step", step(0)),
         ("longest_step", step(1)),
@@ -28,6 +29,10 @@ fn energy_json(EnergyError { joules, relative, t }: EnergyError) -> Json {
     Json::object([("balance", Json::Number(joules)), ("relative", Json::Number(relative)), ("t", Json::Number(t))])
 }
 
+fn pivot_json(LeastPivot { value, t }: LeastPivot) -> Json {
+    Json::object([("value", Json::Number(value)), ("t", Json::Number(t))])
+}
+
 fn condition_json(ConditionPeak { at_start, largest, pivot, unknown, t }: ConditionPeak) -> Json {
     Json::object([
         ("at_start", Json::Number(at_start)),
@@ -40,8 +45,16 @@ fn condition_json(ConditionPeak { at_start, largest, pivot, unknown, t }: Condit
 
 /// The monitors as lines of text.
 pub fn monitors_text(run: &Run) -> String {
-    let Monitors { position_residual, velocity_residual, position_drift, velocity_drift, energy, condition, steps_s } =
-        run.monitors;
+    let Monitors {
+        position_residual,
+        velocity_residual,
+        position_drift,
+        velocity_drift,
+        energy,
+        pivot,
+        condition,
+        steps_s,
+    } = run.monitors;
     let pair = |title: &str, [positions, velocities]: [Option<Peak>; 2]| {
         let told = [("positions", positions), ("velocities", velocities)];
         let told = told.into_iter().filter_map(|(what, peak)| peak.map(|peak| format!("{what} {}", peak_text(peak))));
@@ -56,6 +69,9 @@ pub fn monitors_text(run: &Run) -> String {
         }
         None => String::new(),
     };
+    if let Some(LeastPivot { value, t }) = pivot {
+        text += &format!("  smallest relative pivot: {value:.1e} (t = {t:.6} s)\n");
+    }
     if let Some(ConditionPeak { at_start, largest, pivot, t, .. }) = condition {
         text += &format!(
             "  condition of the equations: {largest:.1e} (t = {t:.6} s, smallest pivot {pivot:.1e}), at the start {at_start:.1e}\n"

@@ -8,7 +8,7 @@ mod info;
 mod schur;
 mod series;
 
-use ezy_core::model::{DeficientRows, Equations, Scene, SceneInfo, Series, Start};
+use ezy_core::model::{Equations, Pivots, Scene, SceneInfo, Series, Start};
 use schur::Schur;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -97,29 +97,21 @@ impl Equations<f64> for HandRoller {
         out[5] = -torque(c, t);
     }
 
-    fn accelerations(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> DeficientRows {
+    fn accelerations(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Pivots {
         let mut f = [0.0; 6];
         self.applied_force(c, t, q, v, &mut f);
         let mut h = [0.0; 4];
         self.convective_term(c, t, q, v, &mut h);
         let schur = Schur::new(masses(c), jacobian(c, q));
         schur.solve(&f, &h.map(|h| -h), a, lambda);
-        schur.deficient
+        schur.pivots
     }
 
-    fn correction(&self, c: &[f64], _t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> DeficientRows {
+    fn correction(&self, c: &[f64], _t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> Pivots {
         let schur = Schur::new(masses(c), jacobian(c, q));
         let r = [-residual[0], -residual[1], -residual[2], -residual[3]];
         schur.solve(&[0.0; 6], &r, delta, &mut [0.0; 4]);
-        schur.deficient
+        schur.pivots
     }
 }
 

@@ -1,13 +1,13 @@
 //! `[M Gᵀ; G 0] [x; y] = [f; r]` by `G M⁻¹ Gᵀ y = G M⁻¹ f − r` and LDLᵀ.
 
-use ezy_core::model::{DeficientRows, PIVOT_TOLERANCE};
+use ezy_core::model::{PIVOT_TOLERANCE, Pivots};
 
 pub struct Schur {
     mass: [f64; 6],
     jacobian: [[f64; 6]; 4],
     /// L below the diagonal, D on it.
     factors: [[f64; 4]; 4],
-    pub deficient: DeficientRows,
+    pub pivots: Pivots,
 }
 
 impl Schur {
@@ -18,13 +18,13 @@ impl Schur {
                 l[i][j] = (0..6).map(|k| jacobian[i][k] * jacobian[j][k] / mass[k]).sum();
             }
         }
-        let mut deficient = DeficientRows::default();
+        let mut pivots = Pivots::default();
         for j in 0..4 {
             let start = l[j][j];
             for k in 0..j {
                 l[j][j] -= l[j][k] * l[j][k] * l[k][k];
             }
-            deficient = deficient.mark(j, l[j][j].is_nan() || l[j][j] <= PIVOT_TOLERANCE * start);
+            pivots = pivots.see(&[j], l[j][j] / (PIVOT_TOLERANCE * start));
             for i in j + 1..4 {
                 for k in 0..j {
                     l[i][j] -= l[i][k] * l[j][k] * l[k][k];
@@ -32,7 +32,7 @@ impl Schur {
                 l[i][j] /= l[j][j];
             }
         }
-        Self { mass, jacobian, factors: l, deficient }
+        Self { mass, jacobian, factors: l, pivots }
     }
 
     pub fn solve(&self, f: &[f64; 6], r: &[f64; 4], x: &mut [f64], y: &mut [f64]) {

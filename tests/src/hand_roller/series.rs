@@ -4,7 +4,7 @@
 //! c·y, s·μ, c·μ, s·λ₁, c·λ₂. Right factors hold m x_m of a coordinate in row m, and a multiplier of order k in row k + 2.
 
 use super::HandRoller;
-use ezy_core::model::{DeficientRows, PIVOT_TOLERANCE, Series, SeriesSize, SeriesStore};
+use ezy_core::model::{PIVOT_TOLERANCE, Pivots, Series, SeriesSize, SeriesStore};
 use ezy_core::scalar::Scalar;
 
 /// Products of one body.
@@ -45,7 +45,7 @@ impl<T: Scalar> Series<T> for HandRoller {
         SeriesSize { n_coordinates: 6, n_rows: 4, n_products: 2 * N, n_base: FACTORS + 16, n_kept: 1 }
     }
 
-    fn begin(&self, p: &[T], t: T, store: &mut SeriesStore<T>) -> DeficientRows {
+    fn begin(&self, p: &[T], t: T, store: &mut SeriesStore<T>) -> Pivots {
         let ((s1, c1), (s2, c2)) = (store.q[2].sin_cos(), store.q[5].sin_cos());
         store.base[..FACTORS].copy_from_slice(&[s1, c1, s2, c2]);
         let (w1, w2) = (store.q[8], store.q[11]);
@@ -139,10 +139,10 @@ impl<T: Scalar> Series<T> for HandRoller {
 }
 
 /// LDLᵀ of G M⁻¹ Gᵀ behind the sines and cosines.
-fn factor<T: Scalar>(p: &[T], base: &mut [T]) -> DeficientRows {
+fn factor<T: Scalar>(p: &[T], base: &mut [T]) -> Pivots {
     let (g, mass) = (jacobian(p, base), masses(p));
     let l = &mut base[FACTORS..];
-    let mut deficient = DeficientRows::default();
+    let mut pivots = Pivots::default();
     for i in 0..4 {
         for j in 0..=i {
             l[4 * i + j] = (0..6).fold(n(0.0), |sum, k| sum + g[i][k] * g[j][k] / mass[k]);
@@ -153,7 +153,7 @@ fn factor<T: Scalar>(p: &[T], base: &mut [T]) -> DeficientRows {
         for k in 0..j {
             l[5 * j] = l[5 * j] - l[4 * j + k] * l[4 * j + k] * l[5 * k];
         }
-        deficient = deficient.mark(j, !l[5 * j].is_above(n::<T>(PIVOT_TOLERANCE) * start));
+        pivots = pivots.see(&[j], l[5 * j].least_ratio(n::<T>(PIVOT_TOLERANCE) * start));
         for i in j + 1..4 {
             for k in 0..j {
                 l[4 * i + j] = l[4 * i + j] - l[4 * i + k] * l[4 * j + k] * l[5 * k];
@@ -161,5 +161,5 @@ fn factor<T: Scalar>(p: &[T], base: &mut [T]) -> DeficientRows {
             l[4 * i + j] = l[4 * i + j] / l[5 * j];
         }
     }
-    deficient
+    pivots
 }

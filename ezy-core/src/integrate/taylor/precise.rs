@@ -5,7 +5,7 @@ use super::length::{longest_step, write_weights};
 use crate::dynamics::{MotionError, State, System, SystemError, not_finite};
 use crate::integrate::Tolerance;
 use crate::linalg::Backend;
-use crate::model::{DeficientRows, PreciseScene, Scene, SeriesStore};
+use crate::model::{Pivots, PreciseScene, Scene, SeriesStore};
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// Error of a step, in m, rad, m/s, rad/s and relative to these: the last digit but one of the numbers.
@@ -271,8 +271,8 @@ struct Refined<'s, S: Scene + ?Sized> {
 
 impl<S: Scene + ?Sized> Refined<'_, S> {
     /// Whether the scene's own elimination is used.
-    fn accepts(&self, deficient: DeficientRows) -> bool {
-        deficient.none() && self.system.uses_elimination()
+    fn accepts(&self, pivots: Pivots) -> bool {
+        pivots.all_keep() && self.system.uses_elimination()
     }
 
     fn factorize(&mut self, t: f64, q: &[DoubleDouble]) -> Result<(), MotionError> {

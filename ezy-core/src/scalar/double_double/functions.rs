@@ -174,8 +174,8 @@ impl Scalar for DoubleDouble {
         if base > 0.0 { (self.ln() * exponent).exp() } else { base.powf(n).into() }
     }
 
-    fn is_above(self, threshold: Self) -> bool {
-        self > threshold
+    fn least_ratio(self, divisor: Self) -> f64 {
+        (self / divisor).high()
     }
 
     fn magnitude(self) -> f64 {

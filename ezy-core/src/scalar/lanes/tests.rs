@@ -61,10 +61,10 @@ fn analytic_operations_are_those_of_f64_in_each_lane() {
 }
 
 #[test]
-fn analytic_one_lane_that_is_not_above_counts_for_all() {
-    let one = Lanes([1.0; 4]);
-    assert!(Lanes([2.0, 3.0, 4.0, 1.1]).is_above(one));
-    assert!(!Lanes([2.0, 3.0, 4.0, 1.0]).is_above(one) && !Lanes([2.0, f64::NAN, 4.0, 3.0]).is_above(one));
+fn analytic_the_least_lane_counts_for_all() {
+    let two = Lanes([2.0; 4]);
+    assert_eq!(Lanes([2.0, 3.0, 4.0, 1.0]).least_ratio(two), 0.5);
+    assert!(Lanes([2.0, f64::NAN, 4.0, 3.0]).least_ratio(two).is_nan());
     assert!(Lanes([2.0, f64::NAN, -4.0, 3.0]).magnitude().is_nan());
     assert_eq!(Lanes([2.0, 0.0, -4.0, 3.0]).magnitude(), 4.0);
 }

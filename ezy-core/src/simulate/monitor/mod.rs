@@ -25,10 +25,22 @@ pub struct Monitors {
     pub velocity_drift: Option<Peak>,
     /// Largest energy balance; none where effects do work that the run does not integrate.
     pub energy: Option<EnergyError>,
+    /// Smallest relative pivot at ends and stages of all steps ([`System::smallest_pivot`](crate::dynamics::System::smallest_pivot));
+    /// none without rows.
+    pub pivot: Option<LeastPivot>,
     /// Condition of the equations of motion; none without rows, and in scenes of more than 200 unknowns.
     pub condition: Option<ConditionPeak>,
     /// Shortest and longest step, s; none in a run without a step. The shortest may be what was left to the end.
     pub steps_s: Option<[f64; 2]>,
+}
+
+/// A smallest pivot, with its time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LeastPivot {
+    /// The pivot, relative to what it started from; zero where rows depended on each other.
+    pub value: f64,
+    /// Its time, s.
+    pub t: f64,
 }
 
 /// A largest value, with its time and row.

@@ -2,7 +2,7 @@
 
 use super::condition::ConditionWatch;
 use super::energy::EnergyWatch;
-use super::{EnergyError, ExceededLimit, Limits, Monitors, Peak};
+use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors, Peak};
 use crate::dynamics::{Projection, State, System, Worst};
 use crate::model::{Scene, SceneInfo};
 
@@ -20,6 +20,7 @@ pub(in crate::simulate) struct Watch {
     velocity_residual: Peak,
     position_drift: Peak,
     velocity_drift: Peak,
+    pivot: LeastPivot,
     energy: Option<EnergyWatch>,
     condition: Option<Box<ConditionWatch>>,
     shortest_s: f64,
@@ -38,6 +39,7 @@ impl Watch {
     ) -> Self {
         let info = system.info();
         let State { t, q, v, .. } = start;
+        system.take_least_pivot();
         let peak =
             |worst: Worst| Peak { value: worst.value, t: *t, row: info.rows.get(worst.row).map_or("", |row| row.name) };
         let measured = work || info.n_effects() == 0;
@@ -50,6 +52,7 @@ impl Watch {
             velocity_residual: peak(system.worst_velocity(*t, q, v)),
             position_drift: peak(Worst::default()),
             velocity_drift: peak(Worst::default()),
+            pivot: LeastPivot { value: system.pivot_at(*t, q), t: *t },
             condition: ConditionWatch::new(system, start),
             energy: measured.then(|| EnergyWatch::new(system, start)),
             shortest_s: f64::INFINITY,
@@ -85,6 +88,10 @@ impl Watch {
                 return Err(ExceededLimit::EnergyError { t, joules, relative, limit });
             }
             energy.keep(now);
+        }
+        let pivot = system.take_least_pivot();
+        if pivot < self.pivot.value {
+            self.pivot = LeastPivot { value: pivot, t: state.t };
         }
         self.n_steps += 1;
         // the rows of the start
@@ -156,6 +163,7 @@ impl Watch {
             velocity_residual: of_rows.then_some(self.velocity_residual),
             position_drift: (of_positions && self.projection.positions()).then_some(self.position_drift),
             velocity_drift: (of_rows && self.projection.velocities()).then_some(self.velocity_drift),
+            pivot: of_rows.then_some(self.pivot),
             energy: self.energy.as_ref().map(|energy| energy.largest),
             condition: self.condition.as_ref().map(|condition| condition.peak),
             steps_s: (self.n_steps > 0).then_some([self.shortest_s, self.longest_s]),

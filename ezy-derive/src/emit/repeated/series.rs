@@ -87,13 +87,13 @@ pub fn implementation(type_name: &Ident, model: &Model, symbols: &Symbols, items
                 c: &[T],
                 t: T,
                 store: &mut ::ezy_core::model::SeriesStore<T>,
-            ) -> ::ezy_core::model::DeficientRows {
+            ) -> ::ezy_core::model::Pivots {
                 #firsts
                 #opening
                 let (q, v) = q[..2 * n_q].split_at(n_q);
                 force.fill(T::from_f64(0f64));
                 #(#begin)*
-                ::ezy_core::model::DeficientRows::ALL
+                ::ezy_core::model::Pivots::ALL_VANISHED
             }
             fn right_side(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
                 #firsts

@@ -35,7 +35,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Swing {
         c: &[T],
         t: T,
         store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let first_link: i64 = 0;
         let ::ezy_core::model::SeriesStore {
             q,
@@ -158,7 +158,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Swing {
             base_place += 0usize;
             kept_place += 0usize;
         }
-        ::ezy_core::model::DeficientRows::ALL
+        ::ezy_core::model::Pivots::ALL_VANISHED
     }
     fn right_side(
         &self,

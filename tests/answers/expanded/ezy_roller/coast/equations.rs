@@ -251,7 +251,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
@@ -344,11 +344,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         lambda[1usize] = value_118;
         lambda[2usize] = value_119;
         lambda[3usize] = value_120;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[16usize], c[17usize]))
-            .mark(3usize, !T::is_above(c[18usize], c[19usize]))
-            .mark(0usize, !T::is_above(difference_64, c[20usize]))
-            .mark(1usize, !T::is_above(difference_64, c[20usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[16usize], c[17usize]))
+            .see(&[3usize], T::least_ratio(c[18usize], c[19usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_64, c[20usize]))
     }
     #[inline]
     fn correction(
@@ -358,7 +357,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
@@ -424,10 +423,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         delta[3usize] = product_81;
         delta[4usize] = product_84;
         delta[5usize] = value_96;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[16usize], c[17usize]))
-            .mark(3usize, !T::is_above(c[18usize], c[19usize]))
-            .mark(0usize, !T::is_above(difference_42, c[20usize]))
-            .mark(1usize, !T::is_above(difference_42, c[20usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[16usize], c[17usize]))
+            .see(&[3usize], T::least_ratio(c[18usize], c[19usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_42, c[20usize]))
     }
 }

@@ -14,7 +14,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         c: &[T],
         t: T,
         store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<32usize, T>(c);
         let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
         let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
@@ -116,11 +116,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         target[1usize] = sum_35;
         target[2usize] = product_41;
         target[3usize] = product_47;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[16usize], c[17usize]))
-            .mark(3usize, !T::is_above(c[18usize], c[19usize]))
-            .mark(0usize, !T::is_above(difference_120, c[20usize]))
-            .mark(1usize, !T::is_above(difference_120, c[20usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[16usize], c[17usize]))
+            .see(&[3usize], T::least_ratio(c[18usize], c[19usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_120, c[20usize]))
     }
     #[inline]
     fn right_side(

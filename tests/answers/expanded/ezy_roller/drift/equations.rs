@@ -275,7 +275,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
@@ -383,10 +383,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         lambda[0usize] = lambda_B_x;
         lambda[1usize] = lambda_B_y;
         lambda[2usize] = lambda_front;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[26usize], c[27usize]))
-            .mark(0usize, !T::is_above(difference_112, c[28usize]))
-            .mark(1usize, !T::is_above(difference_112, c[28usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[26usize], c[27usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_112, c[28usize]))
     }
     #[inline]
     fn correction(
@@ -396,7 +395,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<3usize, T>(residual);
@@ -454,9 +453,8 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         delta[3usize] = product_63;
         delta[4usize] = product_66;
         delta[5usize] = value_77;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[26usize], c[27usize]))
-            .mark(0usize, !T::is_above(difference_35, c[28usize]))
-            .mark(1usize, !T::is_above(difference_35, c[28usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[26usize], c[27usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_35, c[28usize]))
     }
 }

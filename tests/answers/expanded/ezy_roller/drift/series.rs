@@ -14,7 +14,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         c: &[T],
         t: T,
         store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
         let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
@@ -196,10 +196,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[0usize] = sum_32;
         target[1usize] = sum_35;
         target[2usize] = product_41;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[26usize], c[27usize]))
-            .mark(0usize, !T::is_above(difference_145, c[28usize]))
-            .mark(1usize, !T::is_above(difference_145, c[28usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[26usize], c[27usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_145, c[28usize]))
     }
     #[inline]
     fn right_side(

@@ -274,7 +274,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
@@ -379,11 +379,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         lambda[1usize] = value_140;
         lambda[2usize] = value_141;
         lambda[3usize] = value_142;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[23usize], c[24usize]))
-            .mark(3usize, !T::is_above(c[25usize], c[26usize]))
-            .mark(0usize, !T::is_above(difference_80, c[27usize]))
-            .mark(1usize, !T::is_above(difference_80, c[27usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[23usize], c[24usize]))
+            .see(&[3usize], T::least_ratio(c[25usize], c[26usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_80, c[27usize]))
     }
     #[inline]
     fn correction(
@@ -393,7 +392,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
@@ -459,10 +458,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         delta[3usize] = product_81;
         delta[4usize] = product_84;
         delta[5usize] = value_96;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[23usize], c[24usize]))
-            .mark(3usize, !T::is_above(c[25usize], c[26usize]))
-            .mark(0usize, !T::is_above(difference_42, c[27usize]))
-            .mark(1usize, !T::is_above(difference_42, c[27usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[23usize], c[24usize]))
+            .see(&[3usize], T::least_ratio(c[25usize], c[26usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_42, c[27usize]))
     }
 }

@@ -291,7 +291,7 @@ for self::DrivenOnTarmac {
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
@@ -402,11 +402,10 @@ for self::DrivenOnTarmac {
         lambda[1usize] = lambda_B_y;
         lambda[2usize] = lambda_rear;
         lambda[3usize] = lambda_front;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[25usize], c[26usize]))
-            .mark(3usize, !T::is_above(c[27usize], c[28usize]))
-            .mark(0usize, !T::is_above(difference_109, c[29usize]))
-            .mark(1usize, !T::is_above(difference_109, c[29usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[25usize], c[26usize]))
+            .see(&[3usize], T::least_ratio(c[27usize], c[28usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_109, c[29usize]))
     }
     #[inline]
     fn correction(
@@ -416,7 +415,7 @@ for self::DrivenOnTarmac {
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
@@ -482,10 +481,9 @@ for self::DrivenOnTarmac {
         delta[3usize] = product_81;
         delta[4usize] = product_84;
         delta[5usize] = value_96;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[25usize], c[26usize]))
-            .mark(3usize, !T::is_above(c[27usize], c[28usize]))
-            .mark(0usize, !T::is_above(difference_42, c[29usize]))
-            .mark(1usize, !T::is_above(difference_42, c[29usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[25usize], c[26usize]))
+            .see(&[3usize], T::least_ratio(c[27usize], c[28usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_42, c[29usize]))
     }
 }

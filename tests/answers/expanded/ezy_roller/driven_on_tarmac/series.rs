@@ -14,7 +14,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         c: &[T],
         t: T,
         store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
         let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
@@ -164,11 +164,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         target[1usize] = sum_35;
         target[2usize] = product_41;
         target[3usize] = product_47;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[25usize], c[26usize]))
-            .mark(3usize, !T::is_above(c[27usize], c[28usize]))
-            .mark(0usize, !T::is_above(difference_143, c[29usize]))
-            .mark(1usize, !T::is_above(difference_143, c[29usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[25usize], c[26usize]))
+            .see(&[3usize], T::least_ratio(c[27usize], c[28usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_143, c[29usize]))
     }
     #[inline]
     fn right_side(

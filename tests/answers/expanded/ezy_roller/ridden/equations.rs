@@ -256,7 +256,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
@@ -349,11 +349,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         lambda[1usize] = lambda_B_y;
         lambda[2usize] = lambda_rear;
         lambda[3usize] = lambda_front;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[19usize], c[20usize]))
-            .mark(3usize, !T::is_above(c[21usize], c[22usize]))
-            .mark(0usize, !T::is_above(difference_77, c[23usize]))
-            .mark(1usize, !T::is_above(difference_77, c[23usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[19usize], c[20usize]))
+            .see(&[3usize], T::least_ratio(c[21usize], c[22usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_77, c[23usize]))
     }
     #[inline]
     fn correction(
@@ -363,7 +362,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
@@ -429,10 +428,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Ri
         delta[3usize] = product_81;
         delta[4usize] = product_84;
         delta[5usize] = value_96;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[19usize], c[20usize]))
-            .mark(3usize, !T::is_above(c[21usize], c[22usize]))
-            .mark(0usize, !T::is_above(difference_42, c[23usize]))
-            .mark(1usize, !T::is_above(difference_42, c[23usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[19usize], c[20usize]))
+            .see(&[3usize], T::least_ratio(c[21usize], c[22usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_42, c[23usize]))
     }
 }

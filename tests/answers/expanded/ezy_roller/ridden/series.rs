@@ -14,7 +14,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
         c: &[T],
         t: T,
         store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::DeficientRows {
+    ) -> ::ezy_core::model::Pivots {
         let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
         let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
@@ -118,11 +118,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
         target[1usize] = sum_35;
         target[2usize] = product_41;
         target[3usize] = product_47;
-        ::ezy_core::model::DeficientRows(0)
-            .mark(2usize, !T::is_above(c[19usize], c[20usize]))
-            .mark(3usize, !T::is_above(c[21usize], c[22usize]))
-            .mark(0usize, !T::is_above(difference_121, c[23usize]))
-            .mark(1usize, !T::is_above(difference_121, c[23usize]))
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[19usize], c[20usize]))
+            .see(&[3usize], T::least_ratio(c[21usize], c[22usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_121, c[23usize]))
     }
     #[inline]
     fn right_side(

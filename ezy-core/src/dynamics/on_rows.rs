@@ -1,0 +1,51 @@
+//! Accelerations of states near the rows: those of the projected states.
+
+use super::{Dynamics, Metric, MotionError, Projection, State, System};
+use crate::model::Scene;
+
+/// A system whose accelerations do not depend on how far a state is off the rows.
+///
+/// Of states on the rows they are the same. Off them, next to a position in which rows depend on each other, those of the
+/// state itself have a pole, those of the projected state have none.
+pub struct OnRows<'m, 's, S: Scene + ?Sized> {
+    system: &'m mut System<'s, S>,
+    /// The last projected state; without works.
+    projected: &'m mut State,
+}
+
+impl<'m, 's, S: Scene + ?Sized> OnRows<'m, 's, S> {
+    /// With a buffer for projected states.
+    pub fn new(system: &'m mut System<'s, S>, projected: &'m mut State) -> Self {
+        Self { system, projected }
+    }
+}
+
+impl<S: Scene + ?Sized> Dynamics<f64> for OnRows<'_, '_, S> {
+    fn accelerations(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), MotionError> {
+        let State { q: on_q, v: on_v, .. } = &mut *self.projected;
+        on_q.copy_from_slice(q);
+        on_v.copy_from_slice(v);
+        self.system.project(t, on_q, on_v, Projection::Both, Metric::Mass)?;
+        self.system.accelerations(t, on_q, on_v, a, lambda)
+    }
+
+    /// At the state whose accelerations were computed last.
+    fn power(&self, t: f64, _q: &[f64], _v: &[f64], lambda: &[f64], out: &mut [f64]) {
+        self.system.power(t, &self.projected.q, &self.projected.v, lambda, out);
+    }
+
+    fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
+        self.system.is_near_rank_loss(t, q)
+    }
+
+    fn take_what_rows_forbid(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
+        self.system.make_tangential(t, q, x).is_ok()
+    }
+}

@@ -13,6 +13,8 @@ pub(super) struct Instantaneous {
     pub power: Vec<f64>,
     /// Whether rows depend on each other there.
     pub lost_rank: bool,
+    /// Smallest pivot there, as the projection saw it.
+    pub pivot: f64,
 }
 
 impl Instantaneous {
@@ -26,6 +28,7 @@ impl Instantaneous {
             lambda: vec![0.0; n_c],
             power: vec![0.0; n_works],
             lost_rank: false,
+            pivot: 0.0,
         }
     }
 

@@ -3,6 +3,7 @@
 mod adaptive;
 mod control;
 mod course;
+mod crossing;
 mod detour;
 mod ensemble;
 mod error;
@@ -24,6 +25,7 @@ mod reach;
 mod run_loop;
 mod sensitivity;
 mod simulation;
+mod singular;
 mod stepper;
 
 pub use ensemble::Ensemble;

@@ -1,15 +1,23 @@
 //! A scene in motion: where it is, and how it gets one step further. What runs and steppers share.
 
 use super::SetupError;
+use super::crossing::Crossing;
 use super::events::Kinks;
 use super::instantaneous::Instantaneous;
 use super::integrator::Integrator;
+use super::singular::Approach;
 use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, not_finite};
-use crate::integrate::Method;
+use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
 
 /// A step that ends at a singular position, where accelerations are hardly known, ends earlier instead by this factor.
 const SHORTENED: f64 = 0.9;
+
+/// A step whose end has a smaller part of the pivot at its start ends next to a singular position.
+const TOO_NEAR: f64 = 0.03;
+
+/// Part of a step by which the usual length comes nearer to it where it is shorter.
+const FADING: f64 = 0.1;
 
 /// More than one are needed only where rank is lost for good.
 const MAX_SHORTENED: usize = 3;
@@ -21,6 +29,14 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
     kinks: Kinks,
     projection: Projection,
     metric: Metric,
+    /// Whether singular positions are crossed by steps of their own: where steps are projected.
+    crosses: bool,
+    /// Of a method that chooses its steps.
+    tolerance: Option<Tolerance>,
+    /// Made when it is first needed.
+    crossing: Option<Box<Crossing>>,
+    /// About the length of the last steps, s; zero before the first.
+    usual_s: f64,
     /// Whether works are integrated.
     pub work: bool,
     pub now: Instantaneous,
@@ -40,7 +56,20 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         let projects = projection == Projection::Both && metric == Metric::Mass;
         let integrator = Integrator::new(method, system.scene(), now.power.len(), projects)?;
         let kinks = Kinks::new(info);
-        Ok(Self { system, integrator, kinks, projection, metric, work, now, next })
+        Ok(Self {
+            system,
+            integrator,
+            kinks,
+            projection,
+            metric,
+            crosses: projects && info.n_position_rows > 0,
+            tolerance: method.tolerance(),
+            crossing: None,
+            usual_s: 0.0,
+            work,
+            now,
+            next,
+        })
     }
 
     /// Goes to a state without history; what belongs to it is not evaluated.
@@ -50,23 +79,87 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         now.q.copy_from_slice(&state.q);
         now.v.copy_from_slice(&state.v);
         now.work.fill(0.0);
+        self.restart();
+    }
+
+    /// Forgets the steps taken so far.
+    fn restart(&mut self) {
         self.integrator.restart();
         self.kinks.restart();
+        self.forget_crossing();
+    }
+
+    fn forget_crossing(&mut self) {
+        self.usual_s = 0.0;
+        if let Some(crossing) = &mut self.crossing {
+            crossing.restart();
+        }
     }
 
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
     /// that chooses its steps may stop before `t_next`, and any at a kink.
     pub fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        let outcome = self.advance_past_singular_positions(h, t_next);
+        let outcome = match self.advance_on_leap(t_next) {
+            Ok(true) => Ok(()),
+            Ok(false) => self.advance_past_singular_positions(h, t_next),
+            Err(error) => Err(error),
+        };
+        if outcome.is_ok() {
+            let length = self.next.state.t - self.now.state.t;
+            self.usual_s = length.max(self.usual_s - FADING * length);
+        }
         let State { t, q, .. } = &self.now.state;
         outcome.map_err(|error| self.system.locked_up(*t, q, error))
+    }
+
+    /// A step over a singular position, or a part of one; false where there is none.
+    fn advance_on_leap(&mut self, t_next: f64) -> Result<bool, MotionError> {
+        let chooses_steps = self.integrator.chooses_steps();
+        let Self { system, crossing, now, next, .. } = self;
+        if let Some(crossing) = crossing
+            && now.state.t >= crossing.end.state.t
+        {
+            crossing.is_under_way = false;
+        }
+        if !crossing.as_ref().is_some_and(|crossing| crossing.is_under_way) {
+            // a step over several ticks of a clock knows the inputs of the first one only
+            let holds_inputs = chooses_steps || system.inputs().is_empty();
+            let approach = Approach { now, before: next };
+            let is_heading = crossing.as_ref().is_some_and(|crossing| crossing.is_heading());
+            if !self.crosses || !holds_inputs || !is_heading && approach.distance(self.usual_s).is_none() {
+                return Ok(false);
+            }
+            let crossing = crossing.get_or_insert_with(|| Box::new(Crossing::new(system, self.tolerance, self.work)));
+            if !crossing.step(system, &approach, self.usual_s) {
+                return Ok(false);
+            }
+        }
+        let Some(crossing) = crossing else { return Ok(false) };
+        let end = &crossing.end;
+        if t_next < end.state.t {
+            crossing.between(t_next, &mut next.state);
+            self.project_next()?;
+        } else if chooses_steps || t_next == end.state.t {
+            next.state.copy_from(&end.state);
+            self.integrator.restart();
+            self.project_next()?;
+        } else {
+            crossing.is_under_way = false;
+            self.integrator.restart();
+            let h = t_next - end.state.t;
+            self.integrator.step(system, end.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
+            self.project_next()?;
+        }
+        check_finite(&self.system, self.now.state.t, &self.next.state)?;
+        Ok(true)
     }
 
     fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.step(h, t_next)?;
         if self.integrator.chooses_steps() && !self.now.lost_rank {
             for _ in 0..MAX_SHORTENED {
-                if !self.system.lost_rank() {
+                let too_near = self.crosses && self.next.pivot < TOO_NEAR * self.now.pivot;
+                if !self.system.lost_rank() && !too_near {
                     break;
                 }
                 let t = self.now.state.t;
@@ -81,14 +174,20 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         let (system, next) = (&mut self.system, &mut self.next);
         self.integrator.step(system, self.now.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
-        let State { t, q, v, .. } = &mut next.state;
-        system.project(*t, q, v, self.projection, self.metric)
+        self.project_next()
+    }
+
+    fn project_next(&mut self) -> Result<(), MotionError> {
+        let State { t, q, v, .. } = &mut self.next.state;
+        self.system.project(*t, q, v, self.projection, self.metric)?;
+        self.next.pivot = self.system.smallest_pivot();
+        Ok(())
     }
 
     /// A state between `now` and `next`, both evaluated; projected and evaluated like them.
     pub fn between(&mut self, t: f64, out: &mut Instantaneous) -> Result<(), MotionError> {
+        self.inside(t, &mut out.state)?;
         let system = &mut self.system;
-        self.integrator.between(system, self.now.knot(), self.next.knot(), t, &mut out.state)?;
         if self.integrator.chooses_steps() {
             let State { q, v, .. } = &mut out.state;
             system.project(t, q, v, self.projection, self.metric)?;
@@ -109,6 +208,12 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
 
     /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
     pub fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
+        if let Some(crossing) = &mut self.crossing
+            && crossing.is_under_way
+        {
+            crossing.between(t, out);
+            return Ok(());
+        }
         self.integrator.between(&mut self.system, self.now.knot(), self.next.knot(), t, out)
     }
 
@@ -155,8 +260,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     pub fn rebound(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
         self.now.state.q.copy_from_slice(q);
         self.now.state.v = v;
-        self.integrator.restart();
-        self.kinks.restart();
+        self.restart();
         self.evaluate_now()
     }
 
@@ -169,6 +273,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     /// Makes the step under way again, as one of length `h` without history.
     pub fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.integrator.restart_with(h);
+        self.forget_crossing();
         self.evaluate_now()?;
         self.advance(h, t_next)
     }

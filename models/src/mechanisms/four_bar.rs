@@ -12,8 +12,7 @@
 //! Freedom: 1 at position level, 1 at velocity level; driven: none. Undriven: kinetic and potential energy are constant.
 //! The default bars are a parallelogram. Whenever it lies flat the rows lose a rank and the motion could branch off; on the
 //! branch that stays a parallelogram it is one pendulum with moment of inertia 5/3 kg·m² and m g l = 19.62 N·m.
-//! A step that ends within some 1e-6 rad of a flat position, one in a thousand turns, can leave that branch: the energy
-//! balance then shows it.
+//! Runs lead over flat positions by steps that begin and end well away from them.
 //! Source: A02 of the multibody benchmark of A Coruña (2005) with N = 1, after Bayo and Avello, Nonlinear Dynamics 5 (1994).
 
 use ezy_core::model;

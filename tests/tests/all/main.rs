@@ -7,6 +7,7 @@ mod architecture;
 mod backends;
 mod control;
 mod crossing;
+mod crossing_cases;
 mod degenerate_forces;
 mod dop853;
 mod drives;

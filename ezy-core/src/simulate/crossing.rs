@@ -1,0 +1,174 @@
+//! Past positions in which rows depend on each other for an instant.
+
+use super::instantaneous::Instantaneous;
+use super::singular::Approach;
+use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
+use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
+use crate::model::Scene;
+
+/// Steps that begin well before a singular position and end well beyond.
+///
+/// At a distance D from it rounding of positions comes back as velocities with 1/D² and as forces with 1/D³. So no step ends
+/// near; one leads over, of DOP853, with the position in the widest gap of its nodes. Its stages are projected, since off the
+/// rows accelerations have a pole there.
+pub(super) struct Crossing {
+    method: Dop853,
+    on_rows: State,
+    control: StepControl,
+    tolerance: Tolerance,
+    /// Whether steps are controlled, or as long as they have to be.
+    chooses_steps: bool,
+    /// Length of a step that keeps to the tolerance, s.
+    length_s: f64,
+    /// Where the last step began, s.
+    begin_s: f64,
+    /// Where it ends, projected and evaluated.
+    pub end: Instantaneous,
+    /// Whether the motion is on its way there, or has just arrived.
+    pub is_under_way: bool,
+    /// Time of a singular position that is approached, s.
+    ahead_s: Option<f64>,
+    /// Until when nothing is tried, s.
+    in_vain_until_s: f64,
+}
+
+/// Where in a leap the singular position lies: 0.13 of its length from the nearest node of DOP853.
+const MIDDLE: f64 = 0.46;
+
+/// A leap of the controlled length begins within this of where it should.
+const ABOUT: f64 = 1.1;
+
+/// Part of the usual length below which steps do not shrink: noise would only grow.
+const SHORTEST: f64 = 1.0 / 16.0;
+
+/// Error over the tolerance that is taken for noise then.
+const LARGEST_AT_SHORTEST: f64 = 1e3;
+
+/// Tries of one step.
+const MAX_TRIES: u32 = 10;
+
+/// Tolerance below which estimates next to a singular position are rounding.
+const FINEST: f64 = 1e-13;
+
+/// For methods with a fixed step, whose own errors are larger.
+const OF_FIXED_STEPS: f64 = 1e-9;
+
+impl Crossing {
+    pub fn new<S: Scene + ?Sized>(system: &System<'_, S>, tolerance: Option<Tolerance>, work: bool) -> Self {
+        let info = system.info();
+        let (n_q, end) = (info.n_coordinates(), Instantaneous::zero(info, work));
+        let n_works = end.power.len();
+        let wanted = tolerance.unwrap_or(Tolerance { relative: OF_FIXED_STEPS, absolute: OF_FIXED_STEPS });
+        Self {
+            method: Dop853::new(n_q, info.n_rows(), n_works),
+            on_rows: State::zero(n_q, 0),
+            control: StepControl::new(DOP853_ERROR_ORDER),
+            tolerance: Tolerance { relative: wanted.relative.max(FINEST), absolute: wanted.absolute.max(FINEST) },
+            chooses_steps: tolerance.is_some(),
+            length_s: 0.0,
+            begin_s: 0.0,
+            end,
+            is_under_way: false,
+            ahead_s: None,
+            in_vain_until_s: f64::NEG_INFINITY,
+        }
+    }
+
+    /// Whether the last step led towards a singular position.
+    pub fn is_heading(&self) -> bool {
+        self.ahead_s.is_some()
+    }
+
+    /// Forgets what was under way.
+    pub fn restart(&mut self) {
+        self.is_under_way = false;
+        self.ahead_s = None;
+        self.in_vain_until_s = f64::NEG_INFINITY;
+    }
+
+    /// A step over a singular position or towards it, when one is near; false when there is none, or no way over it. `usual_s` is
+    /// the length of the steps before.
+    pub fn step<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        approach: &Approach<'_>,
+        usual_s: f64,
+    ) -> bool {
+        let now = approach.now;
+        let t = now.state.t;
+        if t < self.in_vain_until_s {
+            return false;
+        }
+        let guess = match self.ahead_s.take() {
+            Some(ahead) => Some(ahead - t),
+            None => {
+                self.length_s = usual_s;
+                approach.distance(usual_s)
+            }
+        };
+        let Some(distance) = guess.and_then(|guess| approach.find(system, &mut self.on_rows.q, guess)) else {
+            return false;
+        };
+        if !self.chooses_steps {
+            self.length_s = distance / MIDDLE;
+        }
+        let shortest = SHORTEST * usual_s;
+        for _ in 0..MAX_TRIES {
+            let length = self.length_s;
+            let leaps = distance <= ABOUT * MIDDLE * length;
+            let h = if leaps { distance / MIDDLE } else { length.min(distance - MIDDLE * length) };
+            self.method.restart();
+            let error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
+            if error <= 1.0 || error <= LARGEST_AT_SHORTEST && length <= shortest {
+                self.length_s = length.max(h * self.control.accept(error.max(f64::MIN_POSITIVE)));
+                self.begin_s = t;
+                if self.finish(system, now).is_err() {
+                    break;
+                }
+                self.is_under_way = true;
+                self.ahead_s = (!leaps).then_some(t + distance);
+                return true;
+            }
+            if !self.chooses_steps || length <= shortest {
+                break;
+            }
+            self.length_s = (h * self.control.reject(error)).max(shortest);
+        }
+        self.in_vain_until_s = t + distance;
+        false
+    }
+
+    /// Error of a step over the tolerance, of what its projection leaves.
+    fn attempt<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        now: &Instantaneous,
+        h: f64,
+    ) -> Result<f64, MotionError> {
+        let to = &mut self.end.state;
+        let mut on_rows = OnRows::new(system, &mut self.on_rows);
+        let error = self.method.attempt(&mut on_rows, now.knot(), h, self.tolerance, to)?;
+        let tangential =
+            if error > 1.0 { self.method.tangential_error(&mut on_rows, h, self.tolerance, to) } else { None };
+        Ok(tangential.unwrap_or(error))
+    }
+
+    /// What belongs to the end of a step, and to values on the way.
+    fn finish<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        now: &Instantaneous,
+    ) -> Result<(), MotionError> {
+        let State { t, q, v, .. } = &mut self.end.state;
+        system.project(*t, q, v, Projection::Both, Metric::Mass)?;
+        self.end.evaluate(system)?;
+        let mut on_rows = OnRows::new(system, &mut self.on_rows);
+        self.method.prepare_dense(&mut on_rows, now.knot(), self.end.knot())
+    }
+
+    /// The state at `t` on the way, not projected.
+    pub fn between(&mut self, t: f64, out: &mut State) {
+        self.method.dense_at((t - self.begin_s) / (self.end.state.t - self.begin_s), out);
+        out.t = t;
+    }
+}

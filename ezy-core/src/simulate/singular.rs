@@ -1,0 +1,73 @@
+//! When a motion comes to a position in which rows depend on each other.
+
+use super::instantaneous::Instantaneous;
+use crate::dynamics::System;
+use crate::model::Scene;
+
+/// The last two states of a motion; the root of the smallest pivot falls in proportion to the distance to a singular position.
+pub(super) struct Approach<'m> {
+    pub now: &'m Instantaneous,
+    pub before: &'m Instantaneous,
+}
+
+/// A singular position nearer than this many usual steps is looked for.
+const NEAR: f64 = 1.6;
+
+/// A pivot that falls below this part of what it is now, on the way that is foreseen, vanishes there.
+const VANISHES: f64 = 0.02;
+
+/// The way that is looked at, in distances as foreseen by the last two pivots.
+const FARTHEST: f64 = 1.6;
+
+/// Of golden sections: 1/2000 of the way.
+const N_SECTIONS: usize = 16;
+
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+impl Approach<'_> {
+    /// Time to a singular position as foreseen by the last two pivots, s; none where it is far. `usual_s` is the length of the
+    /// steps before; zero when there were none.
+    pub fn distance(&self, usual_s: f64) -> Option<f64> {
+        let (now, before) = (self.now.pivot, self.before.pivot);
+        if now >= before || now <= 0.0 || usual_s == 0.0 {
+            return None;
+        }
+        let (now, before) = (now.sqrt(), before.sqrt());
+        let distance = now * (self.now.state.t - self.before.state.t) / (before - now);
+        (distance < NEAR * usual_s).then_some(distance)
+    }
+
+    /// Time to where the smallest pivot vanishes on the way that is foreseen, about `guess` from now, s; `q` is a buffer.
+    pub fn find<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, q: &mut [f64], guess: f64) -> Option<f64> {
+        let mut pivot = |s: f64| {
+            self.foresee(s, q);
+            system.pivot_at(self.now.state.t + s, q)
+        };
+        let (mut from, mut to) = (0.0, FARTHEST * guess);
+        let (mut left, mut right) = (to - GOLDEN * to, GOLDEN * to);
+        let (mut at_left, mut at_right) = (pivot(left), pivot(right));
+        for _ in 0..N_SECTIONS {
+            if at_left <= at_right {
+                (to, right, at_right) = (right, left, at_left);
+                left = to - GOLDEN * (to - from);
+                at_left = pivot(left);
+            } else {
+                (from, left, at_left) = (left, right, at_right);
+                right = from + GOLDEN * (to - from);
+                at_right = pivot(right);
+            }
+        }
+        (at_left.min(at_right) <= VANISHES * self.now.pivot).then_some(0.5 * (left + right))
+    }
+
+    /// Positions `s` from now, by accelerations that go on changing as they did.
+    fn foresee(&self, s: f64, q: &mut [f64]) {
+        let Self { now, before } = self;
+        let passed = now.state.t - before.state.t;
+        let bend = if passed > 0.0 { s / (3.0 * passed) } else { 0.0 };
+        for (i, q) in q.iter_mut().enumerate() {
+            let a = now.a[i] + bend * (now.a[i] - before.a[i]);
+            *q = now.state.q[i] + s * (now.state.v[i] + 0.5 * s * a);
+        }
+    }
+}

@@ -22,6 +22,7 @@ mod refinement;
 mod scaled;
 mod singular;
 mod sparse;
+mod sparse_lu;
 
 pub use conditioning::{ConditionEstimator, Conditioning};
 pub use damped::{COARSE, DampedKkt, FINE, Left, weights, write_diagonal};
@@ -30,6 +31,7 @@ pub use lu::Lu;
 pub use rank::{Dependencies, LARGEST_DIAGNOSED, dependencies, undetermined_coordinates};
 pub(crate) use singular::singular_values;
 pub use sparse::{SparseKkt, SparseKktError};
+pub use sparse_lu::SparseLu;
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -6,7 +6,7 @@ use super::detour::TaylorWithDetour;
 use super::events::{Cut, Kinks};
 use super::implicit::Implicit;
 use super::instantaneous::Instantaneous;
-use crate::dynamics::{MotionError, State, System};
+use crate::dynamics::{MotionError, State, System, SystemError};
 use crate::integrate::{Knot, Method, Radau, Rk4, Taylor, interpolate, taylor_order};
 use crate::model::Scene;
 
@@ -34,7 +34,7 @@ impl<'s> Integrator<'s> {
                 Some(taylor) => Self::Taylor(Box::new(TaylorWithDetour::new(taylor, tolerance, adaptive(tolerance)))),
                 None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),
             },
-            Method::Radau(tolerance) => match Radau::new(scene, n_works) {
+            Method::Radau(tolerance) => match Radau::new(scene, n_works).map_err(SystemError::from)? {
                 Some(radau) => Self::Radau(Box::new(Implicit::new(radau, tolerance))),
                 None => return Err(SetupError::NoSlopes { scene: info.name }),
             },

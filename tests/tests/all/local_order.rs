@@ -77,7 +77,7 @@ impl<'s> OnTheWay<'s> {
     fn radau(&mut self, h: f64) -> State {
         let mut to = self.state.clone();
         let from = Knot { state: &self.state, a: &self.a, power: &[] };
-        let mut method = Radau::new(self.system.scene(), 0).expect("slopes");
+        let mut method = Radau::new(self.system.scene(), 0).unwrap().expect("slopes");
         method.attempt(&mut self.system, from, h, CONVERGED, false, &mut to).unwrap();
         to
     }

@@ -7,7 +7,7 @@ use ezy_core::model;
 use ezy_core::prelude::*;
 use ezy_core::record::Sample;
 use ezy_core::simulate::SetupError;
-use ezy_models::{double_pendulum, ezy_roller};
+use ezy_models::{chain, double_pendulum, ezy_roller};
 use ezy_tests::garage::{case, load as load_cases, rows, worse};
 use ezy_tests::hand_roller::HandRoller;
 use ezy_tests::reference::load;
@@ -52,7 +52,7 @@ fn equal_steps(scene: &dyn Scene, end_s: f64, h: f64) -> (State, State) {
     let mut now = system.consistent_start(&system.scene_start()).unwrap();
     let n_works = scene.info().n_effects();
     let (mut next, mut middle) = (now.clone(), now.clone());
-    let mut method = Radau::new(scene, n_works).unwrap();
+    let mut method = Radau::new(scene, n_works).unwrap().unwrap();
     let (mut a, mut lambda) = (vec![0.0; now.q.len()], vec![0.0; scene.info().n_rows()]);
     let mut power = vec![0.0; n_works];
     for _ in 0..(end_s / h).round() as usize {
@@ -212,6 +212,18 @@ fn cross_radau_and_dop853_on_scenes_without_stiffness() {
         // a tolerance is kept per step, and the motion multiplies errors a hundred times at most
         assert!(difference <= 1e-8, "{}: {difference:.1e}", scene.info().model);
     }
+}
+
+/// 30 rods are 150 equations, which are factored by their pattern.
+#[test]
+fn cross_radau_and_dop853_on_a_chain_with_friction() {
+    let n = 30;
+    let scene = chain::Settle { n, l: 1.0 / n as f64, m: 1.0 / n as f64, d: 1e-3, ..Default::default() };
+    let run = |method| Simulation::new(&scene).method(method).until(0.05).run().unwrap();
+    let (found, expected) = (run(Method::radau(1e-8)), run(Method::dop853(1e-10)));
+    let difference = distance(found.last().coordinates, expected.last().coordinates);
+    // a tolerance is kept per step
+    assert!(difference <= 1e-7, "{difference:.1e}");
 }
 
 #[test]

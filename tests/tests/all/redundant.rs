@@ -82,7 +82,7 @@ const MOTION: f64 = 1e-9;
 /// Digits of multipliers that belong to one row of several: rounding over the damping of 1e-9.
 const SHARES: f64 = 1e-6;
 
-const METHODS: [Method; 3] = [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10)];
+const METHODS: [Method; 4] = [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::radau(1e-11)];
 
 #[test]
 fn cross_two_wheels_on_one_axle_move_like_one() {
@@ -127,7 +127,7 @@ const FIVE_CRANKS: [(f64, f64); 2] = [(2.1, 3.148_641_106_523_704), (0.2, 0.555_
 
 #[test]
 fn reference_five_cranks_swing_like_one_and_three_rows_are_redundant() {
-    for method in [Method::rk4(5e-3), Method::dop853(1e-9), Method::taylor(1e-9)] {
+    for method in [Method::rk4(5e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::radau(1e-10)] {
         for (from_top, expected) in FIVE_CRANKS {
             let scene = five_cranks::Swing { from_top };
             let run = Simulation::new(&scene).method(method).run().unwrap();

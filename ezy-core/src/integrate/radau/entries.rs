@@ -1,7 +1,8 @@
 //! Entries of the matrices of the simplified Newton iteration, before they are factored.
 
+use super::factors::Factors;
 use crate::dynamics::Slopes;
-use crate::linalg::Lu;
+use crate::linalg::SparseKktError;
 use crate::model::{SceneInfo, SlopePlaces};
 use nalgebra::{ComplexField, DMatrix};
 
@@ -44,7 +45,8 @@ impl Entries {
         let rows: Vec<_> = jacobian().map(|(row, column)| (n_q + row, column)).collect();
         let transposed: Vec<_> = jacobian().map(|(row, column)| (column, n_q + row)).collect();
         let SlopePlaces { by_q, by_v } = slopes;
-        let mut all = [&mass[..], &rows, &transposed, by_q, by_v].concat();
+        let damped: Vec<_> = (n_q..n).map(|i| (i, i)).collect();
+        let mut all = [&mass[..], &rows, &transposed, &damped, by_q, by_v].concat();
         all.sort_unstable();
         all.dedup();
         let places = |entries: &[(usize, usize)]| {
@@ -106,21 +108,33 @@ impl Entries {
         }
     }
 
+    /// Storage for the factors of a matrix with these entries.
+    ///
+    /// # Errors
+    /// [`SparseKktError`] when there is no memory for an analysis.
+    pub fn factors<T>(&self) -> Result<Factors<T>, SparseKktError>
+    where
+        T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
+    {
+        Factors::new(&self.starts, &self.columns)
+    }
+
     /// Writes the scaled N(μ).
-    pub fn assemble<T: ComplexField<RealField = f64> + Copy>(&self, mu: T, lu: &mut Lu<T>) {
-        let length = T::one() / mu;
-        let matrix = lu.matrix_mut();
-        matrix.fill(T::zero());
-        for (i, row_scale) in self.row_scale.iter().enumerate() {
-            for place in self.starts[i]..self.starts[i + 1] {
+    pub fn assemble<T>(&self, mu: T, factors: &mut Factors<T>)
+    where
+        T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
+    {
+        let length = nalgebra::one::<T>() / mu;
+        let rows = self.row_scale.iter().zip(self.starts.windows(2)).enumerate();
+        factors.write(rows.flat_map(|(i, (row_scale, ends))| {
+            (ends[0]..ends[1]).map(move |place| {
                 let j = self.columns[place];
                 let slope = length * (T::from_real(self.by_v[place]) + length.scale(self.by_q[place]));
-                matrix[(i, j)] = (T::from_real(self.fixed[place]) - slope).scale(row_scale * self.column_scale[j]);
-            }
-            if i >= self.n_q {
-                matrix[(i, i)] -= T::from_real(DAMPING);
-            }
-        }
+                let entry = (T::from_real(self.fixed[place]) - slope).scale(row_scale * self.column_scale[j]);
+                let damping = if i == j && i >= self.n_q { DAMPING } else { 0.0 };
+                ((i, j), entry - T::from_real(damping))
+            })
+        }));
     }
 
     /// Writes `K·own − R_v·of_v − R_q·of_q` into block (row, column) of a matrix of several such blocks, not scaled; the columns
@@ -145,9 +159,12 @@ impl Entries {
     }
 
     /// Solves N(μ) x = right side in place with factors of the scaled one.
-    pub fn solve<T: ComplexField<RealField = f64> + Copy>(&self, lu: &Lu<T>, x: &mut [T]) {
+    pub fn solve<T>(&self, factors: &mut Factors<T>, x: &mut [T])
+    where
+        T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
+    {
         x.iter_mut().zip(&self.row_scale).for_each(|(x, scale)| *x = x.scale(*scale));
-        lu.solve(x);
+        factors.solve(x);
         x.iter_mut().zip(&self.column_scale).for_each(|(x, scale)| *x = x.scale(*scale));
     }
 

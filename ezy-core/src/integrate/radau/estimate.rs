@@ -60,7 +60,7 @@ impl Radau {
 }
 
 /// `(γ/h − J)⁻¹` times the slopes (v, a) in `of`, less those of the polynomial through start and stages.
-fn filter(stages: &Stages, matrices: &Matrices, h: f64, of: &mut State, solution: &mut [f64]) {
+fn filter(stages: &Stages, matrices: &mut Matrices, h: f64, of: &mut State, solution: &mut [f64]) {
     let weights = START_SLOPE.map(|weight| weight / h);
     add_combination(&weights, &stages.q, &mut of.q);
     add_combination(&weights, &stages.v, &mut of.v);

@@ -1,26 +1,31 @@
 //! The factored matrices of the simplified Newton iteration.
 
 use super::entries::Entries;
+use super::factors::Factors;
 use super::tableau::{ALPHA, BETA, GAMMA};
 use crate::dynamics::Slopes;
-use crate::linalg::Lu;
+use crate::linalg::SparseKktError;
 use crate::model::{SceneInfo, SlopePlaces};
 use nalgebra::Complex;
 
 /// `N(μ) = K − [R_v/μ + R_q/μ² | 0]`, factored for the real and one of the complex eigenvalues μ of A⁻¹/h.
 pub struct Matrices {
     entries: Entries,
-    real: Lu<f64>,
-    complex: Lu<Complex<f64>>,
+    real: Factors<f64>,
+    complex: Factors<Complex<f64>>,
     /// h of the factors, s; none before the first.
     step_s: Option<f64>,
 }
 
 impl Matrices {
-    pub fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Self {
+    /// Storage for the matrices of a scene.
+    ///
+    /// # Errors
+    /// [`SparseKktError`] when there is no memory for an analysis.
+    pub fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Result<Self, SparseKktError> {
         let entries = Entries::new(info, slopes);
-        let n = entries.n();
-        Self { entries, real: Lu::new(n), complex: Lu::new(n), step_s: None }
+        let (real, complex) = (entries.factors()?, entries.factors()?);
+        Ok(Self { entries, real, complex, step_s: None })
     }
 
     /// h of the factors, s.
@@ -45,18 +50,18 @@ impl Matrices {
     }
 
     /// Solves with the real eigenvalue, in place.
-    pub fn solve_real(&self, x: &mut [f64]) {
-        self.entries.solve(&self.real, x);
+    pub fn solve_real(&mut self, x: &mut [f64]) {
+        self.entries.solve(&mut self.real, x);
     }
 
     /// Solves with the complex eigenvalue, in place.
-    pub fn solve_complex(&self, x: &mut [Complex<f64>]) {
-        self.entries.solve(&self.complex, x);
+    pub fn solve_complex(&mut self, x: &mut [Complex<f64>]) {
+        self.entries.solve(&mut self.complex, x);
     }
 
     /// `(μ − J)⁻¹ [of_q; of_v]` in place for the real eigenvalue μ of steps of length `h`, where J are the slopes of (v, a);
     /// `solution` (`n_q + n_c`) is overwritten.
-    pub fn filter(&self, h: f64, of_q: &mut [f64], of_v: &mut [f64], solution: &mut [f64]) {
+    pub fn filter(&mut self, h: f64, of_q: &mut [f64], of_v: &mut [f64], solution: &mut [f64]) {
         let mu = GAMMA / h;
         // with α = μ dv − of_v and μ dq = dv + of_q: N α = R_v of_v/μ + R_q (of_v/μ + of_q)/μ
         of_v.iter_mut().for_each(|x| *x /= mu);

@@ -6,6 +6,7 @@ mod coupled;
 mod dense;
 mod entries;
 mod estimate;
+mod factors;
 mod matrix;
 mod newton;
 mod stages;
@@ -13,6 +14,7 @@ mod tableau;
 
 use super::{Knot, Tolerance};
 use crate::dynamics::{MotionError, Slopes, State, System};
+use crate::linalg::SparseKktError;
 use crate::model::Scene;
 use convergence::{Convergence, SHORTEN, Verdict};
 use coupled::Coupled;
@@ -101,16 +103,20 @@ const LEAST_FIRST_S: f64 = 1e-6;
 
 impl Radau {
     /// Storage for steps of a scene with `n_works` works; none for one that does not know its slopes.
-    pub fn new<S: Scene + ?Sized>(scene: &S, n_works: usize) -> Option<Self> {
-        let (info, places) = (scene.info(), scene.slope_places()?);
+    ///
+    /// # Errors
+    /// [`SparseKktError`] when there is no memory for the analysis of a large scene.
+    pub fn new<S: Scene + ?Sized>(scene: &S, n_works: usize) -> Result<Option<Self>, SparseKktError> {
+        let info = scene.info();
+        let Some(places) = scene.slope_places() else { return Ok(None) };
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let (stages, state) = (Stages::zero(n_q, n_c, n_works), State::zero(n_q, n_works));
-        Some(Self {
+        Ok(Some(Self {
             n_works,
             before: stages.clone(),
             stages,
             before_s: None,
-            matrices: Matrices::new(info, &places),
+            matrices: Matrices::new(info, &places)?,
             slopes: Slopes::zero(info, &places),
             fresh: false,
             newton: Newton::new(n_q + n_c),
@@ -129,7 +135,7 @@ impl Radau {
             powers: std::array::from_fn(|_| vec![0.0; n_works]),
             rest: state.clone(),
             next_rest: state,
-        })
+        }))
     }
 
     /// Forgets the stages and slopes of the steps before, which belong to another law.
@@ -233,7 +239,7 @@ impl Radau {
                 }
             }
             let change = match &mut coupled {
-                None => self.newton.improve(&self.matrices, &mut self.stages, h, &self.weights),
+                None => self.newton.improve(&mut self.matrices, &mut self.stages, h, &self.weights),
                 Some(coupled) => {
                     system.count_factorization();
                     coupled.improve(&self.newton.residual, &mut self.stages, h, &self.weights)

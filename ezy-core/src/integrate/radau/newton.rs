@@ -25,7 +25,7 @@ impl Newton {
 
     /// Improves the stages of a step of length `h`; returns the root mean square of the changes of positions and
     /// velocities, each times its weight (`2 n_q`).
-    pub fn improve(&mut self, matrices: &Matrices, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
+    pub fn improve(&mut self, matrices: &mut Matrices, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
         self.solve(matrices);
         let n_q = stages.a[0].len();
         let (real_length, complex_length) = (h / GAMMA, Complex::new(h, 0.0) / Complex::new(ALPHA, BETA));
@@ -54,7 +54,7 @@ impl Newton {
     }
 
     /// Changes of accelerations and multipliers, transformed.
-    fn solve(&mut self, matrices: &Matrices) {
+    fn solve(&mut self, matrices: &mut Matrices) {
         let [first, second, third] = &self.residual;
         let row =
             |i: usize, k: usize| T_INVERSE[i][0] * first[k] + T_INVERSE[i][1] * second[k] + T_INVERSE[i][2] * third[k];

@@ -1,0 +1,56 @@
+//! Factors of a matrix of the simplified Newton iteration, dense or sparse.
+
+use crate::linalg::{Lu, SparseKktError, SparseLu};
+use nalgebra::ComplexField;
+
+/// Dense where that is quicker.
+pub enum Factors<T: ComplexField<RealField = f64>> {
+    Dense(Lu<T>),
+    Sparse(Box<SparseLu<T>>),
+}
+
+/// Number of equations from which on sparse factors of a chain take less time than dense ones.
+const SPARSE_FROM: usize = 100;
+
+impl<T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy> Factors<T> {
+    /// Storage for a matrix with entries in `columns`, ascending in each row, which begin at `starts`.
+    ///
+    /// # Errors
+    /// [`SparseKktError`] when there is no memory for an analysis.
+    pub fn new(starts: &[usize], columns: &[usize]) -> Result<Self, SparseKktError> {
+        let n = starts.len() - 1;
+        if n < SPARSE_FROM {
+            Ok(Self::Dense(Lu::new(n)))
+        } else {
+            Ok(Self::Sparse(Box::new(SparseLu::new(starts, columns)?)))
+        }
+    }
+
+    /// Writes the matrix: `entry` says where an entry stands, and its value.
+    pub fn write(&mut self, entries: impl Iterator<Item = ((usize, usize), T)>) {
+        match self {
+            Self::Dense(lu) => {
+                let matrix = lu.matrix_mut();
+                matrix.fill(nalgebra::zero());
+                entries.for_each(|(place, value)| matrix[place] = value);
+            }
+            Self::Sparse(lu) => lu.values_mut().iter_mut().zip(entries).for_each(|(x, (_, value))| *x = value),
+        }
+    }
+
+    /// Factors the matrix; false when it is singular.
+    pub fn factor(&mut self) -> bool {
+        match self {
+            Self::Dense(lu) => lu.factor(),
+            Self::Sparse(lu) => lu.factor(),
+        }
+    }
+
+    /// Replaces the right side by the solution.
+    pub fn solve(&mut self, right_side: &mut [T]) {
+        match self {
+            Self::Dense(lu) => lu.solve(right_side),
+            Self::Sparse(lu) => lu.solve(right_side),
+        }
+    }
+}

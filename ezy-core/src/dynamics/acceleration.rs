@@ -16,12 +16,16 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// | `lambda` (written) | `n_c` | N, N·m |
     ///
     /// # Errors
-    /// [`MotionError`] when a number is not finite or nothing moves a coordinate; `a` and `lambda` are then unspecified.
-    /// Rows that depend on each other are no error: `a` is unique, `lambda` the smallest that belongs to it (each in units of
-    /// the root of its entry of `G M⁻¹ Gᵀ`), and [`System::lost_rank`] tells.
+    /// [`MotionError`] when a number is not finite, nothing moves a coordinate, rows contradict each other or the numbers of
+    /// the scene are too far apart for what they decide to be told from rounding; `a` and `lambda` are then unspecified.
+    /// Rows that depend on each other and agree are no error: `a` is unique, `lambda` the smallest that belongs to it (each
+    /// in units of the root of its entry of `G M⁻¹ Gᵀ`), and [`System::lost_rank`] tells. Where rank is in doubt, what is
+    /// returned leaves at most 1e-12 of the terms of each equation.
     /// # Cost
     /// One factorisation and one solve. Where a pivot of the generated elimination vanishes, a pivoted factorisation
-    /// besides, which decides, and where rows depend on each other one more. No allocation but for the first of those.
+    /// besides, which decides, and where rows depend on each other one more; where these nearly do, one with complete
+    /// pivoting. What does not come from the elimination is put into the equations once. No allocation but for the first of
+    /// those.
     pub fn accelerations(
         &mut self,
         t: f64,
@@ -30,22 +34,67 @@ impl<S: Scene + ?Sized> System<'_, S> {
         a: &mut [f64],
         lambda: &mut [f64],
     ) -> Result<(), MotionError> {
-        self.counters.evaluations += 1;
-        self.counters.factorizations += 1;
-        if self.uses_elimination() && self.kept(self.scene.accelerations(&self.fixed, t, q, v, a, lambda)) {
+        if self.eliminate_accelerations(t, q, v, a, lambda) {
             return Ok(());
         }
+        self.factor_accelerations(t, q, v, a, lambda)?;
+        self.settle_accelerations(t, q, v, a, lambda)
+    }
+
+    /// As [`System::accelerations`] within a run: where rows nearly depend on each other, what they differ by is rounding of
+    /// a state that was projected onto them, and is left. [`System::check_accelerations`] tells when it is more than that.
+    ///
+    /// # Errors
+    /// As [`System::accelerations`], but for rows that contradict each other.
+    pub(crate) fn accelerations_in_passing(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), MotionError> {
+        match self.eliminate_accelerations(t, q, v, a, lambda) {
+            true => Ok(()),
+            false => self.factor_accelerations(t, q, v, a, lambda),
+        }
+    }
+
+    /// By the elimination of the scene; false where there is none or a pivot vanishes.
+    fn eliminate_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> bool {
+        self.counters.evaluations += 1;
+        self.counters.factorizations += 1;
+        self.uses_elimination() && self.kept(self.scene.accelerations(&self.fixed, t, q, v, a, lambda))
+    }
+
+    fn factor_accelerations(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), MotionError> {
         self.factor(t, q, Threshold::Motion)?;
+        self.write_right_side(t, q, v);
+        self.solve_in_buffer();
+        self.read_solution(a, lambda);
+        Ok(())
+    }
+
+    pub(super) fn read_solution(&self, a: &mut [f64], lambda: &mut [f64]) {
+        let (solved_a, solved_lambda) = self.buffers.right_side.split_at(a.len());
+        a.copy_from_slice(solved_a);
+        lambda.copy_from_slice(solved_lambda);
+    }
+
+    /// `[F; −[h; s]]` into the buffer.
+    pub(super) fn write_right_side(&mut self, t: f64, q: &[f64], v: &[f64]) {
         let (scene, c) = (self.scene, &self.fixed);
         let (F, gamma) = self.buffers.right_side.split_at_mut(q.len());
         scene.applied_force(c, t, q, v, F);
         scene.convective_term(c, t, q, v, gamma);
         gamma.iter_mut().for_each(|h| *h = -*h);
-        self.solve_in_buffer();
-        let (solved_a, solved_lambda) = self.buffers.right_side.split_at(q.len());
-        a.copy_from_slice(solved_a);
-        lambda.copy_from_slice(solved_lambda);
-        Ok(())
     }
 
     /// The smallest `delta` (`n_q`) with `G(q, t) delta = −residual` (`n_c`), smallest in the mass matrix or, with
@@ -141,8 +190,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         right_side[..force.len()].copy_from_slice(force);
         right_side[force.len()..].copy_from_slice(row);
         self.solve_in_buffer();
-        a.copy_from_slice(&self.buffers.right_side[..force.len()]);
-        lambda.copy_from_slice(&self.buffers.right_side[force.len()..]);
+        self.read_solution(a, lambda);
     }
 
     /// Takes from `x` (`n_q`) its part across the rows, in the mass matrix: G x = 0 afterwards.

@@ -39,7 +39,7 @@ impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
         a: &mut [f64],
         lambda: &mut [f64],
     ) -> Result<(), MotionError> {
-        self.accelerations(t, q, v, a, lambda)
+        self.accelerations_in_passing(t, q, v, a, lambda)
     }
 
     #[inline]

@@ -114,7 +114,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 
-    fn near_dependencies(&mut self, t: f64, q: &[f64]) -> Option<Dependencies> {
+    pub(super) fn near_dependencies(&mut self, t: f64, q: &[f64]) -> Option<Dependencies> {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         let found = dependencies(&self.mass, &self.info.jacobian, &self.buffers.jacobian, NEARLY_DEPENDENT)?;
         (found.n > 0).then_some(found)
@@ -239,8 +239,11 @@ fn factored<'k>(
 ) -> &'k mut dyn KktFactorization {
     match solver {
         Solver::Factored(kkt) => kkt.as_mut(),
-        Solver::Generated => second_opinion
-            .get_or_insert_with(|| Box::new(DenseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())))
-            .as_mut(),
+        Solver::Generated => self::second_opinion(second_opinion, info),
     }
+}
+
+/// The dense solver beside that of a run, made when it is first asked for.
+pub(super) fn second_opinion<'k>(made: &'k mut Option<Box<DenseKkt>>, info: &SceneInfo) -> &'k mut DenseKkt {
+    made.get_or_insert_with(|| Box::new(DenseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())))
 }

@@ -98,6 +98,22 @@ pub enum MotionError {
         /// What may be left.
         tolerance: f64,
     },
+    /// Rows nearly depend on each other, or numbers are so far apart that they seem to.
+    #[error(
+        "what the equations decide at t = {t} s is lost in rounding{}: the nearest accelerations leave {residual:.1e} of one of \
+         them. Bring masses and lengths nearer to each other, or move away from a position where rows depend on each other",
+        nearly_dependent(.rows, *.smallest_pivot)
+    )]
+    LostInRounding {
+        /// Time, s.
+        t: f64,
+        /// Names of the rows that nearly depend on each other, in the metric of the masses.
+        rows: Vec<&'static str>,
+        /// The smallest pivot of rows scaled to one, where they do.
+        smallest_pivot: Option<f64>,
+        /// The largest share of the terms of an equation that is left.
+        residual: f64,
+    },
     /// Next to a position where rows depend on each other, no step leads on.
     #[error(
         "the motion does not get past the position at t = {t} s, where rows nearly depend on each other: {}; smallest pivot \
@@ -258,6 +274,12 @@ pub enum StartError {
 
 pub(super) fn rows_or_unknown(names: &[&str]) -> String {
     if names.is_empty() { "too many to work out which".to_owned() } else { list(names) }
+}
+
+fn nearly_dependent(rows: &[&str], smallest_pivot: Option<f64>) -> String {
+    let pivot =
+        |pivot| format!(", where rows nearly depend on each other ({}; smallest pivot {pivot:.1e})", list(rows));
+    smallest_pivot.map(pivot).unwrap_or_default()
 }
 
 fn held_and_remedy(names: &[&str]) -> String {

@@ -15,6 +15,7 @@ mod on_rows;
 mod projection;
 mod residual;
 mod row;
+mod settled;
 mod start;
 mod strain;
 mod system;

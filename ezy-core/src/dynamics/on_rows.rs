@@ -33,7 +33,7 @@ impl<S: Scene + ?Sized> Dynamics<f64> for OnRows<'_, '_, S> {
         on_q.copy_from_slice(q);
         on_v.copy_from_slice(v);
         self.system.project(t, on_q, on_v, Projection::Both, Metric::Mass)?;
-        self.system.accelerations(t, on_q, on_v, a, lambda)
+        self.system.accelerations_in_passing(t, on_q, on_v, a, lambda)
     }
 
     /// At the state whose accelerations were computed last.

@@ -59,6 +59,8 @@ pub(super) struct Buffers {
     pub jacobian: Vec<f64>,
     /// `n_q + n_c`.
     pub right_side: Vec<f64>,
+    /// The same beside a solution that stands in the other.
+    pub second_side: Vec<f64>,
     /// `n_c`.
     pub residual: Vec<f64>,
     /// `n_q`.
@@ -96,10 +98,11 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         let mut jacobian = vec![0.0; info.jacobian.n_nonzeros()];
         scene.velocity_jacobian(&fixed, start.t, &start.q, &mut jacobian);
         let geometry = Geometry::new(info, &jacobian, &start);
+        let needs_pivots = geometry.lightness(&mass) < LIGHTEST || overflows(info, &mass, &jacobian);
         Ok(Self {
             scene,
             info,
-            solver: solver(info, &mass, &geometry, backend)?,
+            solver: solver(info, &mass, needs_pivots, backend)?,
             geometry,
             second_opinion: None,
             damped: None,
@@ -113,6 +116,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             buffers: Buffers {
                 jacobian,
                 right_side: vec![0.0; n_q + n_c],
+                second_side: vec![0.0; n_q + n_c],
                 residual: vec![0.0; n_c],
                 delta: vec![0.0; n_q],
             },
@@ -188,12 +192,18 @@ const LIGHTEST: f64 = 1e-4;
 /// one is taken, which divides by masses like the generated elimination.
 const LARGEST_FOR_LIGHT: usize = 100;
 
-fn solver(
-    info: &'static SceneInfo,
-    mass: &[f64],
-    geometry: &Geometry,
-    backend: Backend,
-) -> Result<Solver, SystemError> {
+/// Range of `g/√m`, whose fourth powers are the determinants of the generated elimination, and whose sums and products with
+/// each other must not leave the range of doubles either.
+const RANGE: std::ops::Range<f64> = 1e-50..1e50;
+
+/// Whether the generated elimination, which does not scale, leaves the range of doubles.
+fn overflows(info: &SceneInfo, mass: &[f64], jacobian: &[f64]) -> bool {
+    let shares = info.jacobian.entries().map(|(k, _, column)| (jacobian[k], mass[column]));
+    let mut powers = shares.filter(|(g, m)| *g != 0.0 && *m > 0.0).map(|(g, m)| g.abs() / m.sqrt());
+    powers.any(|power| power.is_finite() && !RANGE.contains(&power))
+}
+
+fn solver(info: &'static SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) -> Result<Solver, SystemError> {
     let massless = mass.iter().position(|m| *m == 0.0);
     let needs_mass = |backend| match massless {
         None => Ok(()),
@@ -202,14 +212,13 @@ fn solver(
             Err(SystemError::BackendNeedsMass { body, quantity, backend })
         }
     };
-    let light = geometry.lightness(mass) < LIGHTEST;
     // in scenes with counts the dense solver costs n³ where the sparse one costs n
     let largest = match (info.has_elimination(), massless) {
         (true, _) | (_, Some(_)) => LARGEST_DENSE,
         (false, None) => LARGEST_FOR_LIGHT,
     };
     match backend {
-        Backend::Auto if light && info.n_unknowns() <= largest => dense(info),
+        Backend::Auto if needs_pivots && info.n_unknowns() <= largest => dense(info),
         Backend::Auto if !info.has_elimination() => match massless.map(|i| body_of(info, i)) {
             None => sparse(info),
             Some((body, quantity)) => {
@@ -217,7 +226,7 @@ fn solver(
                 Err(SystemError::MasslessInLargeScene { body, quantity, n, limit })
             }
         },
-        Backend::Auto if light => dense(info),
+        Backend::Auto if needs_pivots => dense(info),
         Backend::Auto => Ok(Solver::Generated),
         Backend::Dense => dense(info),
         Backend::Generated if !info.has_elimination() => Err(SystemError::NoElimination { scene: info.name }),

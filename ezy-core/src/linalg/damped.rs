@@ -22,6 +22,8 @@ pub struct DampedKkt {
     damping: Vec<f64>,
     right_side: Vec<f64>,
     rest: Vec<f64>,
+    /// Magnitudes of the terms of each equation.
+    size: Vec<f64>,
 }
 
 /// What a solution leaves of the rows: not small only where they contradict each other.
@@ -46,6 +48,9 @@ const MAX_PASSES: usize = 10;
 /// A pass that changes x by less than this share of it was the last one.
 const CONVERGED: f64 = 1e-15;
 
+/// Terms smaller than this part of the largest may be rounding altogether: what an equation leaves is measured by no less.
+const NEGLIGIBLE: f64 = 1e-2;
+
 impl DampedKkt {
     /// Storage for the diagonal of M and `n_rows` rows. A zero is replaced by the least positive entry of its kind, mass
     /// or inertia.
@@ -57,6 +62,7 @@ impl DampedKkt {
             damping: vec![0.0; n_rows],
             right_side: vec![0.0; n],
             rest: vec![0.0; n],
+            size: vec![0.0; n],
         }
     }
 
@@ -111,6 +117,30 @@ impl DampedKkt {
         }
     }
 
+    /// The largest share that a solution of K [x; y] = [r; s], however it was found, leaves of the terms of an equation; NaN
+    /// where a number is none.
+    pub fn share_left(
+        &mut self,
+        pattern: &SparsityPattern,
+        mass: &[f64],
+        jacobian: &[f64],
+        right_side: &[f64],
+        solution: &[f64],
+    ) -> f64 {
+        write_diagonal(rows_of(pattern, self.diagonal.len()), &self.weight, jacobian, &mut self.diagonal);
+        self.right_side.copy_from_slice(right_side);
+        self.write_rest(pattern, mass, jacobian, solution);
+        self.write_size(pattern, mass, jacobian, solution);
+        // forces over the root of a mass, accelerations times it: in these units all equations compare
+        let units = self.weight.iter().chain(&self.diagonal).map(|square| square.sqrt());
+        let largest = self.size.iter().zip(units.clone()).fold(0.0, |m: f64, (size, unit)| m.max(size / unit));
+        let plain = self.size.iter().copied().fold(0.0, f64::max);
+        let left = self.rest.iter().zip(&self.size).zip(units).filter(|((rest, _), _)| **rest != 0.0);
+        // a substitute for a mass may be far from all masses: then the numbers as they stand are the limit
+        let shares = left.map(|((rest, size), unit)| rest.abs() / (size + NEGLIGIBLE * plain.min(largest * unit)));
+        shares.fold(0.0, |m: f64, x| if x > m || x.is_nan() { x } else { m })
+    }
+
     /// Length of `x` in the mass matrix.
     fn length(&self, x: &[f64]) -> f64 {
         x.iter().zip(&self.weight).map(|(x, weight)| weight * x * x).sum::<f64>().sqrt()
@@ -124,6 +154,17 @@ impl DampedKkt {
         for (k, row, column) in rows_of(pattern, self.diagonal.len()) {
             self.rest[column] -= jacobian[k] * solution[n_q + row];
             self.rest[n_q + row] -= jacobian[k] * solution[column];
+        }
+    }
+
+    /// `size = |[r; s]| + |K| |[x; y]|`
+    fn write_size(&mut self, pattern: &SparsityPattern, mass: &[f64], jacobian: &[f64], solution: &[f64]) {
+        let n_q = mass.len();
+        self.size.iter_mut().zip(&self.right_side).for_each(|(size, r)| *size = r.abs());
+        self.size.iter_mut().zip(solution).zip(mass).for_each(|((size, x), m)| *size += (m * x).abs());
+        for (k, row, column) in rows_of(pattern, self.diagonal.len()) {
+            self.size[column] += (jacobian[k] * solution[n_q + row]).abs();
+            self.size[n_q + row] += (jacobian[k] * solution[column]).abs();
         }
     }
 }

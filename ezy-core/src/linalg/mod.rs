@@ -3,7 +3,7 @@
 //! | backend | needs | method |
 //! |---|---|---|
 //! | generated | M > 0 | the scene's own straight-line elimination, [`crate::model::Equations::accelerations`] |
-//! | dense | K regular | LU with partial pivoting of the scaled K ([`DenseKkt`]) |
+//! | dense | K regular | LU of the scaled K with partial, at need complete pivoting ([`DenseKkt`]) |
 //! | sparse | M > 0 | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
 //!
 //! Where rows of G depend on each other, dense and sparse factor K with these rows damped ([`DampedKkt`]).
@@ -11,6 +11,7 @@
 // matrices keep the capital letters of the notation
 #![allow(non_snake_case)]
 
+mod complete;
 mod conditioning;
 mod damped;
 mod dense;

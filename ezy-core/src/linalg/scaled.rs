@@ -22,6 +22,12 @@ pub fn assemble(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &[f64], K:
 /// Passes of the equilibration: each takes the root of the exponent that is left, so that ratios of 1e10 end at 4.
 const PASSES: usize = 4;
 
+/// As many as any ratio of two doubles needs, 10^632, to end at 1.4.
+const MOST_PASSES: usize = 12;
+
+/// What the last pass may find; beyond it one more follows.
+const NEAR_ONE: std::ops::Range<f64> = 1e-2..1e2;
+
 /// From the `d` that it is given, D such that the largest entry of each row and column of D K D is near one. Only entries
 /// decide, never reciprocals of masses: a body of negligible inertia is scaled like one without.
 ///
@@ -29,7 +35,7 @@ const PASSES: usize = 4;
 /// Ruiz, A scaling algorithm to equilibrate both rows and columns norms in matrices (2001), in the maximum norm.
 pub fn scale(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &mut [f64], largest: &mut [f64]) {
     let n_q = mass.len();
-    for _ in 0..PASSES {
+    for pass in 1..=MOST_PASSES {
         largest.fill(0.0);
         for (i, m) in mass.iter().enumerate() {
             largest[i] = d[i] * m * d[i];
@@ -39,10 +45,13 @@ pub fn scale(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &mut [f64], l
             largest[column] = largest[column].max(g);
             largest[n_q + row] = largest[n_q + row].max(g);
         }
-        for (d, largest) in d.iter_mut().zip(&*largest) {
-            if *largest > 0.0 {
-                *d /= largest.sqrt();
-            }
+        let mut is_even = true;
+        for (d, largest) in d.iter_mut().zip(&*largest).filter(|(_, largest)| **largest > 0.0) {
+            *d /= largest.sqrt();
+            is_even &= NEAR_ONE.contains(largest);
+        }
+        if pass >= PASSES && is_even {
+            return;
         }
     }
 }

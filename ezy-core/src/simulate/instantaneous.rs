@@ -35,7 +35,7 @@ impl Instantaneous {
     /// Accelerations, multipliers and powers at the state.
     pub fn evaluate<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
-        system.accelerations(*t, q, v, &mut self.a, &mut self.lambda)?;
+        system.accelerations_in_passing(*t, q, v, &mut self.a, &mut self.lambda)?;
         self.complete(system)
     }
 

@@ -47,6 +47,14 @@ impl Equations {
         Self { matrix, right }
     }
 
+    /// At a state that is rounded otherwise.
+    fn nudged(system: &System<'_, dyn Scene + '_>, state: &State, draw: &mut Draw) -> Self {
+        let mut nudge = |x: &f64| if draw.once_in(2) { x * (1.0 + f64::EPSILON) } else { x * (1.0 - f64::EPSILON) };
+        let (q, v): (Vec<f64>, Vec<f64>) =
+            (state.q.iter().map(&mut nudge).collect(), state.v.iter().map(&mut nudge).collect());
+        Self::at(system, state.t, &q, &v)
+    }
+
     /// r − K x
     fn residual(&self, x: &[f64]) -> Vec<f64> {
         let product = self.matrix.iter().map(|row| row.iter().zip(x).map(|(k, x)| k * x).sum::<f64>());
@@ -57,6 +65,16 @@ impl Equations {
     fn magnitude(&self, x: &[f64]) -> Vec<f64> {
         let product = self.matrix.iter().map(|row| row.iter().zip(x).map(|(k, x)| (k * x).abs()).sum::<f64>());
         product.zip(&self.right).map(|(product, r)| r.abs() + product).collect()
+    }
+
+    /// The same where accelerations are what reactions leave of forces, over the mass: G a is then a sum of G M⁻¹ F and
+    /// G M⁻¹ Gᵀ λ, however small a is.
+    fn magnitude_over_mass(&self, x: &[f64]) -> Vec<f64> {
+        let size = self.magnitude(x);
+        let n_q = (0..x.len()).take_while(|&i| self.matrix[i][i] > 0.0).count();
+        let summed: Vec<f64> = (0..n_q).map(|j| size[j] / self.matrix[j][j]).collect();
+        let row = |i: usize| summed.iter().zip(&self.matrix[i]).map(|(x, g)| g.abs() * x).sum::<f64>();
+        size.iter().enumerate().map(|(i, size)| if i < n_q { *size } else { size + row(i) }).collect()
     }
 }
 
@@ -79,24 +97,24 @@ pub fn check(system: &mut System<'_, dyn Scene + '_>, state: &State, draw: &mut 
     let Some(oracle) = Oracle::new(&here.matrix) else { return Ok(Verdict::AccelerationsNotCompared) };
     let units = info.coordinates.iter().map(|c| c.unit).chain(info.rows.iter().map(|row| row.multiplier_unit));
     let units: Vec<&str> = units.collect();
+    let (nudged, zeros): (Vec<Equations>, Vec<f64>) =
+        ((0..N_ROUNDINGS).map(|_| Equations::nudged(system, state, draw)).collect(), vec![0.0; x.len()]);
+    let largest_of = |most: Vec<f64>, x: Vec<f64>| most.iter().zip(&x).map(|(most, x)| most.max(x.abs())).collect();
     if !oracle.is_regular {
-        return compare("residual", &here.residual(&x), &here.magnitude(&x), &units, &vec![0.0; x.len()]);
+        let residual = here.residual(&x);
+        let change = |nudged: &Equations| nudged.residual(&x).iter().zip(&residual).map(|(x, y)| x - y).collect();
+        let rounding = nudged.iter().map(change).fold(zeros, largest_of);
+        return compare("residual", &residual, &here.magnitude(&x), &units, &rounding);
     }
     let exact = oracle.solve(&here.right);
-    let magnitude = here.magnitude(&exact);
-    let mut rounding = vec![0.0_f64; x.len()];
-    for _ in 0..N_ROUNDINGS {
-        let mut nudge = |x: &f64| if draw.once_in(2) { x * (1.0 + f64::EPSILON) } else { x * (1.0 - f64::EPSILON) };
-        let (q, v): (Vec<f64>, Vec<f64>) =
-            (state.q.iter().map(&mut nudge).collect(), state.v.iter().map(&mut nudge).collect());
-        let nudged = Equations::at(system, state.t, &q, &v).residual(&exact);
-        let change: Vec<f64> = nudged
-            .iter()
-            .zip(&magnitude)
-            .map(|(change, size)| change + f64::EPSILON * if draw.once_in(2) { *size } else { -size })
-            .collect();
-        rounding.iter_mut().zip(oracle.solve(&change)).for_each(|(most, x)| *most = most.max(x.abs()));
-    }
+    let divides = system.uses_elimination() || !info.has_elimination();
+    let magnitude = if divides { here.magnitude_over_mass(&exact) } else { here.magnitude(&exact) };
+    let mut change = |nudged: &Equations| {
+        let rounded = nudged.residual(&exact).into_iter().zip(&magnitude);
+        let change = rounded.map(|(change, size)| change + f64::EPSILON * if draw.once_in(2) { *size } else { -size });
+        oracle.solve(&change.collect::<Vec<_>>())
+    };
+    let rounding = nudged.iter().map(&mut change).fold(zeros, largest_of);
     if exact.iter().chain(&rounding).any(|x| !x.is_finite()) {
         return Ok(Verdict::AccelerationsNotCompared);
     }
@@ -110,7 +128,7 @@ fn compare(what: &str, error: &[f64], sizes: &[f64], units: &[&str], rounding: &
     for (i, unit) in units.iter().enumerate() {
         let of_kind = sizes.iter().zip(units).filter(|(_, other)| *other == unit);
         let size = of_kind.fold(0.0, |m: f64, (x, _)| m.max(x.abs()));
-        let allowed = LOSS * size + GROWTH * (rounding[i] + f64::EPSILON * largest);
+        let allowed = f64::MIN_POSITIVE + LOSS * size + GROWTH * (rounding[i] + f64::EPSILON * largest);
         if error[i].is_nan() || error[i].abs() > allowed {
             let (error, rounding) = (error[i].abs(), rounding[i]);
             return Err(format!("{what} {error:.1e} of number {i}; size {size:.1e}, rounding does {rounding:.1e}"));

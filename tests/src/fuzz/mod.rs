@@ -8,5 +8,5 @@ mod oracle;
 mod parameters;
 mod tally;
 
-pub use parameters::{Scenes, trial};
+pub use parameters::{Scenes, compare, trial};
 pub use tally::{Tally, Verdict};

@@ -15,6 +15,9 @@ use crate::{random_models, shapes};
 /// Counts beyond it make scenes that the oracle is too slow for.
 const LARGEST_COUNT: usize = 6;
 
+/// States anywhere of a scene with given parameters.
+const N_STATES: usize = 2;
+
 /// The scenes that are tried: of the registry, of random mechanisms, of shapes that these do not have.
 pub struct Scenes(Vec<(&'static ModelInfo, &'static SceneEntry)>);
 
@@ -46,6 +49,32 @@ pub fn trial(scenes: &Scenes, seed: u64, i: u64, tally: &mut Tally) {
     }
     for fault in &mut tally.faults[faults..] {
         *fault = format!("trial {i}: {}/{}: {fault}; {changed:?}, {order:?}", model.name, entry.name);
+    }
+}
+
+/// A scene, `Model/scene`, with these parameters: compares accelerations at its start and at some states anywhere.
+///
+/// # Panics
+/// When there is no such scene or parameter.
+pub fn compare(scenes: &Scenes, name: &str, parameters: &[(&str, f64)], tally: &mut Tally) {
+    let named = |(model, entry): &&(&ModelInfo, &SceneEntry)| name == format!("{}/{}", model.name, entry.name);
+    let (_, entry) = scenes.0.iter().find(named).expect("a scene of this name");
+    let mut scene = (entry.new)();
+    for (name, value) in parameters {
+        let i = scene.info().parameters.iter().position(|parameter| parameter.name == *name);
+        scene.set_parameter(i.expect("a parameter of this name"), *value);
+    }
+    let mut draw = Draw::new(0, 0);
+    let Ok(mut system) = System::new(&*scene, Backend::Auto) else {
+        return tally.count(Verdict::ParametersRefused);
+    };
+    let start = system.consistent_start(&system.scene_start());
+    let anywhere: Vec<State> = (0..N_STATES).map(|_| anywhere(&system, &mut draw)).collect();
+    for state in start.iter().chain(&anywhere) {
+        match accelerations::check(&mut system, state, &mut draw) {
+            Ok(verdict) => tally.count(verdict),
+            Err(fault) => tally.faults.push(format!("{name}: {fault}; {parameters:?}")),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Random parameters, starts and inputs; many more by the example `fuzz`.
 
-use ezy_tests::fuzz::{Scenes, Tally, Verdict, trial};
+use ezy_tests::fuzz::{Scenes, Tally, Verdict, compare, trial};
 
 /// Some for every scene.
 const N_TRIALS: u64 = 200;
@@ -13,4 +13,40 @@ fn cross_random_parameters_are_refused_or_confirmed() {
     assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
     assert!(tally.of(Verdict::AccelerationsConfirmed) > N_TRIALS / 2, "too few are compared:\n{tally}");
     assert!(tally.of(Verdict::RunEnded) > N_TRIALS / 8, "too few runs:\n{tally}");
+}
+
+/// Lengths and masses so far apart that pivots are small although rows are independent, or that rows depend on each other
+/// within rounding although they are not; found by random trials.
+const FAR_APART: [(&str, &[(&str, f64)]); 20] = [
+    (
+        "Andrews/squeeze",
+        &[("m2", 6.6e-13), ("i1", 0.84), ("i4", 1.7e-6), ("i5", 2.0e-5), ("i7", 4.3e4), ("rr", 3.5e-4), ("ra", 5.6e-4)],
+    ),
+    ("Train/pull", &[("l", 6.2e-192)]),
+    ("Train/pull", &[("l", -8.7e-81)]),
+    ("Train/pull", &[("l", 4e-6)]),
+    ("Tethered/circle", &[("l", 6.1e222)]),
+    ("Pendulum/mirrored", &[("l", 3.9e93)]),
+    ("Pendulum/mirrored", &[("l", 3.1e19), ("m", 124.0)]),
+    ("Pendulum/swing", &[("l", 9e8), ("m", 3e3)]),
+    ("SliderCrank/pushed", &[("l_centre", 8.3e8), ("k", 1e5), ("tip", 6.9e-10)]),
+    ("SliderCrank/falling", &[("l_centre", -1.3e72), ("i1", 0.02)]),
+    ("WheeledSnake/slithering", &[("l", 1e-7), ("i", 1.4e-3)]),
+    ("WheeledSnake/slithering", &[("l", 2.4e-8), ("m", 1e-299)]),
+    ("WheeledSnake/floating", &[("l", 1.1e9)]),
+    ("DifferentialRobot/prescribed", &[("w", 0.039), ("r", 3.1e8)]),
+    ("DifferentialRobot/prescribed", &[("w", 1900.0), ("j", 4.3e150)]),
+    ("DifferentialRobot/prescribed", &[("w", 0.0024), ("a", 2.4), ("m", 4.0), ("j", 0.039)]),
+    ("Skateboard/ridden", &[("m_rider", 3.1e11), ("j_truck", 8.4e-10)]),
+    ("Hub/spin", &[("l", 2.2e14)]),
+    ("RollerRacer/coast", &[("h", 5.2e28), ("m1", 1e-300)]),
+    ("FourBar/driven", &[("l1", 1.6e-9)]),
+];
+
+#[test]
+fn regress_parameters_far_apart_are_refused_or_confirmed() {
+    let (scenes, mut tally) = (Scenes::all(), Tally::default());
+    FAR_APART.iter().for_each(|(name, parameters)| compare(&scenes, name, parameters, &mut tally));
+    assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
+    assert!(tally.of(Verdict::AccelerationsConfirmed) > FAR_APART.len() as u64, "too few are solved:\n{tally}");
 }

@@ -3,6 +3,7 @@
 // that rows repeat others is what the compiler warns of
 #![allow(deprecated)]
 
+use ezy_core::dynamics::MotionError;
 use ezy_core::model;
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
@@ -147,4 +148,55 @@ fn analytic_check_of_a_wheel_pair_tells_its_freedom_and_its_redundant_row() {
     let loss = report.rank.clone().unwrap();
     assert_eq!((loss.n_redundant, loss.freedom(), &loss.rows[..]), (Some(1), Some(2), &["left", "right"][..]));
     assert!(report.to_string().contains("rank 1 of 2, which leaves a freedom of 2"), "{report}");
+}
+
+const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Sparse];
+
+/// A cart that turns and slips: one wheel at `right_x`, the other at 0.25 m.
+fn accelerations_of_axle(right_x: f64, backend: Backend) -> (Result<[f64; 5], MotionError>, bool) {
+    let scene = axle::Two { right_x, ..Default::default() };
+    let mut system = System::new(&scene, backend).unwrap();
+    let mut x = [0.0; 5];
+    let (a, lambda) = x.split_at_mut(3);
+    let outcome = system.accelerations(0.0, &[0.0, 0.0, 0.3], &[0.5, 0.1, 2.0], a, lambda);
+    (outcome.map(|()| x), system.lost_rank())
+}
+
+/// Rounding of accelerations of 1 m/s² over a distance of wheels of 3e-6 m is 1e-10 rad/s².
+const NEARLY_ONE_AXLE: f64 = 1e-9;
+
+#[test]
+fn analytic_wheels_nearly_on_one_axle_hold_the_cart() {
+    for backend in BACKENDS {
+        for apart in [1e-3, 3e-6] {
+            let (solved, lost) = accelerations_of_axle(0.25 + apart, backend);
+            // both slip by rows that ask for −ω v along the cart: their difference asks for no angular acceleration
+            let alpha = solved.unwrap()[2];
+            assert!(!lost && alpha.abs() <= NEARLY_ONE_AXLE, "{backend:?}, {apart:e} m apart: {alpha:e}");
+        }
+    }
+}
+
+#[test]
+fn invariant_wheels_within_rounding_of_one_axle_are_refused_by_name() {
+    for backend in BACKENDS {
+        let message = accelerations_of_axle(0.25 + 1e-9, backend).0.unwrap_err().to_string();
+        assert!(
+            message.contains("lost in rounding") && message.contains("(left, right; smallest"),
+            "{backend:?}: {message}"
+        );
+    }
+}
+
+#[test]
+fn analytic_accelerations_of_motors_that_differ_are_refused_by_name() {
+    for (more, agrees) in [(0.0, true), (1e-6, false), (0.5, false)] {
+        let scene = two_motors::Turn { more, ..Default::default() };
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let state = system.consistent_start(&system.scene_start()).unwrap();
+        let (mut a, mut lambda) = (vec![0.0; state.q.len()], vec![0.0; system.info().n_rows()]);
+        let outcome = system.accelerations(state.t, &state.q, &state.v, &mut a, &mut lambda);
+        assert_eq!(outcome.is_ok(), agrees, "{more}: {outcome:?}");
+        assert!(agrees || outcome.unwrap_err().to_string().contains("first, second"), "{more}");
+    }
 }

@@ -53,7 +53,7 @@ impl Radau {
         let Self { stages, matrices, error, second_error: second, solution, .. } = self;
         self.q.iter_mut().zip(&start.q).zip(&error.q).for_each(|((q, start), error)| *q = start + error);
         second.q.iter_mut().zip(&start.v).zip(&error.v).for_each(|((v, start), error)| *v = start + error);
-        system.accelerations(start.t, &self.q, &second.q, &mut second.v, &mut self.lambda)?;
+        system.accelerations_in_passing(start.t, &self.q, &second.q, &mut second.v, &mut self.lambda)?;
         filter(stages, matrices, h, second, solution);
         Ok(norm(&second.q, &second.v, &self.weights))
     }

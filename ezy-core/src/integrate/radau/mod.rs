@@ -298,7 +298,7 @@ impl Radau {
             Some(before_s) => self.stages.extrapolate(&self.before, h / before_s),
             None => {
                 let State { t, q, v, .. } = from.state;
-                system.accelerations(*t, q, v, &mut self.a, &mut self.lambda)?;
+                system.accelerations_in_passing(*t, q, v, &mut self.a, &mut self.lambda)?;
                 self.stages.hold(&self.a, &self.lambda);
             }
         }

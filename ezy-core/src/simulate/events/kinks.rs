@@ -109,7 +109,7 @@ impl Kinks {
             return None;
         }
         let Self { places, values: [before, after, inside], a, lambda, between, .. } = self;
-        system.accelerations(end.t, &end.q, &end.v, a, lambda).ok()?;
+        system.accelerations_in_passing(end.t, &end.q, &end.v, a, lambda).ok()?;
         let (start, last) = (from.state.t, end.t);
         // works do not matter here
         let to = Knot { state: end, a, power: from.power };

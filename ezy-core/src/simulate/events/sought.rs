@@ -28,7 +28,7 @@ impl Sought {
         match self {
             Self::Events => system.events(t, q, v, out),
             Self::Reserve { row, a, lambda } => {
-                system.accelerations(t, q, v, a, lambda)?;
+                system.accelerations_in_passing(t, q, v, a, lambda)?;
                 let [limit, _] = system.grip(t, q, v);
                 out.fill(limit - lambda[*row].abs());
             }
@@ -41,7 +41,7 @@ impl Sought {
                 out.iter_mut().zip(values.iter().step_by(2)).for_each(|(out, gap)| *out = *gap);
             }
             Self::Push { row, side, a, lambda } => {
-                system.accelerations(t, q, v, a, lambda)?;
+                system.accelerations_in_passing(t, q, v, a, lambda)?;
                 out.fill(-*side * lambda[*row]);
             }
         }

@@ -82,7 +82,8 @@ pub enum SetupError {
     },
     /// The scene does not know the slopes of its equations.
     #[error(
-        "scene `{scene}` was written without the slopes of its equations, which radau needs; use another method, such as dop853"
+        "scene `{scene}` has no slopes of its equations, which radau needs: it was written by hand without them, or they are \
+         too long to write; use another method, such as dop853"
     )]
     NoSlopes {
         /// Name of the scene.

@@ -28,7 +28,7 @@ pub fn items(model: &Model, scene: &Scene, mut templates: Templates<'_>) -> Toke
     let Methods { equations, scene: methods } = emitter.methods();
     let recurrences = series::derive(templates, &mut pool);
     let items = slopes::derive(templates);
-    let slopes = Emitter { model, templates, pool: &mut pool }.slopes(&items);
+    let slopes = items.map(|items| Emitter { model, templates, pool: &mut pool }.slopes(&items));
     let templates = &*templates;
     let n_inputs = templates.inputs.len();
     let n_constants = pool.coefficients().len();

@@ -24,7 +24,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
     let slopes = Slopes::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
     let Methods { equations: kernels, scene: methods } =
-        methods(&equations, &mut pool, &accelerations, &correction, &residuals, &slopes);
+        methods(&equations, &mut pool, &accelerations, &correction, &residuals, slopes.as_ref());
 
     let n_constants = pool.coefficients().len();
     let n_inputs = equations.inputs.len();
@@ -105,7 +105,7 @@ fn methods(
     accelerations: &Solver,
     correction: &Solver,
     residuals: &[Symbol],
-    slopes: &Slopes,
+    slopes: Option<&Slopes>,
 ) -> Methods {
     let constraints = &equations.constraints;
     let (n_q, n_c) = (equations.mass.len(), constraints.rows.len());
@@ -138,7 +138,7 @@ fn methods(
     let Body { statements, outputs } = emitter.lowered(Numbers::F64, &[equations.potential], &no_other);
     let potential = quote!(#statements #(#outputs)*);
     let start = emitter.start();
-    let slope_kernel = emitter.slopes(slopes);
+    let slope_kernel = slopes.map(|slopes| emitter.slopes(slopes));
     let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
     let correction = emitter.solver(correction, &[("delta", n_q)], &other);
     let events: Vec<SumId> = equations.events.iter().map(|event| event.value).collect();
@@ -158,12 +158,14 @@ fn methods(
     let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
     let potential_opening =
         opening(Numbers::F64, if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);
-    let slope_opening = opening(
-        Numbers::F64,
-        &[("c", n_fixed), ("q", n_q), ("v", n_q), ("a", n_q), ("lambda", n_c)],
-        &[("by_q", slopes.by_q.len()), ("by_v", slopes.by_v.len())],
-    );
-    let slopes = slopes::methods(slope_places(slopes), quote!(#slope_opening #slope_kernel));
+    let slopes = slopes.map(|slopes| {
+        let slope_opening = opening(
+            Numbers::F64,
+            &[("c", n_fixed), ("q", n_q), ("v", n_q), ("a", n_q), ("lambda", n_c)],
+            &[("by_q", slopes.by_q.len()), ("by_v", slopes.by_v.len())],
+        );
+        slopes::methods(slope_places(slopes), quote!(#slope_opening #slope_kernel))
+    });
     let start_opening = opening(Numbers::F64, &[("c", n_fixed)], &[]);
     let accelerations_opening =
         opening(Numbers::Any, &[("c", n_fixed), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);

@@ -8,6 +8,9 @@ use super::constraints::Constraints;
 use super::symbols::{Meaning, Symbols};
 use crate::symbolic::{Algebra, SumId, Symbol};
 
+/// Slopes with more terms take minutes to derive, and their code takes longer to compile: a vehicle has some hundreds.
+const MOST_TERMS: usize = 20_000;
+
 /// The derivatives of R that are not zero.
 #[derive(Debug)]
 pub struct Slopes {
@@ -35,13 +38,13 @@ pub struct Slope {
 }
 
 impl Slopes {
-    /// Of rows and forces together; `force` by coordinate.
+    /// Of rows and forces together; `force` by coordinate. `None` when they are too long to write.
     pub fn derive(
         algebra: &mut Algebra,
         symbols: &mut Symbols,
         constraints: Option<&Constraints>,
         force: impl IntoIterator<Item = (usize, SumId)>,
-    ) -> Self {
+    ) -> Option<Self> {
         let (mut residual, mut reads) = (BTreeMap::new(), Vec::new());
         if let Some(constraints) = constraints {
             subtract_rows(algebra, symbols, constraints, &mut residual, &mut reads);
@@ -51,6 +54,7 @@ impl Slopes {
             *entry = algebra.add(*entry, part);
         }
         let mut slopes = Self { reads, by_q: Vec::new(), by_v: Vec::new() };
+        let mut n_terms = 0;
         for (row, sum) in residual {
             for symbol in algebra.symbols_of(sum) {
                 let (entries, column) = match symbols.meaning(symbol) {
@@ -59,12 +63,16 @@ impl Slopes {
                     _ => continue,
                 };
                 let value = algebra.diff(sum, symbol);
+                n_terms += algebra.terms(value).len();
+                if n_terms > MOST_TERMS {
+                    return None;
+                }
                 if !value.is_zero() {
                     entries.push(Slope { row, column, value });
                 }
             }
         }
-        slopes
+        Some(slopes)
     }
 
     /// All values, those by coordinates first.

@@ -23,8 +23,9 @@ pub enum Plan {
 /// Sums with more terms take the most frequent factor out without looking at alternatives.
 const LARGEST_SEARCHED_SUM: usize = 12;
 
-/// Parts of one sum that are searched before the rest is written likewise: a dozen products of powers have millions.
-const MOST_SEARCHED_PARTS: usize = 20_000;
+/// Parts of the sums of one kernel that are searched before the rest is written likewise: a dozen products of powers have
+/// millions. The kernels of a vehicle have some thousands.
+const MOST_SEARCHED_PARTS: usize = 100_000;
 
 /// A term of a sum; its product is one of the planner's.
 type Term = (MonomialId, Coefficient);
@@ -33,7 +34,7 @@ type Term = (MonomialId, Coefficient);
 #[derive(Debug, Default)]
 pub struct Planner {
     plans: FxHashMap<Vec<Term>, (usize, Rc<Plan>)>,
-    /// Parts of the present sum that were searched.
+    /// Parts that were searched.
     n_searched: usize,
     /// Products of sums and what is left of them.
     monomials: Interner<Monomial>,
@@ -57,7 +58,6 @@ impl Planner {
         let mut own =
             |&(monomial, k): &Term| (MonomialId(self.monomials.intern(algebra.monomial(monomial).clone())), k);
         let terms = varying.iter().chain(&fixed).map(&mut own).collect();
-        self.n_searched = 0;
         self.search(algebra, terms).1
     }
 

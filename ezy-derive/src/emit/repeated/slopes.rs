@@ -20,23 +20,27 @@ pub struct Item<'m> {
     slopes: Slopes,
 }
 
-/// The slopes of all rows and forces.
-pub fn derive<'m>(templates: &mut Templates<'m>) -> Vec<Item<'m>> {
+/// The slopes of all rows and forces; `None` when some are too long to write.
+pub fn derive<'m>(templates: &mut Templates<'m>) -> Option<Vec<Item<'m>>> {
     let Templates { algebra, symbols, rows, forces, .. } = templates;
-    let rows = rows.iter().map(|row| Item {
-        loops: &row.row.loops,
-        slots: row.slots.clone(),
-        n_rows: row.constraints.rows.len(),
-        slopes: Slopes::derive(algebra, symbols, Some(&row.constraints), []),
-    });
-    let mut items: Vec<Item<'m>> = rows.collect();
-    items.extend(forces.iter().map(|force| Item {
-        loops: &force.force.loops,
-        slots: force.slots.clone(),
-        n_rows: 0,
-        slopes: Slopes::derive(algebra, symbols, None, force.entries.iter().copied()),
-    }));
-    items
+    let mut items = Vec::new();
+    for row in rows {
+        items.push(Item {
+            loops: &row.row.loops,
+            slots: row.slots.clone(),
+            n_rows: row.constraints.rows.len(),
+            slopes: Slopes::derive(algebra, symbols, Some(&row.constraints), [])?,
+        });
+    }
+    for force in forces {
+        items.push(Item {
+            loops: &force.force.loops,
+            slots: force.slots.clone(),
+            n_rows: 0,
+            slopes: Slopes::derive(algebra, symbols, None, force.entries.iter().copied())?,
+        });
+    }
+    Some(items)
 }
 
 impl Emitter<'_> {

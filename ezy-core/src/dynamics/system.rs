@@ -193,10 +193,11 @@ const LIGHTEST: f64 = 1e-4;
 const LARGEST_FOR_LIGHT: usize = 100;
 
 /// Range of `g/√m`, whose fourth powers are the determinants of the generated elimination, and whose sums and products with
-/// each other must not leave the range of doubles either.
-const RANGE: std::ops::Range<f64> = 1e-50..1e50;
+/// each other must not leave the range of doubles either. Levers beyond 1e12 would leave nothing of the motion of centres,
+/// whose shares stand beside the squares of theirs; small shares are cosines of right angles and harmless.
+const RANGE: std::ops::Range<f64> = 1e-50..1e12;
 
-/// Whether the generated elimination, which does not scale, leaves the range of doubles.
+/// Whether the generated elimination, which does not scale, leaves the range of doubles or mixes what is too far apart.
 fn overflows(info: &SceneInfo, mass: &[f64], jacobian: &[f64]) -> bool {
     let shares = info.jacobian.entries().map(|(k, _, column)| (jacobian[k], mass[column]));
     let mut powers = shares.filter(|(g, m)| *g != 0.0 && *m > 0.0).map(|(g, m)| g.abs() / m.sqrt());

@@ -179,6 +179,15 @@ mod tests {
     }
 
     #[test]
+    fn analytic_row_with_long_derivatives_is_named() {
+        let found = messages(
+            "point P = one(a, b); point Q = two(b, a);
+             constraint g: norm(P.r) / (2 + smooth_step(norm(P.r), 1, norm(Q.r))) = a;",
+        );
+        assert!(found.contains("the second derivative of row `g` has ") && found.contains("terms"), "{found}");
+    }
+
+    #[test]
     fn analytic_faults_inside_a_for_are_found() {
         let array = "count n = 4; body link[n] { mass: 1, inertia: 1 }";
         let found = messages(&format!(

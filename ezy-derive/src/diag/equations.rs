@@ -12,6 +12,14 @@ pub fn restricts_nothing(at: &Ident, row: &str) -> syn::Error {
     )
 }
 
+pub fn too_long(at: &Ident, row: &str, n_terms: usize, most: usize) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("the second derivative of row `{row}` has {n_terms} terms, more than {most}"),
+        "nest fewer functions and quotients: derivatives multiply with each of them",
+    )
+}
+
 /// Without others the row is empty by itself: what stands in it cancels.
 pub fn dependent(at: &Ident, row: &str, others: &[&str]) -> syn::Error {
     if others.is_empty() {

@@ -21,6 +21,9 @@ const SAMPLES: u64 = 3;
 /// random independent rows keep 1e-3.
 const DEPENDENT: f64 = 1e-9;
 
+/// Longer sums take minutes to write well, and their code takes longer to compile: a rod has thirty terms.
+pub const LONGEST_SUM: usize = 2000;
+
 /// Reports faulty rows of the scenes of a model at the words that declare them, each once. Works on equations of its
 /// own: what it writes down must not change the order of what is emitted.
 ///
@@ -61,6 +64,12 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
             continue;
         }
         let name = &model.rows[row.family].name;
+        let n_terms = equations.algebra.terms(constraints.convective[i]).len();
+        if n_terms > LONGEST_SUM {
+            diag.error(message::too_long(name, &row.name, n_terms, LONGEST_SUM));
+            reported.push(row.family);
+            continue;
+        }
         let mut entries = constraints.jacobian[i].iter().map(|&(_, entry)| entry);
         if constraints.jacobian[i].is_empty() {
             diag.error(message::restricts_nothing(name, &row.name));

@@ -4,6 +4,7 @@
 
 use std::collections::BTreeMap;
 
+use super::check::LONGEST_SUM;
 use super::constraints::Constraints;
 use super::symbols::{Meaning, Symbols};
 use crate::symbolic::{Algebra, SumId, Symbol};
@@ -63,8 +64,9 @@ impl Slopes {
                     _ => continue,
                 };
                 let value = algebra.diff(sum, symbol);
-                n_terms += algebra.terms(value).len();
-                if n_terms > MOST_TERMS {
+                let length = algebra.terms(value).len();
+                n_terms += length;
+                if length > LONGEST_SUM || n_terms > MOST_TERMS {
                     return None;
                 }
                 if !value.is_zero() {

@@ -36,6 +36,12 @@ pub enum SystemError {
         /// `generated` or `sparse`.
         backend: &'static str,
     },
+    /// Products of levers over masses leave the numbers that the generated elimination can work with.
+    #[error("levers and masses of scene `{scene}` are too far apart for the generated backend; use `auto` or `dense`")]
+    OutOfRange {
+        /// Name of the scene.
+        scene: &'static str,
+    },
     /// The sparse backend could not be prepared.
     #[error(transparent)]
     Sparse(#[from] SparseKktError),

@@ -98,7 +98,11 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         let mut jacobian = vec![0.0; info.jacobian.n_nonzeros()];
         scene.velocity_jacobian(&fixed, start.t, &start.q, &mut jacobian);
         let geometry = Geometry::new(info, &jacobian, &start);
-        let needs_pivots = geometry.lightness(&mass) < LIGHTEST || overflows(info, &mass, &jacobian);
+        let is_out_of_range = is_out_of_range(info, &mass, &jacobian);
+        if is_out_of_range && backend == Backend::Generated {
+            return Err(SystemError::OutOfRange { scene: info.name });
+        }
+        let needs_pivots = is_out_of_range || geometry.lightness(&mass) < LIGHTEST;
         Ok(Self {
             scene,
             info,
@@ -193,15 +197,27 @@ const LIGHTEST: f64 = 1e-4;
 const LARGEST_FOR_LIGHT: usize = 100;
 
 /// Range of `g/√m`, whose fourth powers are the determinants of the generated elimination, and whose sums and products with
-/// each other must not leave the range of doubles either. Levers beyond 1e12 would leave nothing of the motion of centres,
-/// whose shares stand beside the squares of theirs; small shares are cosines of right angles and harmless.
-const RANGE: std::ops::Range<f64> = 1e-50..1e12;
+/// each other must not leave the range of doubles either.
+const RANGE: std::ops::Range<f64> = 1e-50..1e50;
+
+/// Largest ratio of such numbers between rows: where it is larger, what a row takes from another is rounding.
+const FURTHEST_APART: f64 = 1e12;
 
 /// Whether the generated elimination, which does not scale, leaves the range of doubles or mixes what is too far apart.
-fn overflows(info: &SceneInfo, mass: &[f64], jacobian: &[f64]) -> bool {
-    let shares = info.jacobian.entries().map(|(k, _, column)| (jacobian[k], mass[column]));
-    let mut powers = shares.filter(|(g, m)| *g != 0.0 && *m > 0.0).map(|(g, m)| g.abs() / m.sqrt());
-    powers.any(|power| power.is_finite() && !RANGE.contains(&power))
+fn is_out_of_range(info: &SceneInfo, mass: &[f64], jacobian: &[f64]) -> bool {
+    let mut of_rows = vec![0.0_f64; info.n_rows()];
+    for (k, row, column) in info.jacobian.entries() {
+        let power = jacobian[k].abs() / mass[column].sqrt();
+        if mass[column] == 0.0 || power == 0.0 || !power.is_finite() {
+            continue;
+        }
+        if !RANGE.contains(&power) {
+            return true;
+        }
+        of_rows[row] = of_rows[row].max(power);
+    }
+    let largest = of_rows.iter().fold(0.0_f64, |largest, power| largest.max(*power));
+    of_rows.iter().any(|power| *power > 0.0 && largest > FURTHEST_APART * power)
 }
 
 fn solver(info: &'static SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) -> Result<Solver, SystemError> {

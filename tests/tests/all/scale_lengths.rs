@@ -51,6 +51,16 @@ fn invariant_solver_does_not_depend_on_units() {
     }
 }
 
+#[test]
+fn invariant_levers_and_masses_too_far_apart_are_not_eliminated() {
+    for m3 in [1e30, 1e120] {
+        let scene = four_bar::Turning { m3, ..scaled(1.0, 1.0) };
+        assert!(!System::new(&scene, Backend::Auto).unwrap().uses_elimination(), "{m3} kg");
+        let Err(error) = System::new(&scene, Backend::Generated) else { panic!("{m3} kg") };
+        assert!(error.to_string().contains("too far apart for the generated backend"), "{error}");
+    }
+}
+
 /// A start whose bars are 1e-6 apart relative to their lengths is refused in any unit.
 #[test]
 fn invariant_gap_counts_relative_to_the_bars() {

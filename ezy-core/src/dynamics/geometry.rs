@@ -96,7 +96,7 @@ impl Geometry {
 
     /// The smallest entry of M as a share of the largest, inertias by the mass that their lever feels.
     pub fn lightness(&self, mass: &[f64]) -> f64 {
-        let felt = || mass.iter().zip(&self.levers).map(|(m, lever)| m / (lever * lever));
+        let felt = || mass.iter().zip(&self.levers).map(|(m, lever)| m / lever / lever);
         let heaviest = largest(felt());
         if heaviest > 0.0 { felt().fold(heaviest, f64::min) / heaviest } else { 0.0 }
     }

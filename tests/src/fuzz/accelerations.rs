@@ -14,11 +14,17 @@ const LARGEST: usize = 60;
 /// started from, as [`PIVOT_TOLERANCE`], and below it the pivoted solver decides.
 const LOSS: f64 = f64::EPSILON / PIVOT_TOLERANCE;
 
-/// And this many times what rounding of the entries of K and r does to the solution itself, and of its largest number: an
-/// elimination without pivoting adds up some thousand of them.
-const GROWTH: f64 = 1e4;
+/// And this many times what rounding of the state and of the terms of the equations does to the solution at most, and of its
+/// largest number where K is scaled: an elimination without pivoting adds up hundreds of them.
+const GROWTH: f64 = 1e3;
 
-/// Roundings that are tried, each with other signs.
+/// Accelerations and reactions whose squares underflow are zero.
+const NOTHING: f64 = 1e-154;
+
+/// What a term is rounded by at least.
+const SMALLEST: f64 = f64::EPSILON * f64::MIN_POSITIVE;
+
+/// Roundings of the state that are tried, each with other signs.
 const N_ROUNDINGS: usize = 3;
 
 /// K and r at a state, in the numbers that the scene computes itself.
@@ -104,17 +110,22 @@ pub fn check(system: &mut System<'_, dyn Scene + '_>, state: &State, draw: &mut 
         let residual = here.residual(&x);
         let change = |nudged: &Equations| nudged.residual(&x).iter().zip(&residual).map(|(x, y)| x - y).collect();
         let rounding = nudged.iter().map(change).fold(zeros, largest_of);
-        return compare("residual", &residual, &here.magnitude(&x), &units, &rounding);
+        let sizes = here.magnitude(&x);
+        let largest = sizes.iter().fold(0.0, |m: f64, x| m.max(*x));
+        let rounding: Vec<f64> = rounding.iter().map(|rounding| rounding + f64::EPSILON * largest).collect();
+        return compare("residual", &residual, &sizes, &units, &rounding);
     }
     let exact = oracle.solve(&here.right);
     let divides = system.uses_elimination() || !info.has_elimination();
     let magnitude = if divides { here.magnitude_over_mass(&exact) } else { here.magnitude(&exact) };
-    let mut change = |nudged: &Equations| {
-        let rounded = nudged.residual(&exact).into_iter().zip(&magnitude);
-        let change = rounded.map(|(change, size)| change + f64::EPSILON * if draw.once_in(2) { *size } else { -size });
-        oracle.solve(&change.collect::<Vec<_>>())
+    let moved = |nudged: &Equations| {
+        let change: Vec<f64> = nudged.residual(&exact).iter().zip(here.residual(&exact)).map(|(x, y)| x - y).collect();
+        oracle.solve(&change)
     };
-    let rounding = nudged.iter().map(&mut change).fold(zeros, largest_of);
+    let of_terms = oracle.at_most(&magnitude.iter().map(|size| SMALLEST.max(f64::EPSILON * size)).collect::<Vec<_>>());
+    let of_state = nudged.iter().map(moved).fold(zeros, largest_of);
+    let of_largest = oracle.rounding(&exact);
+    let rounding: Vec<f64> = (0..x.len()).map(|i| of_terms[i] + of_state[i] + of_largest[i]).collect();
     if exact.iter().chain(&rounding).any(|x| !x.is_finite()) {
         return Ok(Verdict::AccelerationsNotCompared);
     }
@@ -124,11 +135,10 @@ pub fn check(system: &mut System<'_, dyn Scene + '_>, state: &State, draw: &mut 
 
 /// Errors against the largest number of their kind, and against what rounding does.
 fn compare(what: &str, error: &[f64], sizes: &[f64], units: &[&str], rounding: &[f64]) -> Result<Verdict, String> {
-    let largest = sizes.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     for (i, unit) in units.iter().enumerate() {
         let of_kind = sizes.iter().zip(units).filter(|(_, other)| *other == unit);
         let size = of_kind.fold(0.0, |m: f64, (x, _)| m.max(x.abs()));
-        let allowed = f64::MIN_POSITIVE + LOSS * size + GROWTH * (rounding[i] + f64::EPSILON * largest);
+        let allowed = NOTHING + LOSS * size + GROWTH * rounding[i];
         if error[i].is_nan() || error[i].abs() > allowed {
             let (error, rounding) = (error[i].abs(), rounding[i]);
             return Err(format!("{what} {error:.1e} of number {i}; size {size:.1e}, rounding does {rounding:.1e}"));

@@ -79,6 +79,23 @@ impl Oracle {
         }
         solution
     }
+
+    /// Rounding of the largest number of a solution where K is scaled, in each number.
+    pub fn rounding(&self, x: &[f64]) -> Vec<f64> {
+        let largest = x.iter().zip(&self.scale).fold(0.0, |m: f64, (x, scale)| m.max((x / scale).abs()));
+        self.scale.iter().map(|scale| f64::EPSILON * largest * scale).collect()
+    }
+
+    /// How far x can be from K⁻¹ r when r is off by these numbers, whatever their signs: `|K⁻¹| error`.
+    pub fn at_most(&self, error: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; error.len()];
+        for (j, error) in error.iter().enumerate().filter(|(_, error)| **error != 0.0) {
+            let mut alone = vec![0.0; sum.len()];
+            alone[j] = *error;
+            sum.iter_mut().zip(self.solve(&alone)).for_each(|(sum, x)| *sum += x.abs());
+        }
+        sum
+    }
 }
 
 /// Powers of two that bring the largest entry of every row and column near one (Ruiz 2001).

@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::mechanisms::four_bar::four_bar;
+use ezy_models::mechanisms::pendulum::pendulum::Swing;
 use ezy_models::registry::MODELS;
 
 /// The four-bar with all lengths, and gravity with them, and all masses in other units: angles move alike.
@@ -59,6 +60,14 @@ fn invariant_levers_and_masses_too_far_apart_are_not_eliminated() {
         let Err(error) = System::new(&scene, Backend::Generated) else { panic!("{m3} kg") };
         assert!(error.to_string().contains("too far apart for the generated backend"), "{error}");
     }
+}
+
+/// 1e-170 m squared is zero.
+#[test]
+fn invariant_inertia_that_underflows_is_none() {
+    let scene = Swing { l: 1e-170, ..Swing::default() };
+    let system = System::new(&scene, Backend::Auto).unwrap();
+    assert!(system.mass_matrix()[2] == 0.0 && !system.uses_elimination(), "{:?}", system.mass_matrix());
 }
 
 /// A start whose bars are 1e-6 apart relative to their lengths is refused in any unit.

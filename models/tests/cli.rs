@@ -90,7 +90,7 @@ fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
 #[test]
 fn invariant_show_latex_of_a_model_holds_every_scene() {
     let show = output(&["show", "ezyroller", "--format", "latex"]);
-    assert_eq!(show.matches("% equations of motion").count(), 5);
+    assert_eq!(show.matches("% equations of motion").count(), 6);
     assert!(show.contains("\\begin{bmatrix} M & C_q^T & S^T"), "{show}");
     assert!(show.contains("\\section*{EzyRoller/driven\\_on\\_tarmac}"), "{show}");
     for environment in ["tabular", "enumerate", "bmatrix", "aligned", "center"] {
@@ -447,4 +447,28 @@ fn invariant_events_are_told_by_run_and_show() {
     assert!(text.contains("\nevent") && text.contains("turning"), "{text}");
     let show = output(&["show", "pendulum/quarter"]);
     assert!(show.contains("ends the run") && show.contains("is recorded"), "{show}");
+}
+
+#[test]
+fn invariant_stops_and_limits_are_told_by_run_and_show() {
+    let run = json(&["run", "pendulum/knocking", "--until", "1", "--json"]);
+    let names = |run: &Value| -> Vec<Value> {
+        run["events"].as_array().into_iter().flatten().map(|event| event["name"].clone()).collect()
+    };
+    assert_eq!(names(&run), ["turning", "post hits"], "{run}");
+    let show = output(&["show", "pendulum/knocking"]);
+    assert!(show.contains("keeps from below zero") && show.contains("restitution"), "{show}");
+    let stop = &json(&["show", "pendulum/knocking", "--format", "json"])["stop"];
+    assert_eq!(stop["name"], "post", "{stop}");
+
+    let run = json(&["run", "ezyroller/skid", "--json"]);
+    assert_eq!(names(&run)[..2], ["rear_on_ice slides", "rear_on_ice stops"], "{run}");
+    assert!(output(&["show", "ezyroller/skid"]).contains("slides beyond"));
+    let show = json(&["show", "ezyroller/skid", "--format", "json"]);
+    let limited = show["rows"].as_array().into_iter().flatten().filter(|row| !row["limit"].is_null());
+    assert_eq!(limited.map(|row| row["name"].clone()).collect::<Vec<_>>(), ["rear_on_ice"], "{show}");
+
+    let refused = ezy(&["accuracy", "ezyroller/skid"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", text(&refused.stderr));
+    assert!(text(&refused.stderr).contains("rear_on_ice"), "{}", text(&refused.stderr));
 }

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! Coordinates: `bob.x bob.y bob.phi`; rows: `pin.x pin.y`.
-//! Freedom: 1 at position level, 1 at velocity level. Kinetic and potential energy together are constant, zero in both scenes.
+//! Freedom: 1 at position level, 1 at velocity level. Kinetic and potential energy together are constant, zero in the scenes
+//! without a post.
 //! The default bob is a point: without moment of inertia the mass matrix is singular, while the motion is not.
 //! Source: A01 of the multibody benchmark of A Coruña (2005), later in the IFToMM library; closed form by the elliptic
 //! functions of Jacobi: sin(θ/2) = k sn(ωt + K(k), k) with θ from the downward vertical, ω² = g/l, k² = 1/2.
@@ -33,6 +34,13 @@ model! {
         /// Where it turns back.
         event turning: bob.omega = 0;
 
+        /// A post below the pin, which the bob runs against.
+        effect post {
+            /// part of the speed that an impact gives back
+            param e = 0.8;
+            stop post: bob.x from 0 restitution e;
+        }
+
         start right { bob near angle 0; at rest; }
         start left { bob near angle pi; at rest; }
 
@@ -42,5 +50,7 @@ model! {
         scene mirrored { start left; until 10 s; }
         /// Released level, on the right of the pin, until it hangs below.
         scene quarter { start right; until 10 s; until bob.x < 0; }
+        /// Released level, on the right of the pin, against the post.
+        scene knocking { start right; until 10 s; with post; }
     }
 }

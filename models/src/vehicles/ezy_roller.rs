@@ -69,6 +69,14 @@ model! {
             tyre at A along seat(1, 0): stiffness cornering, speed creep;
         }
 
+        /// The rear wheel on ice: it holds sideways up to a force and slides beyond it, with that force as friction.
+        effect ice {
+            /// largest side force
+            param hold: N = 4.0;
+            release rear;
+            skate rear_on_ice: at A along seat(1, 0) limit hold;
+        }
+
         /// The rider's arms, moved by whoever runs the scene.
         effect rider {
             /// torque that opens the hinge
@@ -90,6 +98,8 @@ model! {
         scene driven_on_tarmac { start folded; until 60 s; with pump, rolling_resistance; }
         /// Driven, with a rear wheel that slips and rolls with resistance.
         scene drift { start folded; until 60 s; with pump, rolling_resistance, slip; }
+        /// Driven, with a rear wheel on ice that holds and slides by turns.
+        scene skid { start folded; until 20 s; with pump, ice; }
         /// At 1 m/s with the bar across, in the hands of a rider: set `torque`.
         scene ridden { start cross; until 10 s; with rider; }
     }

@@ -38,19 +38,6 @@ model! {
 }
 
 model! {
-    /// A pendulum against a wall.
-    pub model Pendulum {
-        param e = 0.6;
-        body bob { mass: 3, inertia: 0.2 }
-        hinge P: ground(0, 0) ~ bob(-0.5, 0);
-        stop wall: P.angle from -1 restitution e;
-        gravity (0, -9.81);
-        start level { bob angle 0; at rest; }
-        scene swing { start level; until 0.7 s; }
-    }
-}
-
-model! {
     /// Two bars whose elbow bends so far and no farther.
     pub model Elbow {
         param e = 0.5;
@@ -208,20 +195,6 @@ fn invariant_thousand_elastic_impacts_keep_the_energy() {
     let (first, last) = (run.first().energy, run.last().energy);
     let change = (last.kinetic + last.potential) / (first.kinetic + first.potential) - 1.0;
     assert!(change.abs() <= THOUSAND_IMPACTS, "{change:e}");
-}
-
-#[test]
-fn analytic_pendulum_keeps_the_square_of_the_restitution() {
-    for method in METHODS {
-        let run = Simulation::new(&pendulum::Swing::default()).method(method).run().unwrap();
-        assert_eq!(names(&run), ["wall hits"], "{}", run.outcome);
-        // it falls by l sin 1
-        let kinetic = 3.0 * 9.81 * 0.5 * 1f64.sin();
-        let energy = run.last().energy;
-        let expected = -(1.0 - 0.6 * 0.6) * kinetic;
-        let found = energy.kinetic + energy.potential;
-        assert!((found - expected).abs() <= BALANCE_J, "{found} for {expected} by {}", method.name());
-    }
 }
 
 /// The velocities after an impact by K [dv; p] = [0; jump] with the rows of the elbow written by hand.

@@ -39,7 +39,7 @@ pub enum Metric {
     /// a position correction [C; 0] violates no velocity row to first order.
     #[default]
     Mass,
-    /// δᵀ δ, which adds metres to radians: the least-squares projection of the seed report, for comparison.
+    /// δᵀ δ, which adds metres to radians: the least-squares projection of the report (`docs/notation.md`), for comparison.
     /// Positions are corrected along the position rows only, as there.
     Euclidean,
 }

@@ -9,8 +9,9 @@ const OPENING: &str = "\
 # Compile errors
 
 What a wrong model says, as `rustc` shows it. Each message stands on the word to change; its first line names the fault, `help`
-an edit that would compile. All faults of a model are reported at once. This page is made of the files of the tests
-([ezy-derive/tests/ui](../ezy-derive/tests/ui)), so it shows what the macro says today.
+an edit that would compile. All faults of a stage are reported at once: of syntax, names and values; where there is none, of
+equations. This page is made of the files of the tests ([ezy-derive/tests/ui](../ezy-derive/tests/ui)), so it shows what the
+macro says today.
 ";
 
 /// A theme: the header of its file, the model text, and what rustc answers.

@@ -19,7 +19,7 @@ pub fn stop_of_nothing(at: Extent, what: &str) -> syn::Error {
     fault_with_help(
         at,
         format_args!("{what} bounds a quantity that does not move with a body"),
-        "write a position or an angle, such as `B.angle`",
+        "write a position or an angle, such as `ball.x` or `B.angle`",
     )
 }
 

@@ -40,7 +40,12 @@ pub fn scene_without_start(scene: &Ident, starts: &[&str]) -> syn::Error {
     fault_with_help(scene, format_args!("scene `{scene}` has no start"), help)
 }
 
-pub fn scene_without_until(scene: &Ident) -> syn::Error {
+/// `conditional`: it ends where a condition holds.
+pub fn scene_without_until(scene: &Ident, conditional: bool) -> syn::Error {
+    if conditional {
+        let text = format!("scene `{scene}` has no latest end: what it waits for may never take place");
+        return fault_with_help(scene, text, "write `until 60 s;`, too");
+    }
     fault_with_help(scene, format_args!("scene `{scene}` has no end"), "write `until 60 s;`")
 }
 
@@ -104,6 +109,9 @@ pub fn releases_no_row(name: &Ident, what: Option<&str>, rows: &[&str]) -> syn::
         Some(what) => format!("`{name}` is {what}, not a row"),
         None => format!("row `{name}` is not declared"),
     };
+    if what == Some("a stop") {
+        return fault_with_help(name, text, "declare the stop in an effect, and leave that out of scenes without it");
+    }
     fault_with_help(name, text, suggestion(&name.to_string(), rows, "declared rows"))
 }
 
@@ -144,16 +152,16 @@ pub fn two_changing(scene: &Ident, first: (&Ident, &str), second: (&Ident, &str)
     let ((first, first_what), (second, second_what)) = (first, second);
     let (text, help) = match (first_what, second_what) {
         ("skate", "skate") => (
-            format!("two skates with a limit, `{first}` and `{second}`; one of them can slide"),
+            format!("two skates with a limit, `{first}` and `{second}`; only one of them can slide"),
             "remove one limit, or declare this skate in an effect that the scene does not call for",
         ),
         ("stop", "stop") => (
-            format!("two stops, `{first}` and `{second}`; one of them can be followed"),
+            format!("two stops, `{first}` and `{second}`; only one of them can be followed"),
             "write both bounds of one quantity as `from a to b`, or declare this stop in an effect that the scene does not \
              call for",
         ),
         _ => (
-            format!("a skate with a limit, `{first}`, and a stop, `{second}`; one of them can be followed"),
+            format!("a skate with a limit, `{first}`, and a stop, `{second}`; only one of them can be followed"),
             "remove the limit, or declare the stop in an effect that the scene does not call for",
         ),
     };

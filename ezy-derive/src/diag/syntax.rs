@@ -36,6 +36,15 @@ pub fn unknown_word(word: &Ident, place: &str, words: &[&str]) -> syn::Error {
     )
 }
 
+/// A word of a model that stands in an effect or a `for`.
+pub fn word_of_a_model(word: &Ident, place: &str, words: &[&str]) -> syn::Error {
+    fault_with_help(
+        word,
+        format_args!("`{word}` is no word of {place}"),
+        format_args!("move it out of there; words of {place}: {}", super::nearest::quoted(words)),
+    )
+}
+
 /// A word that the language has another one for.
 pub fn other_word(word: &Ident, place: &str, instead: &str) -> syn::Error {
     fault_with_help(word, format_args!("`{word}` is no word of {place}"), format_args!("did you mean `{instead}`?"))
@@ -190,6 +199,22 @@ pub fn relation_with_equals(at: Span, word: &str) -> syn::Error {
         format!("`{word}=` is written `{word}` here: what counts is the passage from one side to the other")
     };
     fault_with_help(at, text, format_args!("write `{word}`"))
+}
+
+pub fn second_relation(at: Span, found: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("a condition has two sides, but {found} begins a third one"),
+        "write a condition for each bound, since what counts is the passage of one",
+    )
+}
+
+pub fn joined_conditions(at: Span, found: &str) -> syn::Error {
+    fault_with_help(
+        at,
+        format_args!("conditions are not joined, but {found} stands behind one"),
+        "write an `event` or an `until` for each; the first `until` that comes true ends the scene",
+    )
 }
 
 pub fn until_without_unit(at: impl Into<Extent>) -> syn::Error {

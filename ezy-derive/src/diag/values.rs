@@ -39,7 +39,12 @@ pub fn wrong_dimension(at: Extent, what: &str, found: &str, wanted: &str) -> syn
 }
 
 pub fn expected_scalar(at: Extent, what: &str) -> syn::Error {
-    fault_with_help(at, format_args!("{what} is a scalar, but this is a vector"), "write one number")
+    let help = "write one number, such as `A.x` or `norm(A.r)` in place of `A.r`";
+    fault_with_help(at, format_args!("{what} is a scalar, but this is a vector"), help)
+}
+
+pub fn vector_as_constant(at: Extent, of: &str) -> syn::Error {
+    fault_with_help(at, format_args!("{of} is a scalar, but this is a vector"), "write one number")
 }
 
 pub fn expected_vector(at: Extent, what: &str) -> syn::Error {
@@ -85,15 +90,16 @@ pub fn must_not_move(at: impl Into<Extent>, what: &str, on: &str, help: &str) ->
 }
 
 /// `left`, `right`: units, or "a plain number".
-pub fn unlike_equation(at: Span, left: &str, right: &str) -> syn::Error {
-    fault_with_help(at, format_args!("`=` stands between {left} and {right}"), "both sides need the same unit")
+pub fn unlike_sides(at: Span, sign: &str, left: &str, right: &str) -> syn::Error {
+    fault_with_help(at, format_args!("`{sign}` stands between {left} and {right}"), "both sides need the same unit")
 }
 
-pub fn name_in_constant(at: impl Into<Extent>, name: &str, of: &str) -> syn::Error {
+/// `instead`: what does what a name was meant for.
+pub fn name_in_constant(at: impl Into<Extent>, name: &str, of: &str, instead: &str) -> syn::Error {
     fault_with_help(
         at,
         format_args!("{of} cannot use `{name}`"),
-        "write numbers, `pi` and operators; `let name = …;` computes with parameters",
+        format_args!("write numbers, `pi` and operators; {instead}"),
     )
 }
 

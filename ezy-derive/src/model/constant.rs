@@ -6,26 +6,27 @@ use crate::parse::ast::{self, Operator};
 use std::f64::consts::PI;
 use syn::Result;
 
-/// The value of an expression of numbers; `of` says what it is for.
-pub fn constant(expr: &ast::Expr, of: &str) -> Result<f64> {
-    let value = evaluate(expr, of)?;
+/// The value of an expression of numbers; `of` says what it is for, `instead` what does what a name in
+/// it was meant for.
+pub fn constant(expr: &ast::Expr, of: &str, instead: &str) -> Result<f64> {
+    let value = evaluate(expr, of, instead)?;
     if value.is_finite() { Ok(value) } else { Err(values::constant_not_finite(expr.extent(), of, value)) }
 }
 
-fn evaluate(expr: &ast::Expr, of: &str) -> Result<f64> {
+fn evaluate(expr: &ast::Expr, of: &str, instead: &str) -> Result<f64> {
     match expr {
         ast::Expr::Number { value, .. } => Ok(*value),
         ast::Expr::Name(name) if name == "pi" => Ok(PI),
-        ast::Expr::Name(name) => Err(values::name_in_constant(name, &name.to_string(), of)),
-        ast::Expr::Indexed(name) => Err(values::name_in_constant(&**name, &name.word.to_string(), of)),
+        ast::Expr::Name(name) => Err(values::name_in_constant(name, &name.to_string(), of, instead)),
+        ast::Expr::Indexed(name) => Err(values::name_in_constant(&**name, &name.word.to_string(), of, instead)),
         ast::Expr::Member { owner, member } => {
-            Err(values::name_in_constant(expr.extent(), &format!("{}.{member}", owner.word), of))
+            Err(values::name_in_constant(expr.extent(), &format!("{}.{member}", owner.word), of, instead))
         }
-        ast::Expr::Call { function, .. } => Err(values::name_in_constant(function, &function.to_string(), of)),
-        ast::Expr::Vector { .. } => Err(values::expected_scalar(expr.extent(), of)),
-        ast::Expr::Negative { operand, .. } => Ok(-evaluate(operand, of)?),
+        ast::Expr::Call { function, .. } => Err(values::name_in_constant(function, &function.to_string(), of, instead)),
+        ast::Expr::Vector { .. } => Err(values::vector_as_constant(expr.extent(), of)),
+        ast::Expr::Negative { operand, .. } => Ok(-evaluate(operand, of, instead)?),
         ast::Expr::Binary { operator, left, right, .. } => {
-            let (a, b) = (evaluate(left, of)?, evaluate(right, of)?);
+            let (a, b) = (evaluate(left, of, instead)?, evaluate(right, of, instead)?);
             Ok(match operator {
                 Operator::Add => a + b,
                 Operator::Subtract => a - b,

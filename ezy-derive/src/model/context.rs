@@ -115,12 +115,14 @@ pub struct Purpose {
     pub scope: Scope,
     /// What must not move more than that: `the mass of body `seat``.
     pub limit: Option<(String, Motion)>,
+    /// Whether it is for a stop, of which messages say something else than of a row.
+    pub is_stop: bool,
 }
 
 impl Purpose {
     /// Anything may be used.
     pub const fn moving(scope: Scope) -> Self {
-        Self { scope, limit: None }
+        Self { scope, limit: None, is_stop: false }
     }
 
     /// Depends on parameters alone.
@@ -129,7 +131,12 @@ impl Purpose {
     }
 
     pub const fn up_to(scope: Scope, what: String, motion: Motion) -> Self {
-        Self { scope, limit: Some((what, motion)) }
+        Self { scope, limit: Some((what, motion)), is_stop: false }
+    }
+
+    /// The quantity of a stop, or a bound.
+    pub const fn stop(scope: Scope, what: String) -> Self {
+        Self { scope, limit: Some((what, Motion::Position)), is_stop: true }
     }
 }
 

@@ -24,17 +24,22 @@ impl Context<'_> {
         if let (Some(a), Some(b)) = (a.measure.known(), b.measure.known())
             && a != b
         {
-            self.diag.error(values::unlike_equation(condition.at, &a.in_words(), &b.in_words()));
+            self.diag.error(values::unlike_sides(
+                condition.at,
+                condition.relation.sign(),
+                &a.in_words(),
+                &b.in_words(),
+            ));
             return None;
         }
         let (a, b) = match (a.form, b.form) {
             (Form::Scalar(a), Form::Scalar(b)) => (a, b),
             (Form::Vector(..), _) => {
-                self.diag.error(values::expected_scalar(left.extent(), what));
+                self.diag.error(values::expected_scalar(left.extent(), &format!("a side of {what}")));
                 return None;
             }
             (_, Form::Vector(..)) => {
-                self.diag.error(values::expected_scalar(right.extent(), what));
+                self.diag.error(values::expected_scalar(right.extent(), &format!("a side of {what}")));
                 return None;
             }
         };

@@ -184,7 +184,8 @@ impl Context<'_> {
     ) -> Option<()> {
         match &purpose.limit {
             Some((what, limit)) if motion > *limit => {
-                self.diag.error(values::must_not_move(at, what, motion.text(), remedy(motion, *limit)));
+                let remedy = if purpose.is_stop { remedy_in_stop(motion) } else { remedy(motion, *limit) };
+                self.diag.error(values::must_not_move(at, what, motion.text(), remedy));
                 None
             }
             _ => Some(()),
@@ -225,6 +226,14 @@ const fn remedy(motion: Motion, limit: Motion) -> &'static str {
             "a row needs its rate; write a stiff force law, or prescribe the motion by a `drive` in `t`"
         }
         _ => "a position row knows positions and `t`; write `velocity constraint` for a row of velocities",
+    }
+}
+
+/// What to write in place of something that a stop cannot follow.
+const fn remedy_in_stop(motion: Motion) -> &'static str {
+    match motion {
+        Motion::Input => "the row of a stop needs its rate; write parameters, positions and `t`",
+        _ => "a stop bounds positions; an `event` tells when a velocity passes a value",
     }
 }
 

@@ -12,7 +12,7 @@ use proc_macro2::Ident;
 impl Context<'_> {
     pub fn count(&mut self, count: &ast::Count, documentation: &str) -> Count {
         let at = count.value.extent();
-        let value = constant(&count.value, &format!("count `{}`", count.name));
+        let value = constant(&count.value, &format!("count `{}`", count.name), "a run can be given another count");
         let value = self.diag.keep(value);
         if let Some(value) = value.filter(|value| value.fract() != 0.0 || !(1.0..1e9).contains(value)) {
             self.diag.error(repeats::count_not_whole(at, &count.name, value));

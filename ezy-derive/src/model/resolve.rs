@@ -318,7 +318,11 @@ fn parameter_of(
     context: &mut Context,
 ) -> Parameter {
     let unit = parameter.unit.as_ref();
-    let value = constant(&parameter.value, &format!("the value of {what} `{}`", parameter.name));
+    let value = constant(
+        &parameter.value,
+        &format!("the value of {what} `{}`", parameter.name),
+        "`let name = …;` computes with parameters",
+    );
     Parameter {
         name: parameter.name.clone(),
         unit: unit.map_or_else(String::new, |unit| unit.text.clone()),

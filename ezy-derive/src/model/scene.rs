@@ -89,13 +89,13 @@ impl Context<'_> {
     fn scene_until(&mut self, scene: &ast::Scene) -> Option<f64> {
         let Some(until) = &scene.until else {
             if !scene.broken {
-                self.diag.error(scenes::scene_without_until(&scene.name));
+                self.diag.error(scenes::scene_without_until(&scene.name, !scene.ends.is_empty()));
             }
             return None;
         };
         let factor = ast::UnitFactor { name: until.unit.clone(), exponent: 1 };
         let unit = Unit::resolve(&ast::Unit { text: String::new(), factors: vec![factor] }, self.diag);
-        let number = constant(&until.value, "the end of a scene");
+        let number = constant(&until.value, "the end of a scene", "a run can be given another end");
         let (unit, number) = (unit?, self.diag.keep(number)?);
         if unit.dimension != super::dimension::Dimension::TIME {
             self.diag.error(scenes::until_in_wrong_unit(&until.unit));

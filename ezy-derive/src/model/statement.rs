@@ -144,7 +144,7 @@ impl Context<'_> {
                 if let (Some(a), Some(b)) = (a.measure.known(), b.measure.known())
                     && a != b
                 {
-                    self.diag.error(values::unlike_equation(*equals, &a.in_words(), &b.in_words()));
+                    self.diag.error(values::unlike_sides(*equals, "=", &a.in_words(), &b.in_words()));
                     return;
                 }
                 let measure = a.measure.or(b.measure);

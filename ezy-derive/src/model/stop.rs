@@ -11,7 +11,7 @@ use crate::parse::ast;
 impl Context<'_> {
     pub fn stop(&mut self, stop: &ast::Stop, effect: Scope) -> Option<Stop> {
         let what = format!("stop `{}`", stop.name);
-        let purpose = Purpose::up_to(effect, what.clone(), Motion::Position);
+        let purpose = Purpose::stop(effect, what.clone());
         let quantity = self.scalar_of_any_dimension(&stop.quantity, &purpose, &what);
         let dimension = quantity.as_ref().and_then(|(_, measure)| measure.known());
         let bounds = ["from", "to"].into_iter().zip(&stop.bounds);

@@ -216,6 +216,16 @@ pub enum Relation {
     Equal,
 }
 
+impl Relation {
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::Less => "<",
+            Self::Greater => ">",
+            Self::Equal => "=",
+        }
+    }
+}
+
 /// What ends a scene before its time.
 #[derive(Debug)]
 pub enum End {

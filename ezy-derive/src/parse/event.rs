@@ -3,7 +3,7 @@
 use super::Log;
 use super::ast::{Condition, Event, Expr, ItemKind, Relation};
 use super::expression::expression;
-use super::token::{expected, name, sign, written};
+use super::token::{expected, found, name, peek_word, sign, written};
 use crate::diag::syntax;
 use syn::buffer::Cursor;
 use syn::parse::ParseStream;
@@ -27,17 +27,24 @@ pub fn peek_relation(input: ParseStream) -> bool {
 /// What stands behind `left`, which was written from `begin` on.
 pub fn condition(begin: Cursor, left: Expr, input: ParseStream) -> Result<Condition> {
     let left_text = written(begin, input);
-    let (relation, at, word) = match () {
-        () if input.peek(Token![<]) => (Relation::Less, input.parse::<Token![<]>()?.span, "<"),
-        () if input.peek(Token![>]) => (Relation::Greater, input.parse::<Token![>]>()?.span, ">"),
-        () if input.peek(Token![=]) => (Relation::Equal, input.parse::<Token![=]>()?.span, "="),
+    let (relation, at) = match () {
+        () if input.peek(Token![<]) => (Relation::Less, input.parse::<Token![<]>()?.span),
+        () if input.peek(Token![>]) => (Relation::Greater, input.parse::<Token![>]>()?.span),
+        () if input.peek(Token![=]) => (Relation::Equal, input.parse::<Token![=]>()?.span),
         () => return Err(expected(input, "`<`, `>` or `=`")),
     };
+    let sign = relation.sign();
     if input.peek(Token![=]) {
-        return Err(syntax::relation_with_equals(at, word));
+        return Err(syntax::relation_with_equals(at, sign));
     }
     let begin = input.cursor();
     let right = expression(input)?;
-    let text = format!("{left_text} {word} {}", written(begin, input));
+    let text = format!("{left_text} {sign} {}", written(begin, input));
+    if peek_relation(input) {
+        return Err(syntax::second_relation(input.span(), &found(input)));
+    }
+    if input.peek(Token![&]) || input.peek(Token![|]) || peek_word(input, "and") || peek_word(input, "or") {
+        return Err(syntax::joined_conditions(input.span(), &found(input)));
+    }
     Ok(Condition { left, relation, at, right, text })
 }

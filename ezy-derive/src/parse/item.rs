@@ -116,7 +116,9 @@ fn item(input: ParseStream, level: Level, loops: &[Loop], log: &mut Log) -> Resu
         let keyword = keyword(input, found.word)?;
         (found.word, found.example, statement(input, found, keyword))
     } else {
-        return Err(syntax::unknown_word(&word, level.place, &level.words()));
+        let elsewhere = MODEL.items.iter().any(|item| word == item.word);
+        let fault = if elsewhere { syntax::word_of_a_model } else { syntax::unknown_word };
+        return Err(fault(&word, level.place, &level.words()));
     };
     let kind = kind.map_err(|error| syntax::with_example(error, name, example))?;
     Ok(Item { documentation, loops: loops.to_vec(), kind })

@@ -147,6 +147,17 @@ fn ending(form: &[Part]) -> String {
     }
 }
 
+/// `error` with the way a setting is written, where the example of the word leaves it out.
+fn with_setting(error: syn::Error, statement: &Word, setting: &str, names: &[&str]) -> syn::Error {
+    let example = statement.example.trim_end_matches(';');
+    let shows = |name: &str| example.split(' ').any(|word| word == name);
+    if shows(setting) {
+        return error;
+    }
+    let comma = if names.iter().any(|name| shows(name)) { "," } else { "" };
+    syntax::with_example(error, statement.word, &format!("{example}{comma} {setting} …;"))
+}
+
 /// `word value, word value`, each at most once, in any order.
 fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> Result<Phrase> {
     let mut given: Vec<Option<super::ast::Expr>> = known.iter().map(|_| None).collect();
@@ -155,8 +166,11 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
     let names: Vec<&str> = known.iter().map(|setting| setting.word).collect();
     while !input.peek(Token![;]) {
         let Some((found, _)) = input.cursor().ident() else {
-            let words: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-            return Err(expected(input, &alternatives(&words)));
+            let required = known.iter().any(|setting| setting.otherwise == Otherwise::Required);
+            let end = (!required).then(|| "`;`".to_owned());
+            let words: Vec<String> = names.iter().map(|name| format!("`{name}`")).chain(end).collect();
+            let error = expected(input, &alternatives(&words));
+            return Err(if required { error } else { with_setting(error, statement, names[0], &names) });
         };
         let Some(i) = names.iter().position(|name| found == name) else {
             return Err(syntax::unknown_word(&found, &place(), &names));
@@ -165,7 +179,8 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
         if let Some(first) = &words[i] {
             return Err(syntax::field_twice(&word, first));
         }
-        given[i] = Some(expression(input)?);
+        let value = expression(input).map_err(|error| with_setting(error, statement, names[i], &names));
+        given[i] = Some(value?);
         words[i] = Some(word);
         let another = input.cursor().ident().is_some_and(|(word, _)| names.iter().any(|name| word == name));
         if input.peek(Token![,]) {

@@ -1,0 +1,54 @@
+//! Limits of skates: a force, and one skate of a scene at most that has one.
+
+use ezy_derive::model;
+
+model! {
+    pub model Written {
+        param mu: 1 = 0.5;
+        body sled { mass: 1, inertia: 1 }
+        skate none: at sled(0, 0) along sled(1, 0) limit;
+        skate word: at sled(0, 0) along sled(1, 0) max 3;
+        skate comma: at sled(0, 0) along sled(1, 0), limit 3;
+        skate colon: at sled(0, 0) along sled(1, 0): limit 3;
+        skate twice: at sled(0, 0) along sled(1, 0) limit 3, limit 4;
+        roll wheel: at sled(0, 0) along sled(1, 0) = 0 limit 3;
+        skate ratio: at sled(0, 0) along sled(1, 0) limit mu;
+        skate pulls: at sled(0, 0) along sled(1, 0) limit -3;
+        skate vector: at sled(0, 0) along sled(1, 0) limit (0, 3);
+        start s { at rest; }
+        scene run { start s; until 1 s; }
+    }
+}
+
+model! {
+    pub model Two {
+        body sled { mass: 1, inertia: 1 }
+        body cart { mass: 1, inertia: 1 }
+        skate blade: at sled(0, 0) along sled(1, 0) limit 3;
+        effect cart { skate wheel: at cart(0, 0) along cart(1, 0) limit 3; }
+        effect wall { stop wall: sled.x to 1; }
+        start s { at rest; }
+        scene free { start s; until 1 s; }
+        scene both { start s; until 1 s; with cart; }
+        scene walled { start s; until 1 s; with wall; }
+    }
+}
+
+model! {
+    pub model Many {
+        count n = 3;
+        body sled[n] { mass: 1, inertia: 1 }
+        for i in 0..n { skate blade[i]: at sled[i](0, 0) along sled[i](1, 0) limit 3; }
+        start s { at rest; }
+        scene run { start s; until 1 s; }
+    }
+}
+
+fn main() {}
+
+// stands for ezy-core, which these tests do without
+extern crate self as ezy_core;
+#[macro_export]
+macro_rules! faulty_model {
+    ($($model:tt)*) => {};
+}

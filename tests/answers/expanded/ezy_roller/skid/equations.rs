@@ -1,0 +1,476 @@
+#[automatically_derived]
+impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Skid {
+    fn constants(&self, parameters: &[T], c: &mut [T]) {
+        let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
+        let c = ::ezy_core::kernel::array_mut::<41usize, T>(c);
+        let k1 = T::from_f64(1f64);
+        let parameter_m1 = parameters[4usize];
+        let parameter_i1 = parameters[5usize];
+        let parameter_m2 = parameters[6usize];
+        let parameter_i2 = parameters[7usize];
+        let parameter_b = parameters[1usize];
+        let parameter_d = parameters[3usize];
+        let parameter_c = parameters[2usize];
+        let parameter_a = parameters[0usize];
+        let parameter_m0 = parameters[8usize];
+        let parameter_omega = parameters[9usize];
+        let k13 = T::PI;
+        let parameter_hold = parameters[10usize];
+        let k15 = k1 / parameter_m1;
+        let k16 = k1 / parameter_i1;
+        let k17 = parameter_b * parameter_m0;
+        let k18 = k17 * k16;
+        let k19 = k1 / parameter_m2;
+        let k20 = k1 / parameter_i2;
+        let k21 = parameter_d * parameter_m0;
+        let k22 = k21 * k20;
+        let k23 = parameter_c * parameter_m0;
+        let k24 = k23 * k20;
+        let k25 = parameter_a * parameter_m0;
+        let k26 = k25 * k16;
+        let k27 = parameter_b * parameter_b;
+        let k28 = k27 * k16;
+        let k29 = parameter_d * parameter_d;
+        let k30 = k29 * k20;
+        let k31 = k15 + k28;
+        let k32 = k31 + k19;
+        let k33 = k32 + k30;
+        let k34 = parameter_d * parameter_c;
+        let k35 = k34 * k20;
+        let k36 = k19 - k35;
+        let k37 = parameter_b * parameter_a;
+        let k38 = k37 * k16;
+        let k39 = k38 - k15;
+        let k40 = k15 + k19;
+        let k41 = parameter_c * parameter_c;
+        let k42 = k41 * k20;
+        let k43 = k19 + k42;
+        let k44 = parameter_a * parameter_a;
+        let k45 = k44 * k16;
+        let k46 = k15 + k45;
+        let k47 = k1 / k43;
+        let k48 = k36 * k47;
+        let k49 = k48 * k36;
+        let k50 = k33 - k49;
+        let k51 = k49 - k30;
+        let k52 = k1 / k46;
+        let k53 = k39 * k52;
+        let k54 = k53 * k39;
+        let k55 = k50 - k54;
+        let k56 = k54 - k28;
+        let k57 = parameter_m0 * k16;
+        let k58 = parameter_b * k16;
+        let k59 = parameter_a * k16;
+        let k60 = parameter_m0 * k20;
+        let k61 = parameter_d * k20;
+        let k62 = parameter_c * k20;
+        let k63 = T::from_f64(0.0000000001f64);
+        let k64 = k63 * k43;
+        let k65 = k63 * k46;
+        let k66 = k33 + k40;
+        let k67 = k66 * k66;
+        let k68 = k63 * k67;
+        let k69 = T::from_f64(2f64);
+        let k70 = parameter_b * k69;
+        let k71 = parameter_d * k69;
+        c[0usize] = k24;
+        c[1usize] = parameter_omega;
+        c[2usize] = k26;
+        c[3usize] = k56;
+        c[4usize] = k51;
+        c[5usize] = k55;
+        c[6usize] = k40;
+        c[7usize] = k18;
+        c[8usize] = k53;
+        c[9usize] = k22;
+        c[10usize] = k48;
+        c[11usize] = parameter_b;
+        c[12usize] = parameter_d;
+        c[13usize] = k52;
+        c[14usize] = k47;
+        c[15usize] = k15;
+        c[16usize] = k58;
+        c[17usize] = k57;
+        c[18usize] = k59;
+        c[19usize] = k19;
+        c[20usize] = k61;
+        c[21usize] = k60;
+        c[22usize] = k62;
+        c[23usize] = k43;
+        c[24usize] = k64;
+        c[25usize] = k46;
+        c[26usize] = k65;
+        c[27usize] = k68;
+        c[28usize] = parameter_m0;
+        c[29usize] = k16;
+        c[30usize] = k20;
+        c[31usize] = parameter_m1;
+        c[32usize] = parameter_i1;
+        c[33usize] = parameter_m2;
+        c[34usize] = parameter_i2;
+        c[35usize] = parameter_c;
+        c[36usize] = parameter_a;
+        c[37usize] = k13;
+        c[38usize] = k70;
+        c[39usize] = k71;
+        c[40usize] = parameter_hold;
+    }
+    fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        out[0usize] = c[31usize];
+        out[1usize] = c[31usize];
+        out[2usize] = c[32usize];
+        out[3usize] = c[33usize];
+        out[4usize] = c[33usize];
+        out[5usize] = c[34usize];
+    }
+    fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let seat_x = q[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let sum_7 = T::fused(c[11usize], cos_seat_phi, seat_x);
+        let bar_x = q[3usize];
+        let difference_9 = sum_7 - bar_x;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let sum_14 = T::fused(c[12usize], cos_bar_phi, difference_9);
+        let seat_y = q[1usize];
+        let sum_18 = T::fused(c[11usize], sin_seat_phi, seat_y);
+        let bar_y = q[4usize];
+        let difference_20 = sum_18 - bar_y;
+        let sum_23 = T::fused(c[12usize], sin_bar_phi, difference_20);
+        out[0usize] = sum_14;
+        out[1usize] = sum_23;
+    }
+    fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let seat_vx = v[0usize];
+        let bar_vx = v[3usize];
+        let difference_4 = seat_vx - bar_vx;
+        let bar_omega = v[5usize];
+        let product_7 = c[12usize] * bar_omega;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let difference_11 = T::fused(-product_7, sin_bar_phi, difference_4);
+        let seat_omega = v[2usize];
+        let product_14 = c[11usize] * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let difference_18 = T::fused(-product_14, sin_seat_phi, difference_11);
+        let seat_vy = v[1usize];
+        let bar_vy = v[4usize];
+        let difference_21 = seat_vy - bar_vy;
+        let sum_24 = T::fused(product_7, cos_bar_phi, difference_21);
+        let sum_27 = T::fused(product_14, cos_seat_phi, sum_24);
+        let product_29 = bar_omega * c[35usize];
+        let difference_31 = T::fused(-bar_vx, sin_bar_phi, product_29);
+        let sum_33 = T::fused(bar_vy, cos_bar_phi, difference_31);
+        let product_35 = seat_omega * c[36usize];
+        let sum_37 = T::fused(seat_vx, sin_seat_phi, product_35);
+        let difference_39 = T::fused(seat_vy, cos_seat_phi, -sum_37);
+        out[0usize] = difference_18;
+        out[1usize] = sum_27;
+        out[2usize] = sum_33;
+        out[3usize] = difference_39;
+    }
+    fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_4 = c[11usize] * sin_seat_phi;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_8 = c[12usize] * sin_bar_phi;
+        let product_10 = c[11usize] * cos_seat_phi;
+        let product_12 = c[12usize] * cos_bar_phi;
+        let value_15 = -product_4;
+        let value_16 = -T::from_f64(1f64);
+        let value_17 = -product_8;
+        let value_18 = -sin_bar_phi;
+        let value_19 = -sin_seat_phi;
+        let value_20 = -c[36usize];
+        out[0usize] = T::from_f64(1f64);
+        out[1usize] = value_15;
+        out[2usize] = value_16;
+        out[3usize] = value_17;
+        out[4usize] = T::from_f64(1f64);
+        out[5usize] = product_10;
+        out[6usize] = value_16;
+        out[7usize] = product_12;
+        out[8usize] = value_18;
+        out[9usize] = cos_bar_phi;
+        out[10usize] = c[35usize];
+        out[11usize] = value_19;
+        out[12usize] = cos_seat_phi;
+        out[13usize] = value_20;
+    }
+    fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let seat_omega = v[2usize];
+        let product_3 = c[11usize] * seat_omega;
+        let product_4 = seat_omega * product_3;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_8 = product_4 * cos_seat_phi;
+        let bar_omega = v[5usize];
+        let product_11 = c[12usize] * bar_omega;
+        let product_12 = bar_omega * product_11;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
+        let product_18 = product_4 * sin_seat_phi;
+        let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+        let bar_vx = v[3usize];
+        let product_23 = cos_bar_phi * bar_vx;
+        let bar_vy = v[4usize];
+        let sum_26 = T::fused(sin_bar_phi, bar_vy, product_23);
+        let product_27 = bar_omega * sum_26;
+        let seat_vx = v[0usize];
+        let product_29 = cos_seat_phi * seat_vx;
+        let seat_vy = v[1usize];
+        let sum_32 = T::fused(sin_seat_phi, seat_vy, product_29);
+        let product_33 = seat_omega * sum_32;
+        let value_34 = -sum_16;
+        let value_35 = -sum_21;
+        let value_36 = -product_27;
+        let value_37 = -product_33;
+        out[0usize] = value_34;
+        out[1usize] = value_35;
+        out[2usize] = value_36;
+        out[3usize] = value_37;
+    }
+    fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let product_4 = c[1usize] * t;
+        let cos_4 = T::cos(product_4);
+        let product_6 = c[28usize] * cos_4;
+        let value_7 = -product_6;
+        out[0usize] = T::from_f64(0f64);
+        out[1usize] = T::from_f64(0f64);
+        out[2usize] = product_6;
+        out[3usize] = T::from_f64(0f64);
+        out[4usize] = T::from_f64(0f64);
+        out[5usize] = value_7;
+    }
+    #[inline]
+    fn accelerations(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        v: &[T],
+        a: &mut [T],
+        lambda: &mut [T],
+    ) -> ::ezy_core::model::Pivots {
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let v = ::ezy_core::kernel::array::<6usize, T>(v);
+        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
+        let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+        let bar_vx = v[3usize];
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_5 = bar_vx * cos_bar_phi;
+        let bar_vy = v[4usize];
+        let sum_9 = T::fused(bar_vy, sin_bar_phi, product_5);
+        let bar_omega = v[5usize];
+        let product_11 = sum_9 * bar_omega;
+        let product_15 = c[1usize] * t;
+        let cos_15 = T::cos(product_15);
+        let minus_right_side_front = T::fused(c[0usize], cos_15, product_11);
+        let seat_vx = v[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_22 = seat_vx * cos_seat_phi;
+        let seat_vy = v[1usize];
+        let sum_26 = T::fused(seat_vy, sin_seat_phi, product_22);
+        let seat_omega = v[2usize];
+        let product_28 = sum_26 * seat_omega;
+        let minus_right_side_rear_on_ice = T::fused(cos_15, c[2usize], product_28);
+        let product_33 = cos_seat_phi * c[3usize];
+        let product_34 = cos_seat_phi * product_33;
+        let product_36 = cos_bar_phi * c[4usize];
+        let sum_38 = T::fused(cos_bar_phi, product_36, product_34);
+        let sum_40 = sum_38 + c[5usize];
+        let product_41 = sin_seat_phi * c[3usize];
+        let product_42 = cos_seat_phi * product_41;
+        let product_43 = sin_bar_phi * c[4usize];
+        let sum_45 = T::fused(cos_bar_phi, product_43, product_42);
+        let difference_47 = c[6usize] - sum_38;
+        let product_51 = minus_right_side_rear_on_ice * c[8usize];
+        let difference_52 = T::fused(-cos_15, c[7usize], product_51);
+        let product_53 = sin_seat_phi * difference_52;
+        let product_55 = cos_15 * c[9usize];
+        let sum_58 = T::fused(minus_right_side_front, c[10usize], product_55);
+        let sum_60 = T::fused(sin_bar_phi, sum_58, product_53);
+        let product_62 = seat_omega * c[11usize];
+        let product_63 = seat_omega * product_62;
+        let difference_65 = T::fused(-cos_seat_phi, product_63, sum_60);
+        let product_67 = bar_omega * c[12usize];
+        let product_68 = bar_omega * product_67;
+        let difference_70 = T::fused(-cos_bar_phi, product_68, difference_65);
+        let product_71 = cos_seat_phi * difference_52;
+        let sum_73 = T::fused(cos_bar_phi, sum_58, product_71);
+        let sum_75 = T::fused(sin_seat_phi, product_63, sum_73);
+        let sum_77 = T::fused(sin_bar_phi, product_68, sum_75);
+        let product_78 = sum_40 * difference_47;
+        let difference_80 = T::fused(-sum_45, sum_45, product_78);
+        let quotient_81 = T::from_f64(1f64) / difference_80;
+        let product_82 = difference_47 * difference_70;
+        let sum_84 = T::fused(sum_45, sum_77, product_82);
+        let lambda_B_x = quotient_81 * sum_84;
+        let product_86 = sum_45 * difference_70;
+        let sum_88 = T::fused(sum_40, sum_77, product_86);
+        let minus_lambda_B_y = quotient_81 * sum_88;
+        let product_90 = sin_seat_phi * lambda_B_x;
+        let sum_92 = T::fused(cos_seat_phi, minus_lambda_B_y, product_90);
+        let product_93 = c[8usize] * sum_92;
+        let minus_lambda_rear_on_ice = T::fused(
+            minus_right_side_rear_on_ice,
+            c[13usize],
+            product_93,
+        );
+        let product_97 = sin_bar_phi * lambda_B_x;
+        let sum_99 = T::fused(cos_bar_phi, minus_lambda_B_y, product_97);
+        let product_100 = c[10usize] * sum_99;
+        let minus_lambda_front = T::fused(
+            minus_right_side_front,
+            c[14usize],
+            product_100,
+        );
+        let sum_105 = T::fused(sin_seat_phi, minus_lambda_rear_on_ice, lambda_B_x);
+        let product_107 = sum_105 * c[15usize];
+        let sum_109 = T::fused(cos_seat_phi, minus_lambda_rear_on_ice, minus_lambda_B_y);
+        let product_110 = c[15usize] * sum_109;
+        let product_112 = sum_92 * c[16usize];
+        let sum_115 = T::fused(cos_15, c[17usize], product_112);
+        let difference_118 = T::fused(-minus_lambda_rear_on_ice, c[18usize], sum_115);
+        let difference_120 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
+        let product_122 = difference_120 * c[19usize];
+        let difference_124 = T::fused(
+            cos_bar_phi,
+            minus_lambda_front,
+            -minus_lambda_B_y,
+        );
+        let product_125 = c[19usize] * difference_124;
+        let product_127 = sum_99 * c[20usize];
+        let difference_130 = T::fused(-cos_15, c[21usize], product_127);
+        let sum_133 = T::fused(minus_lambda_front, c[22usize], difference_130);
+        let value_139 = -product_107;
+        let value_140 = -minus_lambda_B_y;
+        let value_141 = -minus_lambda_front;
+        let value_142 = -minus_lambda_rear_on_ice;
+        a[0usize] = value_139;
+        a[1usize] = product_110;
+        a[2usize] = difference_118;
+        a[3usize] = product_122;
+        a[4usize] = product_125;
+        a[5usize] = sum_133;
+        lambda[0usize] = lambda_B_x;
+        lambda[1usize] = value_140;
+        lambda[2usize] = value_141;
+        lambda[3usize] = value_142;
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[23usize], c[24usize]))
+            .see(&[3usize], T::least_ratio(c[25usize], c[26usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_80, c[27usize]))
+    }
+    #[inline]
+    fn correction(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        residual: &[T],
+        delta: &mut [T],
+    ) -> ::ezy_core::model::Pivots {
+        let c = ::ezy_core::kernel::array::<41usize, T>(c);
+        let q = ::ezy_core::kernel::array::<6usize, T>(q);
+        let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
+        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+        let right_side_front = residual[2usize];
+        let right_side_rear_on_ice = residual[3usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let product_7 = c[3usize] * cos_seat_phi;
+        let product_8 = cos_seat_phi * product_7;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let product_12 = c[4usize] * cos_bar_phi;
+        let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+        let sum_16 = sum_14 + c[5usize];
+        let product_18 = c[3usize] * sin_seat_phi;
+        let product_19 = cos_seat_phi * product_18;
+        let product_21 = c[4usize] * sin_bar_phi;
+        let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+        let difference_25 = c[6usize] - sum_14;
+        let residual_0 = residual[0usize];
+        let product_28 = right_side_front * c[10usize];
+        let difference_30 = T::fused(-sin_bar_phi, product_28, residual_0);
+        let product_32 = right_side_rear_on_ice * c[8usize];
+        let difference_34 = T::fused(-sin_seat_phi, product_32, difference_30);
+        let residual_1 = residual[1usize];
+        let sum_37 = T::fused(cos_bar_phi, product_28, residual_1);
+        let sum_39 = T::fused(cos_seat_phi, product_32, sum_37);
+        let product_40 = sum_16 * difference_25;
+        let difference_42 = T::fused(-sum_23, sum_23, product_40);
+        let quotient_43 = T::from_f64(1f64) / difference_42;
+        let product_44 = difference_25 * difference_34;
+        let difference_46 = T::fused(-sum_23, sum_39, product_44);
+        let lambda_B_x = quotient_43 * difference_46;
+        let product_49 = sum_16 * sum_39;
+        let difference_50 = T::fused(-sum_23, difference_34, product_49);
+        let lambda_B_y = quotient_43 * difference_50;
+        let product_53 = cos_seat_phi * lambda_B_y;
+        let difference_54 = T::fused(-sin_seat_phi, lambda_B_x, product_53);
+        let product_55 = c[8usize] * difference_54;
+        let lambda_rear_on_ice = T::fused(
+            right_side_rear_on_ice,
+            c[13usize],
+            product_55,
+        );
+        let product_60 = cos_bar_phi * lambda_B_y;
+        let difference_61 = T::fused(-sin_bar_phi, lambda_B_x, product_60);
+        let product_62 = c[10usize] * difference_61;
+        let lambda_front = T::fused(right_side_front, c[14usize], product_62);
+        let difference_67 = T::fused(sin_seat_phi, lambda_rear_on_ice, -lambda_B_x);
+        let product_69 = difference_67 * c[15usize];
+        let sum_71 = T::fused(cos_seat_phi, lambda_rear_on_ice, lambda_B_y);
+        let product_72 = c[15usize] * sum_71;
+        let product_76 = lambda_rear_on_ice * c[18usize];
+        let difference_77 = T::fused(-difference_54, c[16usize], product_76);
+        let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
+        let product_81 = sum_79 * c[19usize];
+        let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
+        let product_84 = c[19usize] * difference_83;
+        let product_86 = difference_61 * c[20usize];
+        let sum_89 = T::fused(lambda_front, c[22usize], product_86);
+        let value_95 = -product_72;
+        let value_96 = -sum_89;
+        delta[0usize] = product_69;
+        delta[1usize] = value_95;
+        delta[2usize] = difference_77;
+        delta[3usize] = product_81;
+        delta[4usize] = product_84;
+        delta[5usize] = value_96;
+        ::ezy_core::model::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[23usize], c[24usize]))
+            .see(&[3usize], T::least_ratio(c[25usize], c[26usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_42, c[27usize]))
+    }
+}

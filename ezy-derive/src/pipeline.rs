@@ -18,6 +18,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
         return with_faults(diag);
     };
     mechanics::check::rows(&model, &mut diag);
+    mechanics::check::stops(&model, &mut diag);
     if !diag.is_empty() {
         return with_faults(diag);
     }
@@ -185,6 +186,11 @@ mod tests {
              constraint g: norm(P.r) / (2 + smooth_step(norm(P.r), 1, norm(Q.r))) = a;",
         );
         assert!(found.contains("row `g` is too long to be differentiated twice"), "{found}");
+        let found = messages(
+            "point P = one(a, b); point Q = two(b, a);
+             stop g: norm(P.r) / (2 + smooth_step(norm(P.r), 1, norm(Q.r))) to a;",
+        );
+        assert!(found.contains("stop `g` is too long to be differentiated twice"), "{found}");
     }
 
     #[test]

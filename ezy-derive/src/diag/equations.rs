@@ -12,11 +12,12 @@ pub fn restricts_nothing(at: &Ident, row: &str) -> syn::Error {
     )
 }
 
-pub fn too_long(at: &Ident, row: &str, n_terms: usize, most: usize) -> syn::Error {
+/// `what`: "row `g`".
+pub fn too_long(at: &Ident, what: &str, n_terms: usize, most: usize) -> syn::Error {
     fault_with_help(
         at,
         format_args!(
-            "row `{row}` is too long to be differentiated twice: its second derivative has {n_terms} terms, more than {most}"
+            "{what} is too long to be differentiated twice: its second derivative has {n_terms} terms, more than {most}"
         ),
         "nest fewer functions and quotients, since derivatives multiply with each of them; \
          a quotient that is to be zero is its numerator",

@@ -6,7 +6,7 @@
 use super::scene::Equations;
 use super::symbols::{Meaning, Symbols};
 use crate::diag::{Diagnostics, equations as message};
-use crate::model::{Model, RowId};
+use crate::model::{Mode, Model, RowId, Scene};
 use crate::symbolic::evaluate::Point;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -55,6 +55,22 @@ pub fn rows(model: &Model, diag: &mut Diagnostics) {
     }
 }
 
+/// Reports stops that are too long as the row that they become.
+pub fn stops(model: &Model, diag: &mut Diagnostics) {
+    for stop in &model.stops {
+        let uses = |scene: &&Scene| model.stop_of(scene).is_some_and(|of| std::ptr::eq(of, stop));
+        let Some(scene) = model.scenes.iter().find(uses) else { continue };
+        let mode = model.modes_of(scene).into_iter().find(|mode| matches!(mode, Mode::Rests(_)));
+        let equations = Equations::derive(model, &Scene { mode, ..scene.clone() });
+        let constraints = &equations.constraints;
+        let rows = constraints.rows.iter().zip(&constraints.convective).filter(|(row, _)| row.kind == "stop");
+        let n_terms = rows.map(|(_, &sum)| equations.algebra.terms(sum).len()).max().unwrap_or_default();
+        if n_terms > LONGEST_SUM {
+            diag.error(message::too_long(&stop.name, &format!("stop `{}`", stop.name), n_terms, LONGEST_SUM));
+        }
+    }
+}
+
 fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<usize>, diag: &mut Diagnostics) {
     let n_errors = diag.n_errors();
     let constraints = &equations.constraints;
@@ -66,7 +82,7 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
         let name = &model.rows[row.family].name;
         let n_terms = equations.algebra.terms(constraints.convective[i]).len();
         if n_terms > LONGEST_SUM {
-            diag.error(message::too_long(name, &row.name, n_terms, LONGEST_SUM));
+            diag.error(message::too_long(name, &format!("row `{}`", row.name), n_terms, LONGEST_SUM));
             reported.push(row.family);
             continue;
         }

@@ -1,4 +1,4 @@
-//! Derivatives that are too long: rows are differentiated twice, and nested quotients multiply.
+//! Derivatives that are too long: rows and stops are differentiated twice, and nested quotients multiply.
 
 ezy_derive::model! {
     pub model Nested {
@@ -9,6 +9,7 @@ ezy_derive::model! {
         point P = one(a, b);
         point Q = two(b, a);
         constraint g: norm(P.r) / (2 + smooth_step(norm(P.r), 1, norm(Q.r))) = a;
+        stop h: norm(P.r) / (2 + smooth_step(norm(P.r), 1, norm(Q.r))) to a;
         start s { at rest; }
         scene run { start s; until 1 s; }
     }

@@ -7,6 +7,7 @@ use ezy_core::model::{Scene, Start};
 use ezy_core::prelude::{Backend, Simulation, System};
 use ezy_core::simulate::SetupError;
 use ezy_models::{andrews, n_four_bar, pendulum};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Of the reference, m/s and rad/s.
 const PROJECTED: f64 = 1e-12;
@@ -16,6 +17,12 @@ const ASSEMBLED_GAP: f64 = 1e-13;
 const CHANGE: f64 = 5e-3;
 /// How far every coordinate is moved, m and rad.
 const MOVED: f64 = 1e-3;
+
+/// Two links of a loop that meet: each by its body and its direction in the body, along the loop, rad.
+type Elbow = [(usize, f64); 2];
+
+/// K2 and K3 in E, K4 and K5 in G, K6 and K7 in H. The crank K1 starts in line with K2: F is no elbow with a side.
+const ANDREWS_ELBOWS: [Elbow; 3] = [[(1, PI), (2, FRAC_PI_2)], [(3, FRAC_PI_2), (4, PI)], [(5, PI), (6, FRAC_PI_2)]];
 
 pub fn cases() -> Vec<Case> {
     vec![
@@ -63,27 +70,39 @@ fn velocities() -> Findings {
 }
 
 fn positions() -> Findings {
-    let scenes: [&dyn Scene; 3] =
-        [&pendulum::Swing::default(), &n_four_bar::Fall::default(), &andrews::Squeeze::default()];
-    let (mut gap, mut change) = (0.0, 0.0);
-    for scene in scenes {
-        let [left, moved] = assembled_from_nearby(scene);
-        (gap, change) = (worse(gap, left), worse(change, moved));
+    let parallelogram = n_four_bar::Fall::default();
+    let (n, mut elbows) = (parallelogram.n, Vec::new());
+    for i in 0..n {
+        let coupler = n + 1 + i;
+        elbows.push([(i, 0.0), (coupler, 0.0)]);
+        elbows.push([(coupler, 0.0), (i + 1, PI)]);
+    }
+    let scenes: [(&dyn Scene, &[Elbow]); 3] = [
+        (&pendulum::Swing::default(), &[]),
+        (&parallelogram, &elbows),
+        (&andrews::Squeeze::default(), &ANDREWS_ELBOWS),
+    ];
+    let (mut gap, mut change, mut folded) = (0.0, 0.0, 0.0);
+    for (scene, elbows) in scenes {
+        let [left, moved, over] = assembled_from_nearby(scene, elbows);
+        (gap, change, folded) = (worse(gap, left), worse(change, moved), worse(folded, over));
     }
     let flat = flat_linkage();
     let checks = vec![
         Check::new("gaps after assembly, m", ASSEMBLED_GAP, gap),
         Check::new("largest change of a coordinate, m, rad", CHANGE, change),
+        Check::new("elbows of loops that changed their side", 0.0, folded),
         Check::new("A02 with level rods: gaps, m", ASSEMBLED_GAP, flat),
     ];
     Findings { checks, by: "the assembly of a start".to_owned(), ..Findings::default() }
 }
 
-/// Largest gap, and largest change of a coordinate, when the scene's own start is moved and assembled anew.
-fn assembled_from_nearby(scene: &dyn Scene) -> [f64; 2] {
+/// Largest gap, largest change of a coordinate, and elbows that changed their side, when the scene's own start is moved
+/// and assembled anew.
+fn assembled_from_nearby(scene: &dyn Scene, elbows: &[Elbow]) -> [f64; 3] {
     let mut system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
     let state = system.consistent_start(&system.scene_start()).expect("a consistent start");
-    assembled(&mut system, scene, &state.q)
+    assembled(&mut system, scene, &state.q, elbows)
 }
 
 /// All rods level, each moved.
@@ -93,18 +112,25 @@ fn flat_linkage() -> f64 {
     let mut system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
     let centres = [0.5, 1.5, 2.5, 1.5, 2.5];
     let q: Vec<f64> = centres.into_iter().flat_map(|x| [x, 0.0, 0.0]).collect();
-    assembled(&mut system, scene, &q)[0]
+    assembled(&mut system, scene, &q, &[])[0]
 }
 
-fn assembled<'s>(system: &mut System<'s, dyn Scene + 's>, scene: &dyn Scene, q: &[f64]) -> [f64; 2] {
+fn assembled<'s>(system: &mut System<'s, dyn Scene + 's>, scene: &dyn Scene, q: &[f64], elbows: &[Elbow]) -> [f64; 3] {
     let info = system.info();
     let mut start = Start::free(info.n_coordinates());
     for (i, q) in q.iter().enumerate() {
         start.near_position(i, q + if i % 2 == 0 { MOVED } else { -MOVED });
     }
-    let Ok(state) = system.consistent_start(&start) else { return [f64::NAN; 2] };
+    let Ok(state) = system.consistent_start(&start) else { return [f64::NAN; 3] };
     let mut rows = vec![0.0; info.n_position_rows];
     scene.position_constraint(system.fixed(), 0.0, &state.q, &mut rows);
     let change = state.q.iter().zip(&start.q).map(|(new, old)| new - old).fold(0.0, worse);
-    [rows.into_iter().fold(0.0, worse), change]
+    let folded = elbows.iter().filter(|elbow| side(elbow, q) * side(elbow, &state.q) <= 0.0).count();
+    [rows.into_iter().fold(0.0, worse), change, folded as f64]
+}
+
+/// Positive where the second link turns off to the left of the first, negative to the right.
+fn side(elbow: &Elbow, q: &[f64]) -> f64 {
+    let [first, second] = elbow.map(|(body, direction)| q[3 * body + 2] + direction);
+    (second - first).sin()
 }

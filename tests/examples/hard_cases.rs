@@ -1,7 +1,7 @@
 //! Hard cases with their bounds, what EZY reaches, and what a plain program does.
 //!
 //! `cargo run --release -p ezy-tests --example hard_cases` runs all of them, a few minutes, and prints the tables; with
-//! `-- --write` they go into `docs/hard-cases.md`, with `-- --check` every verdict is compared with the one on the page.
+//! `-- --write` they go into `docs/hard-cases.md`, with `-- --check` it fails where a bound that the page says is kept is missed, but for bounds on times.
 //! A further word runs only the cases whose name holds it.
 
 use ezy_tests::hard::families::families;

@@ -38,12 +38,19 @@ pub struct Check {
     pub reached: f64,
     /// What the naive program reached; NaN when it did not get there, `None` when it does not apply.
     pub naive: Option<f64>,
+    /// Whether it is made of times: then the machine decides, and nothing is asserted.
+    pub is_time: bool,
 }
 
 impl Check {
     /// A quantity that the naive program has nothing to say about.
     pub fn new(what: impl Into<String>, bound: f64, reached: f64) -> Self {
-        Self { what: what.into(), bound, reached, naive: None }
+        Self { what: what.into(), bound, reached, naive: None, is_time: false }
+    }
+
+    /// A quantity that is made of times.
+    pub fn of_times(what: impl Into<String>, bound: f64, reached: f64) -> Self {
+        Self { is_time: true, ..Self::new(what, bound, reached) }
     }
 
     /// Whether the bound is kept.

@@ -88,7 +88,7 @@ fn times() -> Findings {
     }
     let checks = vec![
         Check::new("gaps, m", GAP, gap),
-        Check::new("time of a step of 100,000 over 10,000 rods", TIME_RATIO, seconds[1] / seconds[0]),
+        Check::of_times("time of a step of 100,000 over 10,000 rods", TIME_RATIO, seconds[1] / seconds[0]),
     ];
     Findings { checks, by: format!("rk4, h = {STEP_S:e} s: {STEPS} steps"), ..Findings::default() }
 }

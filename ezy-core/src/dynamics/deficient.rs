@@ -5,7 +5,7 @@ use super::system::Solver;
 use super::{MotionError, System};
 use crate::linalg::{
     COARSE, DampedKkt, DenseKkt, Dependencies, FINE, KktFactorization, LARGEST_DIAGNOSED, Left, dependencies,
-    undetermined_coordinates,
+    undetermined_coordinates, weights,
 };
 use crate::model::{Scene, SceneInfo};
 
@@ -88,22 +88,37 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.rank.deficient
     }
 
-    /// Whether rows nearly depend on each other at a state: an eigenvalue of the scaled `G M⁻¹ Gᵀ` is below 1e-3. Slow.
+    /// Whether rows nearly depend on each other at a state, whatever the masses are: [`System::independence`] is below 1e-3. Slow.
     pub fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
-        if self.info.n_unknowns() > LARGEST_DIAGNOSED {
-            return self.rank.deficient;
+        match self.independence(t, q) {
+            Some(independence) => independence <= NEARLY_DEPENDENT,
+            None => self.rank.deficient,
         }
-        self.near_dependencies(t, q).is_some()
+    }
+
+    /// The smallest eigenvalue of the scaled `G W⁻¹ Gᵀ`, W one for lengths and the square of its lever for an angle: how far rows are
+    /// from depending on each other, whatever the masses are. Masses far apart make small pivots everywhere, and no position
+    /// singular. `None` in a system too large to tell, or where G is not finite. Slow.
+    pub fn independence(&mut self, t: f64, q: &[f64]) -> Option<f64> {
+        self.geometric_dependencies(t, q).map(|found| found.smallest_pivot)
+    }
+
+    fn geometric_dependencies(&mut self, t: f64, q: &[f64]) -> Option<Dependencies> {
+        if self.info.n_unknowns() > LARGEST_DIAGNOSED {
+            return None;
+        }
+        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
+        dependencies(&self.geometry.weights(), &self.info.jacobian, &self.buffers.jacobian, NEARLY_DEPENDENT)
     }
 
     /// What to say when a motion cannot be continued from a state: where rows nearly depend on each other, that they do.
     #[cold]
     pub fn locked_up(&mut self, t: f64, q: &[f64], cause: MotionError) -> MotionError {
         let may_lock = matches!(cause, MotionError::StepCollapsed { .. } | MotionError::ProjectionStalled { .. });
-        if !may_lock || self.info.n_unknowns() > LARGEST_DIAGNOSED {
+        if !may_lock {
             return cause;
         }
-        match self.near_dependencies(t, q) {
+        match self.geometric_dependencies(t, q).filter(|found| found.n > 0) {
             None => cause,
             Some(found) => MotionError::LockedUp {
                 t,
@@ -114,22 +129,23 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 
+    /// Rows that nearly depend on each other in the metric of the masses.
     pub(super) fn near_dependencies(&mut self, t: f64, q: &[f64]) -> Option<Dependencies> {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let found = dependencies(&self.mass, &self.info.jacobian, &self.buffers.jacobian, NEARLY_DEPENDENT)?;
+        let found = dependencies(&weights(&self.mass), &self.info.jacobian, &self.buffers.jacobian, NEARLY_DEPENDENT)?;
         (found.n > 0).then_some(found)
     }
 
     /// The rows that depend on each other at a state. Slow, for reports.
     pub fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
-        let (info, mass, n_rows) = (self.info, &self.mass, self.info.n_rows());
+        let (info, weight, n_rows) = (self.info, weights(&self.mass), self.info.n_rows());
         let n_coordinates = info.n_coordinates();
         let jacobian = &mut self.buffers.jacobian;
         self.scene.velocity_jacobian(&self.fixed, t, q, jacobian);
         let found = match info.n_unknowns() <= LARGEST_DIAGNOSED {
-            true => dependencies(mass, &info.jacobian, jacobian, COARSE).and_then(|found| match found.n {
+            true => dependencies(&weight, &info.jacobian, jacobian, COARSE).and_then(|found| match found.n {
                 // a pivot can vanish a little before the eigenvalue does
-                0 => dependencies(mass, &info.jacobian, jacobian, found.smallest_pivot),
+                0 => dependencies(&weight, &info.jacobian, jacobian, found.smallest_pivot),
                 _ => Some(found),
             }),
             false => None,

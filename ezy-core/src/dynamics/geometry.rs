@@ -94,6 +94,11 @@ impl Geometry {
         residual.iter().zip(&self.sizes).all(|(c, size)| c.abs() <= TOLERANCE * size.min(1.0))
     }
 
+    /// What stands for masses where only lengths count: one for lengths, the square of its lever for an angle.
+    pub fn weights(&self) -> Vec<f64> {
+        self.levers.iter().map(|lever| lever * lever).collect()
+    }
+
     /// The smallest entry of M as a share of the largest, inertias by the mass that their lever feels.
     pub fn lightness(&self, mass: &[f64]) -> f64 {
         let felt = || mass.iter().zip(&self.levers).map(|(m, lever)| m / lever / lever);

@@ -6,7 +6,11 @@ use super::{MotionError, System};
 use crate::linalg::{DampedKkt, KktFactorization, LARGEST_DIAGNOSED};
 use crate::model::Scene;
 
-/// Share of the terms of an equation that accelerations may leave of it. Dependent rows that agree leave rounding, 1e-14.
+/// Share of the terms of an equation that dependent rows that agree leave of it at most. Of what damping has passed over, levers far
+/// apart can make much more than its share.
+const ROUNDING: f64 = 1e-14;
+
+/// Share of the terms of an equation that accelerations may leave of it.
 /// Of rows at the distance σ from dependent ones damping leaves what it passes over, up to 4e-6 of the accelerations; where
 /// rounding does not hide what these rows say (pivots of σ² above 1e-13) complete pivoting leaves rounding again. Below it
 /// rows count as dependent when they agree to this share, and are refused when they do not.
@@ -32,7 +36,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
             return Ok(());
         }
         let mut left = self.share_left(t, q, v);
-        if left <= SETTLED {
+        if left <= ROUNDING {
             return Ok(());
         }
         if is_small {
@@ -40,13 +44,16 @@ impl<S: Scene + ?Sized> System<'_, S> {
             if dense.factor_completely(&self.mass, &self.buffers.jacobian).is_ok() {
                 self.write_right_side(t, q, v);
                 second_opinion(&mut self.second_opinion, self.info).solve(&mut self.buffers.right_side);
-                left = self.share_left(t, q, v);
-                if left <= SETTLED {
+                let decided = self.share_left(t, q, v);
+                if decided < left {
                     self.read_solution(a, lambda);
                     self.rank = Rank::default();
-                    return Ok(());
+                    left = decided;
                 }
             }
+        }
+        if left <= SETTLED {
+            return Ok(());
         }
         if left.is_nan() {
             return Err(MotionError::NotFinite { t, quantity: "an acceleration or a multiplier" });

@@ -1,11 +1,10 @@
 //! Which rows depend on each other, which coordinates nothing moves or holds.
 
-use super::damped::{weights, write_diagonal};
+use super::damped::write_diagonal;
 use crate::model::SparsityPattern;
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// Dependencies between rows: the null space of the scaled `D^(−1/2) G M⁻¹ Gᵀ D^(−1/2)`, `D` its diagonal before, with
-/// substitutes for massless coordinates.
+/// Dependencies between rows: the null space of the scaled `D^(−1/2) G W⁻¹ Gᵀ D^(−1/2)`, `D` its diagonal before.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dependencies {
     /// Rows that take part in one, in declared order.
@@ -25,17 +24,22 @@ const HELD: f64 = 1e-9;
 /// Largest n_q + n_c that is diagnosed: beyond it the decomposition takes longer than anyone waits for a message.
 pub const LARGEST_DIAGNOSED: usize = 500;
 
-/// Eigenvalues up to `tolerance` count as dependencies; up to [`super::COARSE`] solutions pass over what the rows say. Slow: for reports on up to
-/// [`LARGEST_DIAGNOSED`] unknowns only. `None` when M or G is not finite or the decomposition does not converge.
-pub fn dependencies(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64], tolerance: f64) -> Option<Dependencies> {
-    if !mass.iter().chain(jacobian).all(|x| x.is_finite()) {
+/// Eigenvalues up to `tolerance` count as dependencies, with the positive diagonal `weight` of W; up to [`super::COARSE`], and with
+/// [`super::weights`], solutions pass over what the rows say. Slow: for up to [`LARGEST_DIAGNOSED`] unknowns only. `None` when W or G is
+/// not finite or the decomposition does not converge.
+pub fn dependencies(
+    weight: &[f64],
+    pattern: &SparsityPattern,
+    jacobian: &[f64],
+    tolerance: f64,
+) -> Option<Dependencies> {
+    if !weight.iter().chain(jacobian).all(|x| x.is_finite()) {
         return None;
     }
     let n_rows = pattern.n_rows();
-    let weight = weights(mass);
     let mut diagonal = vec![0.0; n_rows];
-    write_diagonal(pattern.entries(), &weight, jacobian, &mut diagonal);
-    let mut rows = DMatrix::<f64>::zeros(n_rows, mass.len());
+    write_diagonal(pattern.entries(), weight, jacobian, &mut diagonal);
+    let mut rows = DMatrix::<f64>::zeros(n_rows, weight.len());
     for (k, row, column) in pattern.entries() {
         rows[(row, column)] += jacobian[k] / (diagonal[row] * weight[column]).sqrt();
     }

@@ -43,8 +43,8 @@ pub(super) struct Adaptive<T = f64> {
 /// So many tries of one step fail before errors across the rows are told from the others: away from rank loss it is one.
 const PATIENCE: u32 = 2;
 
-/// Part of the usual length below which steps do not shrink for rank loss: noise would only grow, and a mechanism that passes a
-/// singular position in one such step is farther from it than one that creeps up to it.
+/// Part of the usual length that is tried before shorter ones next to rank loss: a mechanism that passes a singular position in
+/// one such step is farther from it, and from the noise there, than one that creeps up to it.
 const SHORTEST_HELD: f64 = 1.0 / 16.0;
 
 /// A step counts as the shortest when it is longer by what the clock and the end of the run make of it.
@@ -52,9 +52,6 @@ const ABOUT: f64 = 1.01;
 
 /// Part of the usual length below which a step next to rank loss leads nowhere but into noise.
 const CREEPING: f64 = 1e-4;
-
-/// Error over the tolerance that is taken for that.
-const LARGEST_HELD: f64 = 1e3;
 
 /// Part of a step by which the usual length comes nearer to it where it is shorter.
 const FADING: f64 = 0.1;
@@ -173,8 +170,7 @@ impl<T: Scalar> Adaptive<T> {
                 && let Some(tangential) = self.tangential_error(system, from, h, to)
             {
                 self.is_held_by_rows = true;
-                let is_shortest = h <= ABOUT * shortest;
-                *error = if is_shortest && tangential <= LARGEST_HELD { tangential.min(1.0) } else { tangential };
+                *error = tangential;
             }
             match outcome {
                 Ok(error) => {

@@ -41,8 +41,8 @@ const ABOUT: f64 = 1.1;
 /// Part of the usual length below which steps do not shrink: noise would only grow.
 const SHORTEST: f64 = 1.0 / 16.0;
 
-/// Error over the tolerance that is taken for noise then.
-const LARGEST_AT_SHORTEST: f64 = 1e3;
+/// Error that is taken for noise then, relative like a tolerance.
+const NOISE: f64 = 1e-10;
 
 /// Tries of one step.
 const MAX_TRIES: u32 = 10;
@@ -113,13 +113,14 @@ impl Crossing {
             self.length_s = distance / MIDDLE;
         }
         let shortest = SHORTEST * usual_s;
+        let noise = NOISE / self.tolerance.relative;
         for _ in 0..MAX_TRIES {
             let length = self.length_s;
             let leaps = distance <= ABOUT * MIDDLE * length;
             let h = if leaps { distance / MIDDLE } else { length.min(distance - MIDDLE * length) };
             self.method.restart();
             let error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
-            if error <= 1.0 || error <= LARGEST_AT_SHORTEST && length <= shortest {
+            if error <= 1.0 || error <= noise && length <= shortest {
                 self.length_s = length.max(h * self.control.accept(error.max(f64::MIN_POSITIVE)));
                 self.begin_s = t;
                 if self.finish(system, now).is_err() {

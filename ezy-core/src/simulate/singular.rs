@@ -1,7 +1,7 @@
 //! When a motion comes to a position in which rows depend on each other.
 
 use super::instantaneous::Instantaneous;
-use crate::dynamics::System;
+use crate::dynamics::{State, System};
 use crate::model::Scene;
 
 /// The last two states of a motion; the root of the smallest pivot falls in proportion to the distance to a singular position.
@@ -57,7 +57,17 @@ impl Approach<'_> {
                 at_right = pivot(right);
             }
         }
-        (at_left.min(at_right) <= VANISHES * self.now.pivot).then_some(0.5 * (left + right))
+        let way = 0.5 * (left + right);
+        if at_left.min(at_right) > VANISHES * self.now.pivot {
+            return None;
+        }
+        // where masses are far apart pivots come and go although rows are independent
+        let State { t, q: from, .. } = &self.now.state;
+        let before = system.independence(*t, from);
+        self.foresee(way, q);
+        let there = system.independence(t + way, q);
+        let is_singular = before.zip(there).is_none_or(|(before, there)| there <= VANISHES * before);
+        is_singular.then_some(way)
     }
 
     /// Positions `s` from now, by accelerations that go on changing as they did.

@@ -52,4 +52,5 @@ mod straight_and_locked;
 mod symmetries;
 mod taylor;
 mod trajectories;
+mod unequal_masses;
 mod work;

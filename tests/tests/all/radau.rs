@@ -6,7 +6,7 @@ use ezy_core::integrate::{Attempt, Knot, Radau, Tolerance};
 use ezy_core::model;
 use ezy_core::prelude::*;
 use ezy_core::record::Sample;
-use ezy_core::simulate::SetupError;
+use ezy_core::simulate::{Cost, SetupError};
 use ezy_models::{chain, double_pendulum, ezy_roller};
 use ezy_tests::garage::{case, load as load_cases, rows, worse};
 use ezy_tests::hand_roller::HandRoller;
@@ -211,6 +211,63 @@ fn cross_radau_and_dop853_on_scenes_without_stiffness() {
         let difference = distance(&end(Method::radau(1e-10)), &end(Method::dop853(1e-13)));
         // a tolerance is kept per step, and the motion multiplies errors a hundred times at most
         assert!(difference <= 1e-8, "{}: {difference:.1e}", scene.info().model);
+    }
+}
+
+/// Masses of the upper and the lower rod: a heavy one that a light one carries, a light one that a heavy one carries, each in
+/// units of the light, of the heavy and of neither.
+const APART: [[f64; 2]; 10] = [
+    [1.0, 1e8],
+    [1.0, 1e10],
+    [1.0, 1e12],
+    [1e-10, 1.0],
+    [1e-5, 1e5],
+    [1e9, 1e19],
+    [1e12, 1.0],
+    [1e10, 1.0],
+    [1.0, 1e-10],
+    [1e-19, 1e-9],
+];
+
+/// Whatever the masses, the rods swing as fast, and steps are as long.
+#[test]
+fn invariant_radau_steps_do_not_depend_on_ratios_of_masses() {
+    for tolerance in [1e-9, 1e-11] {
+        let run = |[m1, m2]: [f64; 2], method| {
+            let scene = double_pendulum::Swing { m1, m2, ..Default::default() };
+            Simulation::new(&scene).method(method).until(1.0).run().unwrap()
+        };
+        let equal = run([1.0, 1.0], Method::radau(tolerance)).cost;
+        for masses in APART {
+            let (found, exact) = (run(masses, Method::radau(tolerance)), run(masses, Method::taylor(1e-14)));
+            let Cost { steps, rejected, evaluations, .. } = found.cost;
+            // a tenth for a motion that is not the same
+            let held = steps <= equal.steps * 11 / 10 && evaluations <= equal.evaluations * 11 / 10 && rejected <= 5;
+            assert!(found.outcome.reached_end() && held, "{masses:?}: {steps} steps, {rejected} rejected");
+            let error = distance(found.last().coordinates, exact.last().coordinates);
+            // steps keep to the tolerance, which the motion multiplies ten times at most
+            assert!(error <= 10.0 * tolerance, "{masses:?}: {error:.1e} at {tolerance:.0e}");
+        }
+    }
+}
+
+/// Steps are as many, to the last one, in any unit of mass.
+#[test]
+fn invariant_radau_steps_do_not_depend_on_the_unit_of_mass() {
+    for [m1, m2] in [[1.0, 1.0], [1.0, 1e10], [1e10, 1.0]] {
+        let run = |unit: f64| {
+            let scene = double_pendulum::Swing { m1: unit * m1, m2: unit * m2, ..Default::default() };
+            Simulation::new(&scene).method(Method::radau(1e-10)).until(1.0).run().unwrap()
+        };
+        let plain = run(1.0);
+        for unit in [1e-9, 1e9] {
+            let other = run(unit);
+            let counts = |run: &Run| (run.cost.steps, run.cost.rejected);
+            assert_eq!(counts(&other), counts(&plain), "{m1} kg and {m2} kg times {unit:.0e}");
+            let difference = distance(other.last().coordinates, plain.last().coordinates);
+            // rounding of 320 steps, and lengths of steps that go with the rounded estimates
+            assert!(difference <= 1e-12, "{m1} kg and {m2} kg times {unit:.0e}: {difference:.1e}");
+        }
     }
 }
 

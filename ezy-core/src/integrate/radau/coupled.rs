@@ -58,7 +58,7 @@ impl Coupled {
     pub fn improve(&mut self, residual: &Triple<Vec<f64>>, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
         let n_q = self.of_q.len();
         let n = residual[0].len();
-        self.scale();
+        self.entries.scale_blocks(self.lu.matrix_mut(), &mut self.row_scale, &mut self.column_scale);
         if !self.lu.factor() {
             return f64::NAN;
         }
@@ -88,22 +88,5 @@ impl Coupled {
             }
         }
         (squares / (2 * N_STAGES * n_q).max(1) as f64).sqrt()
-    }
-
-    /// Brings the largest entries of columns, then of rows, to one.
-    fn scale(&mut self) {
-        let n = self.solution.len();
-        let matrix = self.lu.matrix_mut();
-        for j in 0..n {
-            let largest = matrix.column(j).amax();
-            self.column_scale[j] = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-            matrix.column_mut(j).scale_mut(self.column_scale[j]);
-        }
-        for i in 0..n {
-            let largest = matrix.row(i).amax();
-            self.row_scale[i] = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-            matrix.row_mut(i).scale_mut(self.row_scale[i]);
-        }
-        self.entries.damp(matrix);
     }
 }

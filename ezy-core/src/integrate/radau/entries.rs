@@ -8,8 +8,13 @@ use nalgebra::{ComplexField, DMatrix};
 
 /// K, R_v and R_q of `N(μ) = K − [R_v/μ + R_q/μ² | 0]` at common places.
 ///
-/// Rows and columns are scaled so that their largest entries are one. The rows of G get a small diagonal besides, [`DAMPING`]:
-/// rows that repeat others then leave N regular, and the iteration converges as before, since its residual is exact.
+/// Forces are counted in such a unit that no mass, and no stiffness that adds to one, is above one; then rows and columns are
+/// scaled so that their largest entries are one. The rows of G get a small diagonal besides, [`DAMPING`]: rows that repeat
+/// others then leave N regular, and the iteration converges as before, since its residual is exact.
+///
+/// A row that holds the heaviest body by light ones leaves a pivot of 1/m, which is one in the unit of that mass: the small
+/// diagonal stays small beside it at any ratio of masses. Small masses lose nothing by that unit: beside entries of G they are
+/// no pivots, and no entry of G is added to them.
 pub struct Entries {
     n_q: usize,
     /// Where entries stand, by rows.
@@ -92,14 +97,17 @@ impl Entries {
         add(by_q, &places.by_q, &slopes.by_q);
     }
 
-    /// Chooses the scales for μ: first of columns, then of rows.
+    /// Chooses the scales for μ: the unit of forces, then columns, then rows.
     pub fn scale(&mut self, mu: f64) {
-        let Self { starts, columns, fixed, by_v, by_q, row_scale, column_scale, .. } = self;
+        let Self { n_q, starts, columns, fixed, by_v, by_q, row_scale, column_scale, .. } = self;
         let size = |place: usize| (fixed[place] - (by_v[place] + by_q[place] / mu) / mu).abs();
-        let reciprocal = |largest: f64| if largest > 0.0 { 1.0 / largest } else { 1.0 };
+        let of_motion = starts[*n_q];
+        let masses = (0..of_motion).filter(|&place| columns[place] < *n_q).map(size);
+        let unit = reciprocal(masses.fold(0.0, f64::max));
         column_scale.fill(0.0);
         for (place, &column) in columns.iter().enumerate() {
-            column_scale[column] = size(place).max(column_scale[column]);
+            let size = if place < of_motion { unit * size(place) } else { size(place) };
+            column_scale[column] = size.max(column_scale[column]);
         }
         column_scale.iter_mut().for_each(|scale| *scale = reciprocal(*scale));
         for (scale, ends) in row_scale.iter_mut().zip(starts.windows(2)) {
@@ -150,10 +158,27 @@ impl Entries {
         }
     }
 
-    /// Puts the small diagonal on the rows of G of a scaled matrix of several blocks.
-    pub fn damp(&self, matrix: &mut DMatrix<f64>) {
+    /// Scales a matrix of several blocks as [`Self::scale`] does, and puts the small diagonal on its rows of G.
+    pub fn scale_blocks(&self, matrix: &mut DMatrix<f64>, row_scale: &mut [f64], column_scale: &mut [f64]) {
         let n = self.n();
-        for i in (0..matrix.nrows()).filter(|i| i % n >= self.n_q) {
+        let is_motion = |i: usize| i % n < self.n_q;
+        let mut heaviest: f64 = 0.0;
+        for j in (0..matrix.ncols()).filter(|&j| is_motion(j)) {
+            let masses = matrix.column(j).into_iter().enumerate().filter(|(i, _)| is_motion(*i));
+            heaviest = masses.fold(heaviest, |m, (_, x)| m.max(x.abs()));
+        }
+        let unit = reciprocal(heaviest);
+        for (j, scale) in column_scale.iter_mut().enumerate() {
+            let sizes = matrix.column(j).into_iter().enumerate();
+            let sizes = sizes.map(|(i, x)| if is_motion(i) { unit * x.abs() } else { x.abs() });
+            *scale = reciprocal(sizes.fold(0.0, f64::max));
+            matrix.column_mut(j).scale_mut(*scale);
+        }
+        for (i, scale) in row_scale.iter_mut().enumerate() {
+            *scale = reciprocal(matrix.row(i).amax());
+            matrix.row_mut(i).scale_mut(*scale);
+        }
+        for i in (0..matrix.nrows()).filter(|&i| !is_motion(i)) {
             matrix[(i, i)] -= DAMPING;
         }
     }
@@ -178,4 +203,9 @@ impl Entries {
             });
         }
     }
+}
+
+/// Scale that brings the largest entry to one.
+fn reciprocal(largest: f64) -> f64 {
+    if largest > 0.0 { 1.0 / largest } else { 1.0 }
 }

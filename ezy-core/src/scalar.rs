@@ -3,11 +3,13 @@
 mod double_double;
 mod dual;
 mod lanes;
+mod legible;
 mod plain;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
+pub use legible::{legible, rounded};
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -183,7 +183,7 @@ fn invariant_run_every_sets_the_rows() {
 
 #[test]
 fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
-    let cases: [(&[&str], &str); 24] = [
+    let cases: [(&[&str], &str); 26] = [
         (&["run", "ezyroler/coast"], "did you mean `ezyroller`?"),
         (&["run", "ezyroller/cost"], "did you mean `coast`?"),
         (&["run", "ezyroller"], "run one of: ezyroller/coast"),
@@ -203,6 +203,8 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["run", "ezyroller/coast", "--frobnicate"], "unexpected argument"),
         (&["run", "ezyroller/coast", "--out", "/no/such/directory/x.csv"], "in a directory that exists"),
         (&["run", "ezyroller/coast", "--every", "0"], "give a positive interval"),
+        (&["run", "ezyroller/coast", "--every", "0.1"], "add --out FILE.csv"),
+        (&["run", "ezyroller/coast", "--step", "1e-300"], "steps of 1e-300 s"),
         (&["run", "ezyroller/coast", "--set", "a=1", "--set", "b=1", "--set", "a=2"], "`--set a` is given twice"),
         (&["run", "ezyroller/coast", "--start", "seat.x=1", "--start", "seat.x=1"], "`--start seat.x` is given twice"),
         (&["run", "ezyroller/coast", "--set", "m0=1"], "`m0` belongs to effect `pump`"),
@@ -263,6 +265,27 @@ fn invariant_run_that_stiffness_holds_says_since_when() {
     assert!(text(&ezy(&as_json).stderr).contains("held by stiffness"));
     let implicit = ["run", "skateboard/ridden", "--method", "radau", "--json"];
     assert!(json(&implicit)["stiff_since"].is_null());
+}
+
+#[test]
+fn invariant_run_of_an_explicit_method_without_end_names_the_implicit_one() {
+    let stopped = |method: &str| {
+        let done = ezy(&["run", "skateboard/ridden", "--method", method, "--max-steps", "3"]);
+        assert_eq!(done.status.code(), Some(1));
+        text(&done.stdout) + &text(&done.stderr)
+    };
+    for method in ["rk4", "dop853"] {
+        let told = stopped(method);
+        assert!(told.contains("if the scene is stiff, --method radau") && told.contains("limit of 3"), "{told}");
+    }
+    assert!(!stopped("radau").contains("stiff"));
+}
+
+#[test]
+fn invariant_table_of_a_run_has_no_number_of_three_hundred_digits() {
+    let done = ezy(&["run", "ezyroller/driven", "--set", "m0=1e200", "--until", "1e-300"]);
+    let told = text(&done.stdout) + &text(&done.stderr);
+    assert!(told.contains("t = 1e-300 s") && told.lines().all(|line| line.len() < 300), "{told}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::linalg::SparseKktError;
 use crate::model::LayoutFault;
+use crate::scalar::legible;
 
 /// A system cannot be set up with these numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -15,7 +16,7 @@ pub enum SystemError {
         value: f64,
     },
     /// A mass or inertia is negative, infinite or not a number.
-    #[error("the {quantity} of body `{body}` is {value}; it must be finite and not negative")]
+    #[error("the {quantity} of body `{body}` is {}; it must be finite and not negative", legible(*.value))]
     Mass {
         /// Name of the body.
         body: &'static str,
@@ -201,7 +202,7 @@ pub enum MotionError {
         value: f64,
     },
     /// A stop returns more than it gets, or nothing that is a number.
-    #[error("the restitution of stop `{stop}` is {value} at t = {t} s; it must be between 0 and 1")]
+    #[error("the restitution of stop `{stop}` is {} at t = {t} s; it must be between 0 and 1", legible(*.value))]
     Restitution {
         /// Time, s.
         t: f64,

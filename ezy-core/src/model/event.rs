@@ -25,7 +25,7 @@ pub enum EventKind {
     Mark,
     /// The run ends.
     End,
-    /// None: a law changes over, by `abs`, `sign`, `min` or `max`. DOP853 ends a step there.
+    /// None: a law changes over, by `abs`, `sign`, `min` or `max`. DOP853, Radau and RK4 end a step there.
     Kink,
 }
 

@@ -66,12 +66,20 @@ impl Table {
     }
 }
 
-/// A number with `digits` decimals; what rounds to zero has no sign.
+/// No decimal of a number of this size is known.
+const WHOLE: f64 = 1e15;
+
+/// A number with `digits` decimals, with an exponent from 1e15 on; what rounds to zero has no sign.
 ///
 /// ```
-/// assert_eq!(ezy_core::report::table::fixed(-1e-9, 3), "0.000");
+/// use ezy_core::report::table::fixed;
+///
+/// assert_eq!([fixed(-1e-9, 3), fixed(2e300, 3)], ["0.000", "2.000e300"]);
 /// ```
 pub fn fixed(value: f64, digits: usize) -> String {
+    if value.abs() >= WHOLE {
+        return format!("{value:.digits$e}");
+    }
     let text = format!("{value:.digits$}");
     match text.strip_prefix('-') {
         Some(magnitude) if magnitude.chars().all(|c| matches!(c, '0' | '.')) => magnitude.to_owned(),

@@ -3,6 +3,7 @@
 use crate::dynamics::{MotionError, StartError, SystemError};
 use crate::model::{SceneInfo, SeriesInfo};
 use crate::record::{RecordError, UnknownName};
+use crate::scalar::legible;
 
 /// A run cannot start like this.
 #[derive(Debug, thiserror::Error)]
@@ -14,7 +15,7 @@ pub enum SetupError {
     #[error(transparent)]
     System(#[from] SystemError),
     /// The step is not a positive length of time.
-    #[error("the step is {step_s} s; give a positive step")]
+    #[error("the step is {} s; give a positive step", legible(*.step_s))]
     Step {
         /// The step, s.
         step_s: f64,
@@ -49,7 +50,9 @@ pub enum SetupError {
         method: &'static str,
     },
     /// Runs that step together have one time.
-    #[error("the runs start at t = {first} s and t = {other} s; runs that step together start at one time")]
+    #[error(
+        "the runs start at t = {} s and t = {} s; runs that step together start at one time", legible(*.first), legible(*.other)
+    )]
     DifferentTimes {
         /// Time of the first start, s.
         first: f64,
@@ -119,7 +122,8 @@ pub enum SetupError {
     },
     /// More steps than anyone waits for.
     #[error(
-        "{steps:.1e} steps of {step_s} s lie between the start and the end; at most {limit:.0e} are taken: give a larger step or an earlier end"
+        "{steps:.1e} steps of {} s lie between the start and the end; at most {limit:.0e} are taken: give a larger step or an \
+         earlier end", legible(*.step_s)
     )]
     TooManySteps {
         /// Steps that the run would take.
@@ -130,7 +134,7 @@ pub enum SetupError {
         limit: f64,
     },
     /// A limit is negative or not a number.
-    #[error("the limit {name} is {value}; give a number that is not negative, or no limit")]
+    #[error("the limit {name} is {}; give a number that is not negative, or no limit", legible(*.value))]
     Limit {
         /// `max-drift` or `max-energy-error`.
         name: &'static str,
@@ -139,7 +143,8 @@ pub enum SetupError {
     },
     /// The end is before the start or not a number.
     #[error(
-        "the run is to end at {until_s} s but starts at {start_s} s; give a finite end that is not before the start"
+        "the run is to end at {} s but starts at {} s; give a finite end that is not before the start",
+        legible(*.until_s), legible(*.start_s)
     )]
     Until {
         /// The end, s.
@@ -149,7 +154,8 @@ pub enum SetupError {
     },
     /// The recording interval is not a positive length of time.
     #[error(
-        "the recording interval is {every_s} s; give a positive interval, or none to keep only the start and the end"
+        "the recording interval is {} s; give a positive interval, or none to keep only the start and the end",
+        legible(*.every_s)
     )]
     Every {
         /// The interval, s.
@@ -157,7 +163,8 @@ pub enum SetupError {
     },
     /// More samples than memory holds.
     #[error(
-        "{samples:.1e} samples {every_s} s apart lie between the start and the end; at most {limit:.0e} are kept: give a longer interval"
+        "{samples:.1e} samples {} s apart lie between the start and the end; at most {limit:.0e} are kept: give a longer interval",
+        legible(*.every_s)
     )]
     TooManySamples {
         /// Samples that the run would keep.

@@ -12,7 +12,7 @@ use crate::integrate::{Clock, Method, Tolerance};
 use crate::model::{Scene, SceneInfo, Start};
 use crate::record::{Recorder, UnknownName, find_name, input_index};
 
-/// At 100 ns a step half an hour; more is a slip of the pen.
+/// At 100 ns a step a quarter of an hour; more is a slip of the pen.
 const MAX_STEPS: f64 = 1e10;
 
 /// Above it there is no motion left to speak of.

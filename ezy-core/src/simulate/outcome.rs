@@ -4,6 +4,7 @@ use super::{ExceededLimit, Monitors, Occurrence, RankRecord};
 use crate::dynamics::{MotionError, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
+use crate::scalar::legible;
 
 /// A finished run: all that was computed, also when it stopped early.
 #[derive(Debug)]
@@ -99,10 +100,10 @@ impl std::fmt::Display for Outcome {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::ReachedEnd => f.write_str("reached the end"),
-            Self::ReachedEvent { t, name } => write!(f, "reached `{name}` at t = {t} s"),
-            Self::Stopped { t, reason, strain: None } => write!(f, "stopped at t = {t} s: {reason}"),
-            Self::Stopped { t, reason, strain: Some(strain) } => {
-                write!(f, "stopped at t = {t} s: {reason}; {strain}")
+            Self::ReachedEvent { t, name } => write!(f, "reached `{name}` at t = {} s", legible(*t)),
+            Self::Stopped { t, reason, strain } => {
+                write!(f, "stopped at t = {} s: {reason}", legible(*t))?;
+                strain.as_ref().map_or(Ok(()), |strain| write!(f, "; {strain}"))
             }
         }
     }

@@ -152,7 +152,7 @@ pub struct RunArguments {
     /// file that --out wrote, each value holds until the next row.
     #[arg(long, value_name = "FILE.csv")]
     pub inputs: Option<PathBuf>,
-    /// Seconds between the rows of --out [default: a thousandth of the run]
+    /// Seconds between the rows of --out, which must be given, too [default: a thousandth of the run]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
     /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, inputs, outputs, work, energies,

@@ -24,6 +24,11 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     if let Some(every_s) = arguments.every.filter(|every_s| *every_s <= 0.0) {
         return Err(Failure::wrong_use(SetupError::Every { every_s }));
     }
+    if arguments.every.is_some() && arguments.out.is_none() {
+        return Err(Failure::wrong_use(
+            "--every is the time between the rows of --out; add --out FILE.csv, or leave --every",
+        ));
+    }
     for assignment in &arguments.input {
         check_input(model, entry, &assignment.name)?;
     }
@@ -31,11 +36,13 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let method = method(arguments)?;
     match simulate(arguments, scene.as_ref(), method) {
         Ok(run) => {
+            // it chooses its steps, which a table may not let it
+            let radau_runs = arguments.inputs.is_none() && has_slopes(scene.as_ref());
             if arguments.json {
                 print(&format!("{}\n", run_json(scene.info(), method, Some(&run), &run.outcome.to_string())))?;
-                eprint!("{}", remarks(&run, method));
+                eprint!("{}", remarks(&run, method, radau_runs));
             } else {
-                print(&run_text(&run, method))?;
+                print(&run_text(&run, method, radau_runs))?;
             }
             match run.outcome {
                 Outcome::ReachedEnd | Outcome::ReachedEvent { .. } => Ok(()),
@@ -49,6 +56,11 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
             Err(failure)
         }
     }
+}
+
+/// Whether a scene, and what it becomes, knows the slopes of its equations.
+fn has_slopes(scene: &dyn Scene) -> bool {
+    scene.slope_places().is_some() && scene.modes().iter().all(|mode| mode.slope_places().is_some())
 }
 
 /// Step of a method with a fixed step, s, when none is given.

@@ -1,10 +1,12 @@
 //! Where a run ends, as JSON and as text.
 
+use ezy_core::dynamics::MotionError;
 use ezy_core::integrate::{Method, Tolerance};
 use ezy_core::model::SceneInfo;
 use ezy_core::record::{EnergyState, Sample};
 use ezy_core::report::table::{Table, fixed};
-use ezy_core::simulate::{Cost, Outcome, RankSpell, Run};
+use ezy_core::scalar::{legible, rounded};
+use ezy_core::simulate::{Cost, ExceededLimit, Outcome, RankSpell, Run, StopReason};
 
 use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
@@ -93,9 +95,10 @@ fn spell_json(spell: &RankSpell) -> Json {
 }
 
 /// The end as text.
-pub fn run_text(run: &Run, method: Method) -> String {
+pub fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
     let (info, last, cost) = (run.info(), run.last(), run.cost);
-    let mut text = format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_words(&run.outcome), last.t);
+    let mut text =
+        format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_words(&run.outcome), legible(last.t));
     text += &motion_table(&last).to_string();
     text += &left_out(info.n_coordinates(), "coordinates");
     if info.n_rows() > 0 {
@@ -138,25 +141,47 @@ pub fn run_text(run: &Run, method: Method) -> String {
         cost.seconds
     );
     text += &run.rank.to_string();
-    text + &remarks(run, method)
+    text + &remarks(run, method, radau_runs)
 }
 
-/// What there is to say about a run besides.
-pub fn remarks(run: &Run, method: Method) -> String {
-    let stiff = run.stiff_since_s.map_or_else(String::new, |t| {
-        format!(
-            "remark: from t = {t:.3} s on, or before, the steps of {} were held by stiffness, not by the tolerance; try --method radau\n",
+/// What there is to say about a run besides. `radau_runs`: whether that method can be tried.
+pub fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
+    let is_explicit = !matches!(method, Method::Radau(_));
+    let stiff = match run.stiff_since_s {
+        Some(t) => format!(
+            "remark: from t = {} s on, or before, the steps of {} were held by stiffness, not by the tolerance; try --method radau\n",
+            rounded(t, 4),
             method.name()
-        )
-    });
-    stiff + &remark(&run.last().energy, method)
+        ),
+        None if is_explicit && radau_runs && may_be_stiff(&run.outcome) => {
+            format!("remark: if the scene is stiff, {IMPLICIT}\n")
+        }
+        None => String::new(),
+    };
+    let names_radau = !stiff.is_empty();
+    stiff + &remark(&run.last().energy, method, radau_runs && !names_radau)
+}
+
+/// What helps an explicit method that stiffness keeps to short steps.
+const IMPLICIT: &str = "--method radau takes longer steps";
+
+/// Whether an explicit method may have stopped for stiffness.
+fn may_be_stiff(outcome: &Outcome) -> bool {
+    use MotionError::{NotFinite, ProjectionStalled, StepCollapsed};
+    match outcome {
+        Outcome::Stopped { reason: StopReason::Limit(limit), .. } => matches!(limit, ExceededLimit::Steps { .. }),
+        Outcome::Stopped { reason: StopReason::Motion(error), .. } => {
+            matches!(error, NotFinite { .. } | ProjectionStalled { .. } | StepCollapsed { .. })
+        }
+        _ => false,
+    }
 }
 
 /// Share of the energy turned over that may be missing at the end before the step is said to be too large.
 const LARGEST_IMBALANCE: f64 = 1e-3;
 
 /// What there is to say about a run whose energy and work do not fit.
-fn remark(energy: &EnergyState, method: Method) -> String {
+fn remark(energy: &EnergyState, method: Method, radau_runs: bool) -> String {
     let turned_over = energy.kinetic + energy.work.abs();
     let share = energy.balance.abs() / turned_over;
     let difference = if !(energy.balance.is_finite() && turned_over.is_finite()) {
@@ -167,7 +192,10 @@ fn remark(energy: &EnergyState, method: Method) -> String {
         return String::new();
     };
     let (what, better) = match method {
-        Method::Rk4 { step_s } => (format!("the step of {step_s} s"), format!("--step {:.0e}", step_s / 10.0)),
+        Method::Rk4 { step_s } => {
+            let or = if radau_runs { format!("; if the scene is stiff, {IMPLICIT}") } else { String::new() };
+            (format!("the step of {} s", legible(step_s)), format!("--step {:.0e}{or}", step_s / 10.0))
+        }
         Method::Dop853(Tolerance { relative, .. })
         | Method::Taylor(Tolerance { relative, .. })
         | Method::Radau(Tolerance { relative, .. }) => {
@@ -218,7 +246,7 @@ mod tests {
     #[test]
     fn invariant_remark_proposes_tolerances_that_a_run_accepts() {
         let energy = EnergyState { kinetic: 1.0, potential: 0.0, work: 0.0, balance: 1.0 };
-        let remarks = [1e-3, 2e-15, 1e-15].map(|tolerance| remark(&energy, Method::taylor(tolerance)));
+        let remarks = [1e-3, 2e-15, 1e-15].map(|tolerance| remark(&energy, Method::taylor(tolerance), true));
         let ends =
             ["try --rtol 1e-4\n", "try --rtol 1e-15\n", "at the smallest tolerance; compare with --method rk4\n"];
         for (remark, end) in remarks.iter().zip(ends) {
@@ -227,13 +255,24 @@ mod tests {
     }
 
     #[test]
+    fn invariant_smaller_step_is_not_all_that_rk4_is_told_where_radau_runs() {
+        let energy = EnergyState { kinetic: 1.0, potential: 0.0, work: 0.0, balance: 1.0 };
+        let [with, without] = [true, false].map(|radau_runs| remark(&energy, Method::rk4(1e-7), radau_runs));
+        assert!(
+            with.ends_with("try --step 1e-8; if the scene is stiff, --method radau takes longer steps\n"),
+            "{with}"
+        );
+        assert!(without.contains("the step of 1e-7 s") && without.ends_with("try --step 1e-8\n"), "{without}");
+    }
+
+    #[test]
     fn invariant_energy_that_is_not_finite_is_remarked_on() {
         let method = Method::rk4(0.001);
         for (kinetic, balance) in [(1.0, f64::NAN), (f64::INFINITY, f64::INFINITY), (f64::INFINITY, 1.0)] {
             let energy = EnergyState { kinetic, potential: 0.0, work: 0.0, balance };
-            assert!(remark(&energy, method).contains("energy and work are not finite: the step of 0.001 s"));
+            assert!(remark(&energy, method, false).contains("energy and work are not finite: the step of 0.001 s"));
         }
         let at_rest = EnergyState { kinetic: 0.0, potential: 0.0, work: 0.0, balance: 0.0 };
-        assert_eq!(remark(&at_rest, method), "");
+        assert_eq!(remark(&at_rest, method, true), "");
     }
 }

@@ -1,5 +1,6 @@
 //! What a run watched, as JSON and as text.
 
+use ezy_core::report::table::fixed;
 use ezy_core::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run};
 
 use super::json::Json;
@@ -65,16 +66,20 @@ pub fn monitors_text(run: &Run) -> String {
     text += &pair("removed by projection", [position_drift, velocity_drift]);
     text += &match energy {
         Some(EnergyError { joules, relative, t }) => {
-            format!("  energy balance: {joules:.1e} J, {relative:.1e} of the energy turned over (t = {t:.6} s)\n")
+            format!(
+                "  energy balance: {joules:.1e} J, {relative:.1e} of the energy turned over (t = {} s)\n",
+                fixed(t, 6)
+            )
         }
         None => String::new(),
     };
     if let Some(LeastPivot { value, t }) = pivot {
-        text += &format!("  smallest relative pivot: {value:.1e} (t = {t:.6} s)\n");
+        text += &format!("  smallest relative pivot: {value:.1e} (t = {} s)\n", fixed(t, 6));
     }
     if let Some(ConditionPeak { at_start, largest, pivot, t, .. }) = condition {
         text += &format!(
-            "  condition of the equations: {largest:.1e} (t = {t:.6} s, smallest pivot {pivot:.1e}), at the start {at_start:.1e}\n"
+            "  condition of the equations: {largest:.1e} (t = {} s, smallest pivot {pivot:.1e}), at the start {at_start:.1e}\n",
+            fixed(t, 6)
         );
     }
     if let Some([shortest, longest]) = steps_s {
@@ -84,5 +89,5 @@ pub fn monitors_text(run: &Run) -> String {
 }
 
 fn peak_text(Peak { value, t, row }: Peak) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e} ({row}, t = {t:.6} s)") }
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e} ({row}, t = {} s)", fixed(t, 6)) }
 }

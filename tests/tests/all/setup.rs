@@ -23,7 +23,7 @@ fn invariant_bad_steps_are_refused() {
         assert_eq!(error, format!("the step is {text}; give a positive step"));
     }
     let error = message(|s| s.method(Method::rk4(1e-12)));
-    assert!(error.starts_with("6.0e13 steps of 0.000000000001 s") && error.contains("larger step"), "{error}");
+    assert!(error.starts_with("6.0e13 steps of 1e-12 s") && error.contains("larger step"), "{error}");
 }
 
 #[test]

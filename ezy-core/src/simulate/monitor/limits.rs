@@ -77,8 +77,8 @@ pub enum ExceededLimit {
     },
     /// The end is out of reach.
     #[error(
-        "{limit} steps are tried, the limit (max-steps), the last good one {step_s:.1e} s long; allow more steps or larger \
-         errors, end earlier, or look at the speeds and forces at that time"
+        "the steps that were tried reach the limit of {limit} (max-steps), the last good one {step_s:.1e} s long; allow more \
+         steps or larger errors, end earlier, or look at the speeds and forces at that time"
     )]
     Steps {
         /// The limit.

@@ -1,7 +1,7 @@
 //! Energies, powers, and what else a scene says of its state.
 
-use super::System;
-use crate::model::Scene;
+use super::{MotionError, System};
+use crate::model::{GripInfo, Scene, StopInfo};
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// ½ vᵀ M v, J.
@@ -35,9 +35,49 @@ impl<S: Scene + ?Sized> System<'_, S> {
         grip
     }
 
+    /// The same where the skate can hold or slide.
+    ///
+    /// # Errors
+    /// [`MotionError::SkateLimit`].
+    pub fn checked_grip(&self, info: &GripInfo, t: f64, q: &[f64], v: &[f64]) -> Result<[f64; 2], MotionError> {
+        let [limit, velocity] = self.grip(t, q, v);
+        if limit > 0.0 {
+            Ok([limit, velocity])
+        } else {
+            Err(MotionError::SkateLimit { t, skate: info.name, value: limit })
+        }
+    }
+
     /// Distances to the ends of the stop with their rates, and the restitution; writes what [`Scene::stop`] does.
     pub fn stop(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         self.scene.stop(&self.fixed, t, q, v, out);
+    }
+
+    /// The same where the distances are numbers.
+    ///
+    /// # Errors
+    /// [`MotionError::StopNotFinite`].
+    pub fn checked_stop(
+        &self,
+        info: &StopInfo,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), MotionError> {
+        self.stop(t, q, v, out);
+        for (end, &value) in out.iter().step_by(2).take(info.hits.len()).enumerate() {
+            if !value.is_finite() {
+                return Err(MotionError::StopNotFinite {
+                    t,
+                    stop: info.name,
+                    end: info.end(end),
+                    what: "distance",
+                    value,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// Outputs of the scene; writes `n_o`.

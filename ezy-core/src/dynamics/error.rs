@@ -211,6 +211,32 @@ pub enum MotionError {
         /// Its value.
         value: f64,
     },
+    /// A skate that holds up to nothing, or slides against a force that is none.
+    #[error("the limit of skate `{skate}` is {} at t = {t} s; it must be above zero", legible(*.value))]
+    SkateLimit {
+        /// Time, s.
+        t: f64,
+        /// Name of the skate.
+        skate: &'static str,
+        /// Its limit, N.
+        value: f64,
+    },
+    /// A stop that cannot be told to be hit.
+    #[error(
+        "the {what} of stop `{stop}` from its {end} end is {value} at t = {t} s; its quantity and its bounds must be finite"
+    )]
+    StopNotFinite {
+        /// Time, s.
+        t: f64,
+        /// Name of the stop.
+        stop: &'static str,
+        /// `lower` or `upper`.
+        end: &'static str,
+        /// `distance` or `speed`.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// Gauss–Newton does not come closer to C = 0.
     #[error(
         "position projection stalled at t = {t} s: |C| = {residual:.3e} after {passes} passes (tolerance \

@@ -8,6 +8,8 @@ use super::{EventInfo, Formula};
 /// comes back to zero. There it holds again, or slides to the other side where it still needs more than its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GripInfo {
+    /// Its name, and that of its row.
+    pub name: &'static str,
     /// Its row, in [`SceneInfo::rows`](super::SceneInfo::rows).
     pub row: usize,
     /// The limit, N.

@@ -24,3 +24,10 @@ pub struct StopInfo {
     /// It would have to pull.
     pub lets_go: EventInfo,
 }
+
+impl StopInfo {
+    /// What an end is called: `lower` or `upper`.
+    pub const fn end(&self, i: usize) -> &'static str {
+        if self.sides[i] > 0 { "lower" } else { "upper" }
+    }
+}

@@ -131,12 +131,12 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
                 outcome = Outcome::Stopped { t: self.motion.now.state.t, reason: error.into(), strain: None };
             }
         }
-        let mut cost = Cost { steps, seconds: began.elapsed().as_secs_f64(), ..Cost::default() };
+        let (rejected, seconds) = (self.n_rejected(), began.elapsed().as_secs_f64());
+        let mut cost = Cost { steps, rejected, seconds, ..Cost::default() };
         let (mut events, mut stiff_since_s) = (self.lookout.occurred, None);
         let parked = self.modes.iter().flat_map(|modes| modes.parked());
         for motion in std::iter::once(&self.motion).chain(parked) {
             let counters = motion.system.counters();
-            cost.rejected += motion.n_rejected();
             cost.evaluations += counters.evaluations;
             cost.factorizations += counters.factorizations;
             stiff_since_s = stiff_since_s.or(motion.stiff_since());
@@ -160,7 +160,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
 
     /// One step from `now`, which stays as it is when the step fails; returns what ends the run.
     fn step(&mut self, n: u64) -> Result<Option<Passage>, StopReason> {
-        self.watch.admits_step(self.motion.chooses_steps(), self.motion.n_rejected())?;
+        self.watch.admits_step(self.motion.chooses_steps(), self.n_rejected())?;
         let (h, t_next) = self.plan.pace.step(n - self.n_cut, self.motion.now.state.t);
         let changes = self.advance(h, t_next)?;
         let last = self.motion.next.state.t >= self.plan.pace.end();
@@ -201,6 +201,11 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         self.follow_mode();
         Ok(None)
+    }
+
+    /// Steps of all modes that were tried and not taken.
+    fn n_rejected(&self) -> u64 {
+        self.motion.n_rejected() + self.modes.as_ref().map_or(0, |modes| modes.n_rejected())
     }
 
     /// A step from `now` to `next`; whether it ends where the mode changes.

@@ -240,7 +240,10 @@ fn grip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviatio
     let slides = change(&row.name, "slides", &limit, "The skate would need more than its limit.");
     let velocity = formula_of(names, velocity);
     let stops = change(&row.name, "stops", &velocity, "The velocity across the skate comes back to zero.");
-    Some(quote!(::ezy_core::model::GripInfo { row: #i_row, limit: #limit, slides: #slides, stops: #stops }))
+    let name = row.name.to_string();
+    Some(quote! {
+        ::ezy_core::model::GripInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
+    })
 }
 
 /// The stop, the same in every mode.

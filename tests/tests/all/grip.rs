@@ -1,7 +1,8 @@
 //! Skates that hold up to a limit and slide beyond it.
 
+use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
-use ezy_core::simulate::SetupError;
+use ezy_core::simulate::{SetupError, StopReason};
 use ezy_models::ezy_roller;
 
 /// Changes are located to 1e-12 s; the value that is located carries rounding of 1e-15 m/s or N at slopes around one, and where
@@ -62,6 +63,35 @@ model! {
         event fast: sled.vy > 0.25;
         start rest { sled at (0, 0) angle 0; at rest; }
         scene pushed { start rest; until 3 s; with hand; }
+    }
+}
+
+model! {
+    /// A runner of which nothing is left in the end.
+    pub model Worn {
+        param push: N = 2;
+        param fresh: N = 3;
+        param wear: N/s = 1;
+        body sled { mass: 2, inertia: 1 }
+        skate runner: at sled(0, 0) along sled(1, 0) limit fresh - wear * t;
+        effect hand { force at sled(0, 0): (0, push); }
+        start rest { sled at (0, 0) angle 0; at rest; }
+        scene pushed { start rest; until 5 s; with hand; }
+        scene caught { start rest; until 5 s; until sled.vy > 0.5; with hand; }
+    }
+}
+
+model! {
+    /// A runner whose limit is no number after a while.
+    pub model Undefined {
+        param life: s = 2;
+        param push: N = 1;
+        param c: N^2/s = 1;
+        body sled { mass: 2, inertia: 1 }
+        skate runner: at sled(0, 0) along sled(1, 0) limit 3 + sqrt(c * (life - t));
+        effect hand { force at sled(0, 0): (0, push); }
+        start rest { sled at (0, 0) angle 0; at rest; }
+        scene pushed { start rest; until 5 s; with hand; }
     }
 }
 
@@ -217,5 +247,60 @@ fn invariant_energy_of_a_roller_that_drifts_is_work() {
             assert!(sample.get("lambda.rear_on_ice").unwrap().abs() <= scene.hold + FOLLOWED);
         }
         assert!(run.last().get("work.ice").unwrap() < 0.0, "{}", method.name());
+    }
+}
+
+fn fault(run: &Run) -> (&'static str, f64, f64) {
+    match &run.outcome {
+        Outcome::Stopped { reason: StopReason::Motion(MotionError::SkateLimit { t, skate, value }), .. } => {
+            (skate, *t, *value)
+        }
+        outcome => panic!("{outcome}"),
+    }
+}
+
+#[test]
+fn analytic_limit_that_is_used_up_ends_the_run_where_it_is() {
+    for method in METHODS {
+        let run = Simulation::new(&worn::Pushed::default()).method(method).every(0.25).run().unwrap();
+        let (skate, t, value) = fault(&run);
+        assert!(skate == "runner" && t >= 3.0 - LOCATED_S && value <= 0.0, "{value} N at {t} by {}", method.name());
+        assert_changes(&run, &[("runner slides", 1.0)]);
+        let last = run.last();
+        assert!((last.t - 3.0).abs() <= LOCATED_S, "{} by {}", last.t, method.name());
+        // 2 v' = 2 - (3 - t)
+        assert!((last.get("sled.vy").unwrap() - 1.0).abs() <= FOLLOWED, "{}", method.name());
+        assert!(run.samples().all(|sample| sample.get("lambda.runner").unwrap() >= 0.0));
+    }
+}
+
+#[test]
+fn analytic_limit_that_is_used_up_behind_an_end_does_not_matter() {
+    for method in METHODS {
+        let run = Simulation::new(&worn::Caught::default()).method(method).run().unwrap();
+        assert!(run.outcome.reached_end(), "{} by {}", run.outcome, method.name());
+        // 4 v = (t - 1)²
+        assert!((run.last().t - 1.0 - 2f64.sqrt()).abs() <= LOCATED_S, "{} by {}", run.last().t, method.name());
+    }
+}
+
+#[test]
+fn analytic_limit_that_is_no_number_ends_the_run_while_the_skate_holds() {
+    for method in METHODS {
+        let run = Simulation::new(&undefined::Pushed::default()).method(method).run().unwrap();
+        let (skate, t, value) = fault(&run);
+        assert!(skate == "runner" && t >= 2.0 && value.is_nan(), "{value} N at {t} by {}", method.name());
+        assert!((run.last().t - 2.0).abs() <= LOCATED_S, "{} by {}", run.last().t, method.name());
+    }
+}
+
+#[test]
+fn invariant_limit_that_is_not_above_zero_at_the_start_is_refused() {
+    for fresh in [0.0, -1.0] {
+        let error = Simulation::new(&worn::Pushed { fresh, ..worn::Pushed::default() }).run().unwrap_err();
+        let expected = format!(
+            "the motion cannot start: the limit of skate `runner` is {fresh} at t = 0 s; it must be above zero"
+        );
+        assert_eq!(error.to_string(), expected);
     }
 }

@@ -1,7 +1,8 @@
 //! Stops: impacts, bounces without end, rest on an end.
 
+use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
-use ezy_core::simulate::SetupError;
+use ezy_core::simulate::{Cost, SetupError, StopReason};
 use nalgebra::{DMatrix, DVector};
 
 /// Landings are located to 1e-12 s, and each bounce goes on from the last one; methods keep to 1e-12.
@@ -118,6 +119,20 @@ model! {
         gravity (0, -10);
         start high { stone at (0, 5) angle 0; at rest; }
         scene falls { start high; until 2.2 s; }
+    }
+}
+
+model! {
+    /// A stone that falls below a lid that is nowhere after a while.
+    pub model Lidded {
+        param life: s = 0.5;
+        param c: m^2/s = 1;
+        body stone { mass: 2, inertia: 1 }
+        slider rail: ground(0, 0) ~ stone(0, 0) along ground(0, 1);
+        stop shaft: stone.y from 0 to 9 + sqrt(c * (life - t));
+        gravity (0, -10);
+        start high { stone at (0, 5) angle 0; at rest; }
+        scene falls { start high; until 5 s; }
     }
 }
 
@@ -395,4 +410,43 @@ fn invariant_restitution_that_gains_energy_ends_the_run_at_the_impact() {
 fn invariant_steppers_refuse_a_stop() {
     let error = Simulation::new(&stone::Falls::default()).stepper().map(|_| ()).unwrap_err();
     assert!(matches!(error, SetupError::Modes { what: "stop", name: "ground_below", .. }), "{error}");
+}
+
+#[test]
+fn analytic_bound_that_is_no_number_ends_the_run_where_it_is() {
+    for method in METHODS {
+        let run = Simulation::new(&lidded::Falls::default()).method(method).run().unwrap();
+        let Outcome::Stopped { reason: StopReason::Motion(MotionError::StopNotFinite { stop, end, t, .. }), .. } =
+            run.outcome
+        else {
+            panic!("{}", run.outcome)
+        };
+        assert!((stop, end) == ("shaft", "upper") && t >= 0.5, "{t} by {}", method.name());
+        assert!((run.last().t - 0.5).abs() <= LOCATED_S, "{} by {}", run.last().t, method.name());
+        assert!((run.last().get("stone.y").unwrap() - 3.75).abs() <= BOUNCED);
+    }
+}
+
+#[test]
+fn invariant_bound_that_is_no_number_at_the_start_is_refused() {
+    let error = Simulation::new(&lidded::Falls { life: -1.0, ..lidded::Falls::default() }).run().unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "the motion cannot start: the distance of stop `shaft` from its upper end is NaN at t = 0 s; its quantity and its \
+         bounds must be finite"
+    );
+}
+
+#[test]
+fn invariant_steps_cut_at_impacts_count_as_rejected() {
+    let scene = stone::Falls::default();
+    let order = || Simulation::new(&scene).method(Method::rk4(0.05));
+    let run = order().run().unwrap();
+    let n_hits = times(&run, "ground_below hits").len() as u64;
+    assert!(run.cost.rejected >= n_hits, "{} for {n_hits} hits", run.cost.rejected);
+    let limit = (run.cost.steps + run.cost.rejected) / 2;
+    let limited = order().max_steps(limit).run().unwrap();
+    assert!(!limited.outcome.reached_end());
+    let Cost { steps, rejected, .. } = limited.cost;
+    assert!(steps + rejected >= limit && steps < limit && rejected > 0, "{steps} and {rejected} for {limit}");
 }

@@ -8,7 +8,7 @@
 //! stop before the kink by more than what they know of its place, where they know it better, and at last hop over it.
 
 use super::root::root;
-use super::{RESOLUTION_S, side_of};
+use super::{resolution_at, side_of};
 use crate::dynamics::{State, System};
 use crate::integrate::{Knot, interpolate};
 use crate::model::{EventKind, Scene, SceneInfo};
@@ -186,11 +186,6 @@ impl Kinks {
 /// Whether a value passes to the other side of zero.
 fn changes(before: f64, after: f64) -> bool {
     side_of(before) * side_of(after) < 0.0
-}
-
-/// How well the time of a kink about `t` is known, s.
-fn resolution_at(t: f64) -> f64 {
-    RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs())
 }
 
 /// The motion after the time `t` by the accelerations at its start; works are left out.

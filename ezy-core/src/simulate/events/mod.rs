@@ -20,7 +20,7 @@ pub(super) use sought::Sought;
 const N_PARTS: usize = 4;
 
 /// Events are located this well, s, or as well as the clock can tell.
-pub(super) const RESOLUTION_S: f64 = 1e-12;
+const RESOLUTION_S: f64 = 1e-12;
 
 /// A value that begins below this part of what it reaches in the first step is rounding: it begins on neither side.
 const NOTHING: f64 = 1e-10;
@@ -109,6 +109,16 @@ impl Lookout {
         self.sides.fill(1.0);
         self.find(motion)?;
         Ok(self.passages.first().map(|passage| passage.t))
+    }
+
+    /// Last time of the step at which the values are defined, s; they are not at `undefined`.
+    pub fn last_defined<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, undefined: f64) -> f64 {
+        let (mut last, mut beyond) = (motion.now.state.t, undefined);
+        while beyond - last > resolution_at(beyond) {
+            let t = 0.5 * (last + beyond);
+            *(if self.value(motion, 0, t).is_ok() { &mut last } else { &mut beyond }) = t;
+        }
+        last
     }
 
     /// Whether a value is below zero at the end of the step.
@@ -215,12 +225,16 @@ impl Lookout {
         let t = if side_of(before) == side {
             t_before
         } else {
-            let resolution = RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs());
-            root((t_before, before), (t, after), resolution, |t| self.value(motion, i, t))?
+            root((t_before, before), (t, after), resolution_at(t), |t| self.value(motion, i, t))?
         };
         self.passages.push(Passage { t, event });
         Ok(())
     }
+}
+
+/// How well the time of what takes place about `t` is known, s.
+pub(super) fn resolution_at(t: f64) -> f64 {
+    RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs())
 }
 
 /// -1, 0 or 1; a value that is no number is on neither side.

@@ -1,18 +1,18 @@
 //! Which values are looked at.
 
 use crate::dynamics::{MotionError, System};
-use crate::model::Scene;
+use crate::model::{GripInfo, Scene, StopInfo};
 
 /// What passes zero.
 pub(in crate::simulate) enum Sought {
     /// The events of the scene.
     Events,
     /// What the row of a skate that holds has left up to its limit.
-    Reserve { row: usize, a: Vec<f64>, lambda: Vec<f64> },
+    Reserve { info: &'static GripInfo, a: Vec<f64>, lambda: Vec<f64> },
     /// The velocity across a skate that slides, to this side.
-    Slide { side: f64 },
+    Slide { info: &'static GripInfo, side: f64 },
     /// The distances to the ends of a stop, out of these values.
-    Gaps { values: Vec<f64> },
+    Gaps { info: &'static StopInfo, values: Vec<f64> },
     /// The force of a stop that holds, from this side.
     Push { row: usize, side: f64, a: Vec<f64>, lambda: Vec<f64> },
 }
@@ -27,17 +27,17 @@ impl Sought {
     ) -> Result<(), MotionError> {
         match self {
             Self::Events => system.events(t, q, v, out),
-            Self::Reserve { row, a, lambda } => {
+            Self::Reserve { info, a, lambda } => {
                 system.accelerations_in_passing(t, q, v, a, lambda)?;
-                let [limit, _] = system.grip(t, q, v);
-                out.fill(limit - lambda[*row].abs());
+                let [limit, _] = system.checked_grip(info, t, q, v)?;
+                out.fill(limit - lambda[info.row].abs());
             }
-            Self::Slide { side } => {
-                let [_, velocity] = system.grip(t, q, v);
+            Self::Slide { info, side } => {
+                let [_, velocity] = system.checked_grip(info, t, q, v)?;
                 out.fill(*side * velocity);
             }
-            Self::Gaps { values } => {
-                system.stop(t, q, v, values);
+            Self::Gaps { info, values } => {
+                system.checked_stop(info, t, q, v, values)?;
                 out.iter_mut().zip(values.iter().step_by(2)).for_each(|(out, gap)| *out = *gap);
             }
             Self::Push { row, side, a, lambda } => {

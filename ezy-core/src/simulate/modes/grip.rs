@@ -20,8 +20,13 @@ pub fn side(mode: usize) -> Option<f64> {
 }
 
 /// Whether it needs more than its limit.
-pub fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &GripInfo, motion: &Motion<'_, S>) -> bool {
-    modes.mode == HOLDS && reaction(info, motion).abs() > limit(motion)
+pub fn ends<S: Scene + ?Sized>(
+    modes: &Modes<'_, S>,
+    info: &GripInfo,
+    motion: &Motion<'_, S>,
+) -> Result<bool, MotionError> {
+    let limit = limit(info, motion)?;
+    Ok(modes.mode == HOLDS && reaction(info, motion).abs() > limit)
 }
 
 /// From holding to the slide that its reaction opposes; from a slide to holding, or on to the other side. Whether it slides
@@ -36,8 +41,8 @@ pub fn change<'s, S: Scene + ?Sized>(
         modes.tell(&info.stops, motion);
         modes.switch(HOLDS, motion)?;
     }
-    let reaction = reaction(info, motion);
-    if held || reaction.abs() > limit(motion) {
+    let (reaction, limit) = (reaction(info, motion), limit(info, motion)?);
+    if held || reaction.abs() > limit {
         modes.tell(&info.slides, motion);
         modes.switch(if reaction > 0.0 { SLIDES_LEFT } else { SLIDES_RIGHT }, motion)?;
     }
@@ -53,9 +58,9 @@ pub fn sought<S: Scene + ?Sized>(
     match side(mode) {
         None => {
             let (a, lambda) = (motion.now.a.clone(), motion.now.lambda.clone());
-            (Sought::Reserve { row: info.row, a, lambda }, std::slice::from_ref(&info.slides))
+            (Sought::Reserve { info, a, lambda }, std::slice::from_ref(&info.slides))
         }
-        Some(side) => (Sought::Slide { side }, std::slice::from_ref(&info.stops)),
+        Some(side) => (Sought::Slide { info, side }, std::slice::from_ref(&info.stops)),
     }
 }
 
@@ -64,7 +69,7 @@ fn reaction<S: Scene + ?Sized>(info: &GripInfo, motion: &Motion<'_, S>) -> f64 {
     motion.now.lambda[info.row]
 }
 
-fn limit<S: Scene + ?Sized>(motion: &Motion<'_, S>) -> f64 {
+fn limit<S: Scene + ?Sized>(info: &GripInfo, motion: &Motion<'_, S>) -> Result<f64, MotionError> {
     let state = &motion.now.state;
-    motion.system.grip(state.t, &state.q, &state.v)[0]
+    Ok(motion.system.checked_grip(info, state.t, &state.q, &state.v)?[0])
 }

@@ -4,7 +4,7 @@ mod grip;
 mod stop;
 
 use super::SetupError;
-use super::events::{Lookout, Occurrence};
+use super::events::{Lookout, Occurrence, resolution_at};
 use super::motion::Motion;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, GripInfo, Scene, SceneInfo, StopInfo};
@@ -39,6 +39,8 @@ pub(super) struct Modes<'s, S: Scene + ?Sized> {
     is_due: bool,
     /// No step that begins a mode is longer, s.
     longest_s: f64,
+    /// Steps that were made and taken back.
+    n_taken_back: u64,
     pub occurred: Vec<Occurrence>,
 }
 
@@ -59,9 +61,17 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         let law = info.grip.as_ref().map(Law::Grip).or(info.stop.as_ref().map(Law::Stop))?;
         let lookout = lookout(law, 0, first);
         let parked: Vec<_> = (1..).zip(others).collect();
-        let longest_s = f64::INFINITY;
-        let occurred = Vec::new();
-        let modes = Self { law, mode: 0, parked, lookout, begins: false, is_due: false, longest_s, occurred };
+        let modes = Self {
+            law,
+            mode: 0,
+            parked,
+            lookout,
+            begins: false,
+            is_due: false,
+            longest_s: f64::INFINITY,
+            n_taken_back: 0,
+            occurred: Vec::new(),
+        };
         (!modes.parked.is_empty()).then_some(modes)
     }
 
@@ -83,10 +93,15 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         self.parked.iter().map(|(_, motion)| motion)
     }
 
+    /// Steps that were tried and not taken in any mode but the one under way, or made in any and taken back.
+    pub fn n_rejected(&self) -> u64 {
+        self.n_taken_back + self.parked().map(Motion::n_rejected).sum::<u64>()
+    }
+
     /// Chooses the mode of the start.
     ///
     /// # Errors
-    /// [`SetupError::BeyondStop`], and those of the change.
+    /// [`SetupError::BeyondStop`], and those of laws that cannot be read and of the change.
     pub fn start(&mut self, motion: &mut Motion<'s, S>) -> Result<(), SetupError> {
         match self.law {
             Law::Grip(_) => Ok(self.settle(motion)?),
@@ -109,7 +124,10 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
                     return Ok(false);
                 }
                 Cut::AtChange => return Ok(true),
-                Cut::AtOnce => self.change(motion)?,
+                Cut::AtOnce => {
+                    self.n_taken_back += 1;
+                    self.change(motion)?;
+                }
             }
         }
         Err(MotionError::StepCollapsed { t: motion.now.state.t, step_s: 0.0 })
@@ -118,7 +136,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// Leaves a mode that cannot go on from where it is.
     fn settle(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
         let ends = match self.law {
-            Law::Grip(info) => grip::ends(self, info, motion),
+            Law::Grip(info) => grip::ends(self, info, motion)?,
             Law::Stop(info) => stop::ends(self, info, motion),
         };
         if std::mem::take(&mut self.is_due) || ends {
@@ -168,11 +186,18 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         let shortest = SHORTEST * (motion.next.state.t - start);
         loop {
             motion.evaluate_next()?;
-            if let Some(t) = self.lookout.first(motion, self.begins)? {
+            let first = match self.lookout.first(motion, self.begins) {
+                Ok(first) => first,
+                Err(fault) => {
+                    self.end_before(fault, motion)?;
+                    continue;
+                }
+            };
+            if let Some(t) = first {
                 if t <= start {
                     return Ok(Cut::AtOnce);
                 }
-                motion.advance_again(t - start, t)?;
+                self.advance_again(motion, t)?;
                 return Ok(if motion.next.state.t < t { Cut::Whole } else { Cut::AtChange });
             }
             if !self.lookout.ends_below() {
@@ -183,8 +208,27 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
             if h < shortest || start + h <= start {
                 return Ok(Cut::AtOnce);
             }
-            motion.advance_again(h, start + h)?;
+            self.advance_again(motion, start + h)?;
         }
+    }
+
+    /// Makes a step again up to where what ends the mode is no longer defined, since it may end before; where nothing is left
+    /// of the step, the fault ends the run.
+    fn end_before(&mut self, fault: MotionError, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+        let (MotionError::SkateLimit { t, .. } | MotionError::StopNotFinite { t, .. }) = fault else {
+            return Err(fault);
+        };
+        let last = self.lookout.last_defined(motion, t);
+        if last - motion.now.state.t <= resolution_at(last) {
+            return Err(fault);
+        }
+        self.advance_again(motion, last)
+    }
+
+    /// Takes the step under way back for one that ends at `t`.
+    fn advance_again(&mut self, motion: &mut Motion<'s, S>, t: f64) -> Result<(), MotionError> {
+        self.n_taken_back += 1;
+        motion.advance_again(t - motion.now.state.t, t)
     }
 }
 

@@ -8,7 +8,7 @@ use super::Modes;
 use crate::dynamics::{MotionError, SystemRow};
 use crate::model::{EventInfo, Scene, StopInfo};
 use crate::simulate::SetupError;
-use crate::simulate::events::{RESOLUTION_S, Sought};
+use crate::simulate::events::{Sought, resolution_at};
 use crate::simulate::motion::Motion;
 
 const FREE: usize = 0;
@@ -42,18 +42,19 @@ pub fn start<'s, S: Scene + ?Sized>(
     info: &'static StopInfo,
     motion: &mut Motion<'s, S>,
 ) -> Result<(), SetupError> {
-    let Contact { end, gap, rate, .. } = nearest(info, motion);
+    let Contact { end, gap, rate, .. } = nearest(info, motion)?;
     let state = &motion.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
     let Some(rest) = modes.parked_in(end + 1) else { return Ok(()) };
     let touching = BEYOND * rest.system.position_tolerance(&row);
     if gap < -touching {
-        let (scene, end) = (motion.system.info().name, if info.sides[end] > 0 { "lower" } else { "upper" });
-        return Err(SetupError::BeyondStop { scene, stop: info.name, end, beyond: -gap });
+        let scene = motion.system.info().name;
+        return Err(SetupError::BeyondStop { scene, stop: info.name, end: info.end(end), beyond: -gap });
     }
     if gap > touching {
         return Ok(());
     }
+    check_rate(info, end, state.t, rate)?;
     let stands = rate == 0.0 || flight(info, end, motion, rest).is_some_and(|flight| flight.is_too_short);
     if stands {
         modes.change(motion)?;
@@ -90,7 +91,7 @@ pub fn sought<S: Scene + ?Sized>(
     motion: &Motion<'_, S>,
 ) -> (Sought, &'static [EventInfo]) {
     if mode == FREE {
-        return (Sought::Gaps { values: vec![0.0; n_values(info)] }, info.hits);
+        return (Sought::Gaps { info, values: vec![0.0; n_values(info)] }, info.hits);
     }
     let (a, lambda) = (motion.now.a.clone(), motion.now.lambda.clone());
     let side = f64::from(info.sides[mode - 1]);
@@ -103,7 +104,8 @@ fn arrive<'s, S: Scene + ?Sized>(
     info: &'static StopInfo,
     motion: &mut Motion<'s, S>,
 ) -> Result<(), MotionError> {
-    let Contact { end, rate, restitution, .. } = nearest(info, motion);
+    let Contact { end, rate, restitution, .. } = nearest(info, motion)?;
+    check_rate(info, end, motion.now.state.t, rate)?;
     if !(0.0..=1.0).contains(&restitution) {
         return Err(MotionError::Restitution { t: motion.now.state.t, stop: info.name, value: restitution });
     }
@@ -156,26 +158,30 @@ fn flight<S: Scene + ?Sized>(
     if fall.is_nan() || fall <= 0.0 {
         return None;
     }
-    let rate = gaps(info, motion)[2 * end + 1];
+    let mut values = vec![0.0; n_values(info)];
+    motion.system.stop(state.t, &state.q, &state.v, &mut values);
+    let rate = values[2 * end + 1];
     let (length_s, height) = (2.0 * rate.abs() / fall, 0.5 * rate * rate / fall);
-    let shortest_s = SHORTEST_FLIGHT * RESOLUTION_S.max(2.0 * f64::EPSILON * state.t.abs());
+    let shortest_s = SHORTEST_FLIGHT * resolution_at(state.t);
     Some(Flight { length_s, is_too_short: length_s < shortest_s || height < LOWEST_FLIGHT * rounding })
 }
 
 /// The end that is nearest.
-fn nearest<S: Scene + ?Sized>(info: &StopInfo, motion: &Motion<'_, S>) -> Contact {
-    let values = gaps(info, motion);
+fn nearest<S: Scene + ?Sized>(info: &StopInfo, motion: &Motion<'_, S>) -> Result<Contact, MotionError> {
+    let (state, mut values) = (&motion.now.state, vec![0.0; n_values(info)]);
+    motion.system.checked_stop(info, state.t, &state.q, &state.v, &mut values)?;
     let gap = |end: &usize| values[2 * end];
     let ends = 0..info.hits.len();
     let end = ends.min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or_default();
-    Contact { end, gap: gap(&end), rate: values[2 * end + 1], restitution: values[2 * info.hits.len()] }
+    Ok(Contact { end, gap: gap(&end), rate: values[2 * end + 1], restitution: values[2 * info.hits.len()] })
 }
 
-/// What [`Scene::stop`] writes.
-fn gaps<S: Scene + ?Sized>(info: &StopInfo, motion: &Motion<'_, S>) -> Vec<f64> {
-    let (state, mut values) = (&motion.now.state, vec![0.0; n_values(info)]);
-    motion.system.stop(state.t, &state.q, &state.v, &mut values);
-    values
+/// Whether a scene that is at an end comes or goes must be known.
+fn check_rate(info: &StopInfo, end: usize, t: f64, rate: f64) -> Result<(), MotionError> {
+    if rate.is_finite() {
+        return Ok(());
+    }
+    Err(MotionError::StopNotFinite { t, stop: info.name, end: info.end(end), what: "speed", value: rate })
 }
 
 fn n_values(info: &StopInfo) -> usize {

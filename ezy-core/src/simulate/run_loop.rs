@@ -164,19 +164,20 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let (h, t_next) = self.plan.pace.step(n - self.n_cut, self.motion.now.state.t);
         let changes = self.advance(h, t_next)?;
         let last = self.motion.next.state.t >= self.plan.pace.end();
+        if !self.lookout.is_idle() {
+            self.motion.evaluate_next()?;
+            let end = self.lookout.look(&mut self.motion)?;
+            if let Some(end) = end {
+                return self.end(end).map(Some);
+            }
+        }
         let Motion { system, now, next, .. } = &mut self.motion;
         self.watch.look(system, now.state.t, &next.state, last)?;
         let controlled = !self.control.is_idle() && !last && !self.cut;
-        if !controlled || self.sample_is_due_before() || !self.lookout.is_idle() {
+        if !self.lookout.is_idle() {
+            self.lookout.keep(&mut self.motion)?;
+        } else if !controlled || self.sample_is_due_before() {
             self.motion.evaluate_next()?;
-        }
-        if !self.lookout.is_idle()
-            && let Some(end) = self.lookout.look(&mut self.motion)?
-        {
-            self.record_between(end.t)?;
-            self.motion.end_at(end.t, &mut self.between.state)?;
-            self.motion.accept();
-            return Ok(Some(end));
         }
         self.record_between(f64::INFINITY)?;
         if controlled {
@@ -193,14 +194,26 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         if on_end && !last {
             self.keeper.keep(&mut self.motion.system, &self.motion.now)?;
         }
-        if changes
-            && !last
-            && let Some(modes) = &mut self.modes
-        {
-            modes.change(&mut self.motion)?;
-        }
+        let changed = match &mut self.modes {
+            Some(modes) if changes && !last => modes.change(&mut self.motion),
+            _ => Ok(()),
+        };
         self.follow_mode();
+        changed?;
         Ok(None)
+    }
+
+    /// Ends the run inside of a step; what the step does beyond is not watched.
+    fn end(&mut self, end: Passage) -> Result<Passage, StopReason> {
+        let state = &mut self.between.state;
+        self.motion.inside(end.t, state)?;
+        self.motion.project(state)?;
+        self.watch.look(&mut self.motion.system, self.motion.now.state.t, state, true)?;
+        self.lookout.keep(&mut self.motion)?;
+        self.record_between(end.t)?;
+        self.motion.end_at(end.t, &mut self.between.state)?;
+        self.motion.accept();
+        Ok(end)
     }
 
     /// Steps of all modes that were tried and not taken.

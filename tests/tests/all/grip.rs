@@ -95,6 +95,20 @@ model! {
     }
 }
 
+model! {
+    /// A sled on a runner whose limit is no number where it comes back to rest.
+    pub model Slick {
+        param limit: N = 3; param a: N/s = 4; param b: N/s^2 = 1;
+        param unit: m/s = 1; param late: s = 2;
+        body sled { mass: 2, inertia: 1 }
+        let u = sled.vy / unit + max(1 - t / late, 0);
+        skate runner: at sled(0, 0) along sled(1, 0) limit limit * sin(u) / u;
+        effect wave { force at sled(0, 0): (0, a * t - b * t^2); }
+        start rest { sled at (0, 0) angle 0; at rest; }
+        scene waved { start rest; until 6 s; with wave; }
+    }
+}
+
 /// Of each kind one: a fixed step with interpolation, a method with dense output, a series, an implicit method.
 const METHODS: [Method; 4] = [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
 
@@ -303,4 +317,15 @@ fn invariant_limit_that_is_not_above_zero_at_the_start_is_refused() {
         );
         assert_eq!(error.to_string(), expected);
     }
+}
+
+#[test]
+fn invariant_sample_behind_a_change_that_failed_belongs_to_its_mode() {
+    let run = Simulation::new(&slick::Waved::default()).method(Method::dop853(1e-12)).run().unwrap();
+    let (_, t, value) = fault(&run);
+    assert!(value.is_nan() && t == run.last().t, "{value} N at {t}");
+    assert_eq!(named(&run).last(), Some(&("runner stops", t)));
+    // it holds, and so its multiplier is the push
+    let (last, push) = (run.last().get("lambda.runner").unwrap(), 4.0 * t - t * t);
+    assert!((last - push).abs() <= FOLLOWED, "{last} for {push}");
 }

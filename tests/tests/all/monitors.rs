@@ -173,3 +173,19 @@ fn invariant_runaway_by_speed_names_a_reaction() {
     let Outcome::Stopped { strain: Some(strain), .. } = &run.outcome else { panic!("{}", run.outcome) };
     assert!(matches!(strain.source, StrainSource::Reaction { row: "edge", .. }), "{strain}");
 }
+
+#[test]
+fn invariant_what_a_step_does_behind_an_end_is_not_watched() {
+    let scene = pendulum::Quarter::default();
+    let order = || Simulation::new(&scene).method(Method::rk4(0.7));
+    let run = order().work().run().unwrap();
+    let (end, monitors) = (run.last().t, run.monitors);
+    assert!(matches!(run.outcome, Outcome::ReachedEvent { .. }) && end < 0.6, "{}", run.outcome);
+    let [_, longest] = monitors.steps_s.unwrap();
+    assert_eq!(longest, end);
+    let energy = monitors.energy.unwrap();
+    assert_eq!(energy.t, end);
+    assert_eq!(energy.joules, run.last().energy.balance);
+    let limited = order().max_energy_error(energy.relative).run().unwrap();
+    assert!(limited.outcome.reached_end(), "{}", limited.outcome);
+}

@@ -2,7 +2,7 @@
 
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
-use ezy_core::simulate::{Cost, SetupError, StopReason};
+use ezy_core::simulate::{Cost, Monitors, SetupError, StopReason};
 use nalgebra::{DMatrix, DVector};
 
 /// Landings are located to 1e-12 s, and each bounce goes on from the last one; methods keep to 1e-12.
@@ -449,4 +449,17 @@ fn invariant_steps_cut_at_impacts_count_as_rejected() {
     assert!(!limited.outcome.reached_end());
     let Cost { steps, rejected, .. } = limited.cost;
     assert!(steps + rejected >= limit && steps < limit && rejected > 0, "{steps} and {rejected} for {limit}");
+}
+
+#[test]
+fn invariant_row_of_a_stop_that_holds_is_watched() {
+    // without it there is no row
+    let run = Simulation::new(&puck::Slides { e: 0.0 }).method(Method::dop853(1e-12)).run().unwrap();
+    let Monitors { position_residual, velocity_residual, position_drift, velocity_drift, pivot, .. } = run.monitors;
+    for peak in [position_residual, velocity_residual, position_drift, velocity_drift] {
+        assert_eq!(peak.unwrap().row, "walls");
+    }
+    assert!(pivot.unwrap().t > 1.0);
+    let bounces = Simulation::new(&puck::Slides::default()).method(Method::dop853(1e-12)).run().unwrap();
+    assert!(bounces.monitors.position_residual.is_none() && bounces.monitors.pivot.is_none());
 }

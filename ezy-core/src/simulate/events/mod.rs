@@ -85,18 +85,24 @@ impl Lookout {
         self.n_told == 0
     }
 
-    /// Looks at the step that `motion` has made, both ends evaluated, and keeps what took place; returns what ends the
-    /// run.
+    /// Looks at the step that `motion` has made, both ends evaluated; returns what ends the run.
     pub fn look<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<Option<Passage>, MotionError> {
         self.find(motion)?;
         let end = self.passages.iter().position(|passage| passage.event.kind == EventKind::End);
-        for k in 0..end.map_or(self.passages.len(), |end| end + 1) {
-            let Passage { t, event } = self.passages[k];
+        if let Some(end) = end {
+            self.passages.truncate(end + 1);
+        }
+        Ok(end.map(|end| self.passages[end]))
+    }
+
+    /// Keeps what took place in the step that was looked at last.
+    pub fn keep<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
+        for Passage { t, event } in self.passages.drain(..) {
             motion.inside(t, &mut self.place)?;
             motion.project(&mut self.place)?;
             self.occurred.push(Occurrence { event, state: self.place.clone() });
         }
-        Ok(end.map(|end| self.passages[end]))
+        Ok(())
     }
 
     /// Time of the first passage of a step that is looked at by itself, s: from above zero, unless it `begins` there.

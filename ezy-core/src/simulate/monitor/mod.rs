@@ -14,7 +14,8 @@ pub(super) use watch::Watch;
 /// What a run watched, over all of its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Monitors {
-    /// Largest residual of a position row in the states that the run went through, m or rad; none without such rows.
+    /// Largest residual of a position row in the states that the run went through, m or rad; none without such rows. A stop
+    /// that holds is one.
     pub position_residual: Option<Peak>,
     /// Largest residual of a row at velocity level in these states, m/s or rad/s; none without rows. Looked at where the
     /// run starts and ends and after every sixteenth step; after every step when `max_drift` was ordered.

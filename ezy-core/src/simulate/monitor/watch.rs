@@ -16,11 +16,11 @@ pub(in crate::simulate) struct Watch {
     limits: Limits,
     projection: Projection,
     n_steps: u64,
-    position_residual: Peak,
-    velocity_residual: Peak,
-    position_drift: Peak,
-    velocity_drift: Peak,
-    pivot: LeastPivot,
+    position_residual: Option<Peak>,
+    velocity_residual: Option<Peak>,
+    position_drift: Option<Peak>,
+    velocity_drift: Option<Peak>,
+    pivot: Option<LeastPivot>,
     energy: Option<EnergyWatch>,
     condition: Option<Box<ConditionWatch>>,
     shortest_s: f64,
@@ -40,19 +40,19 @@ impl Watch {
         let info = system.info();
         let State { t, q, v, .. } = start;
         system.take_least_pivot();
-        let peak =
-            |worst: Worst| Peak { value: worst.value, t: *t, row: info.rows.get(worst.row).map_or("", |row| row.name) };
+        let peak = |worst: Worst| Peak { value: worst.value, t: *t, row: info.rows[worst.row].name };
+        let (of_positions, of_rows) = (info.n_position_rows > 0, info.n_rows() > 0);
         let measured = work || info.n_effects() == 0;
         Self {
             info,
             limits,
             projection,
             n_steps: 0,
-            position_residual: peak(system.worst_position(*t, q)),
-            velocity_residual: peak(system.worst_velocity(*t, q, v)),
-            position_drift: peak(Worst::default()),
-            velocity_drift: peak(Worst::default()),
-            pivot: LeastPivot { value: system.pivot_at(*t, q), t: *t },
+            position_residual: of_positions.then(|| peak(system.worst_position(*t, q))),
+            velocity_residual: of_rows.then(|| peak(system.worst_velocity(*t, q, v))),
+            position_drift: (of_positions && projection.positions()).then(|| peak(Worst::default())),
+            velocity_drift: (of_rows && projection.velocities()).then(|| peak(Worst::default())),
+            pivot: of_rows.then(|| LeastPivot { value: system.pivot_at(*t, q), t: *t }),
             condition: ConditionWatch::new(system, start),
             energy: measured.then(|| EnergyWatch::new(system, start)),
             shortest_s: f64::INFINITY,
@@ -90,8 +90,8 @@ impl Watch {
             energy.keep(now);
         }
         let pivot = system.take_least_pivot();
-        if pivot < self.pivot.value {
-            self.pivot = LeastPivot { value: pivot, t: state.t };
+        if system.info().n_rows() > 0 && self.pivot.is_none_or(|least| pivot < least.value) {
+            self.pivot = Some(LeastPivot { value: pivot, t: state.t });
         }
         self.n_steps += 1;
         // the rows of the start
@@ -133,11 +133,14 @@ impl Watch {
         state: &State,
         last: bool,
     ) -> Result<(), ExceededLimit> {
+        if system.info().n_rows() == 0 {
+            return Ok(());
+        }
         if self.projection.velocities() {
             raise(&mut self.velocity_drift, system.projected().velocities_before, state.t, system.info());
         }
         let looks = last || self.limits.drift.is_finite() || self.n_steps.is_multiple_of(N_BETWEEN_LOOKS);
-        if !looks || system.info().n_rows() == 0 {
+        if !looks {
             return Ok(());
         }
         let worst = system.worst_velocity(state.t, &state.q, &state.v);
@@ -156,14 +159,12 @@ impl Watch {
 
     /// What was watched.
     pub fn monitors(&self) -> Monitors {
-        let of_positions = self.info.n_position_rows > 0;
-        let of_rows = self.info.n_rows() > 0;
         Monitors {
-            position_residual: of_positions.then_some(self.position_residual),
-            velocity_residual: of_rows.then_some(self.velocity_residual),
-            position_drift: (of_positions && self.projection.positions()).then_some(self.position_drift),
-            velocity_drift: (of_rows && self.projection.velocities()).then_some(self.velocity_drift),
-            pivot: of_rows.then_some(self.pivot),
+            position_residual: self.position_residual,
+            velocity_residual: self.velocity_residual,
+            position_drift: self.position_drift,
+            velocity_drift: self.velocity_drift,
+            pivot: self.pivot,
             energy: self.energy.as_ref().map(|energy| energy.largest),
             condition: self.condition.as_ref().map(|condition| condition.peak),
             steps_s: (self.n_steps > 0).then_some([self.shortest_s, self.longest_s]),
@@ -177,8 +178,8 @@ fn keeps(value: f64, limit: f64) -> bool {
 }
 
 /// A NaN stays.
-fn raise(peak: &mut Peak, worst: Worst, t: f64, info: &'static SceneInfo) {
-    if worst.value > peak.value || worst.value.is_nan() {
-        *peak = Peak { value: worst.value, t, row: info.rows[worst.row].name };
+fn raise(peak: &mut Option<Peak>, worst: Worst, t: f64, info: &'static SceneInfo) {
+    if worst.value.is_nan() || peak.is_none_or(|peak| worst.value > peak.value) {
+        *peak = Some(Peak { value: worst.value, t, row: info.rows[worst.row].name });
     }
 }

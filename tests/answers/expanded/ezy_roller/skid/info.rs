@@ -404,6 +404,7 @@ impl Skid {
         outputs: &[],
         events: &[],
         grip: ::core::option::Option::Some(::ezy_core::model::GripInfo {
+            name: "rear_on_ice",
             row: 3usize,
             limit: ::ezy_core::model::Formula {
                 text: "hold",

@@ -42,15 +42,15 @@ pub fn implementation(type_name: &Ident, equations: &Equations, series: &Series,
             ) -> ::ezy_core::model::Pivots {
                 #begin
             }
-            #[inline]
+            #[inline(always)]
             fn right_side(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
                 #right_side
             }
-            #[inline]
+            #[inline(always)]
             fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
                 #solve
             }
-            #[inline]
+            #[inline(always)]
             fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
                 #finish
             }

@@ -1478,7 +1478,7 @@ pub mod modes_of_skid {
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_113, c[23usize]))
         }
-        #[inline]
+        #[inline(always)]
         fn right_side(
             &self,
             c: &[T],
@@ -1543,7 +1543,7 @@ pub mod modes_of_skid {
             target[1usize] = value_49;
             target[2usize] = product_45;
         }
-        #[inline]
+        #[inline(always)]
         fn solve(
             &self,
             c: &[T],
@@ -1631,7 +1631,7 @@ pub mod modes_of_skid {
             target[1usize] = lambda_B_y;
             target[2usize] = lambda_front;
         }
-        #[inline]
+        #[inline(always)]
         fn finish(
             &self,
             c: &[T],
@@ -3155,7 +3155,7 @@ pub mod modes_of_skid {
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_113, c[23usize]))
         }
-        #[inline]
+        #[inline(always)]
         fn right_side(
             &self,
             c: &[T],
@@ -3220,7 +3220,7 @@ pub mod modes_of_skid {
             target[1usize] = value_49;
             target[2usize] = product_45;
         }
-        #[inline]
+        #[inline(always)]
         fn solve(
             &self,
             c: &[T],
@@ -3308,7 +3308,7 @@ pub mod modes_of_skid {
             target[1usize] = lambda_B_y;
             target[2usize] = lambda_front;
         }
-        #[inline]
+        #[inline(always)]
         fn finish(
             &self,
             c: &[T],

@@ -200,7 +200,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
             .see(&[2usize], T::least_ratio(c[26usize], c[27usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_145, c[28usize]))
     }
-    #[inline]
+    #[inline(always)]
     fn right_side(
         &self,
         c: &[T],
@@ -394,7 +394,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[1usize] = value_151;
         target[2usize] = product_135;
     }
-    #[inline]
+    #[inline(always)]
     fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
         let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let base = ::ezy_core::kernel::array::<16usize, T>(&store.base);
@@ -477,7 +477,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[1usize] = lambda_B_y;
         target[2usize] = lambda_front;
     }
-    #[inline]
+    #[inline(always)]
     fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
         let c = ::ezy_core::kernel::array::<40usize, T>(c);
         let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);

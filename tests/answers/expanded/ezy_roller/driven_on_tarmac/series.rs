@@ -169,7 +169,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
             .see(&[3usize], T::least_ratio(c[27usize], c[28usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_143, c[29usize]))
     }
-    #[inline]
+    #[inline(always)]
     fn right_side(
         &self,
         c: &[T],
@@ -300,7 +300,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         target[2usize] = product_92;
         target[3usize] = product_96;
     }
-    #[inline]
+    #[inline(always)]
     fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
         let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
@@ -396,7 +396,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         target[2usize] = lambda_rear;
         target[3usize] = lambda_front;
     }
-    #[inline]
+    #[inline(always)]
     fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
         let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);

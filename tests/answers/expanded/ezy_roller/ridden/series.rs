@@ -123,7 +123,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
             .see(&[3usize], T::least_ratio(c[21usize], c[22usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_121, c[23usize]))
     }
-    #[inline]
+    #[inline(always)]
     fn right_side(
         &self,
         c: &[T],
@@ -186,7 +186,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
         target[2usize] = product_41;
         target[3usize] = product_45;
     }
-    #[inline]
+    #[inline(always)]
     fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
         let c = ::ezy_core::kernel::array::<34usize, T>(c);
         let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
@@ -282,7 +282,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Ridden {
         target[2usize] = lambda_rear;
         target[3usize] = lambda_front;
     }
-    #[inline]
+    #[inline(always)]
     fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
         let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
         let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);

@@ -138,7 +138,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
             .see(&[3usize], T::least_ratio(c[25usize], c[26usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_126, c[27usize]))
     }
-    #[inline]
+    #[inline(always)]
     fn right_side(
         &self,
         c: &[T],
@@ -206,7 +206,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         target[2usize] = product_44;
         target[3usize] = product_48;
     }
-    #[inline]
+    #[inline(always)]
     fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
         let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
@@ -306,7 +306,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         target[2usize] = lambda_front;
         target[3usize] = lambda_rear_on_ice;
     }
-    #[inline]
+    #[inline(always)]
     fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
         let c = ::ezy_core::kernel::array::<41usize, T>(c);
         let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);

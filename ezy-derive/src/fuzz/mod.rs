@@ -69,6 +69,17 @@ fn invariant_deepest_expressions_are_a_model() {
     }
 }
 
+/// Lifetimes that no Rust program has are tokens all the same.
+#[test]
+fn regress_keywords_as_lifetimes_are_an_error() {
+    for items in
+        ["param p: kg/'as^2 = 7;", "'as", "body b { 'fn: 1 }", "scene s { until 0.1 'as; }", "for i in 0..'in {}"]
+    {
+        let verdict = trial::verdict(&format!("pub model Random {{ {items} }}"), true);
+        assert_eq!(verdict, Ok(trial::Verdict::Refused), "{items}");
+    }
+}
+
 #[test]
 fn invariant_values_of_values_are_a_model_or_an_error() {
     let lets: String = (1..9).map(|i| format!("let a{i} = a{} + sin(a{});", i - 1, i - 1)).collect();

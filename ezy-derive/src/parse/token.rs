@@ -6,7 +6,7 @@ use syn::buffer::Cursor;
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::token::Token;
-use syn::{Lifetime, Lit, Result};
+use syn::{Lit, Result};
 
 /// The next token is none of what the grammar has here.
 pub fn expected(input: ParseStream, what: &str) -> syn::Error {
@@ -33,12 +33,14 @@ pub fn found(input: ParseStream) -> String {
     }
 }
 
-/// Skips one token tree; a lifetime counts as one. False at the end.
+/// Skips one token tree; a lifetime counts as one, also one that is a keyword, which `Lifetime` refuses. False at the end.
 pub fn skip(input: ParseStream) -> bool {
-    if input.peek(Lifetime) {
-        return input.parse::<Lifetime>().is_ok();
-    }
-    input.parse::<proc_macro2::TokenTree>().is_ok()
+    let skipped = input.step(|cursor| {
+        let lifetime = cursor.lifetime().map(|(_, rest)| rest);
+        let rest = lifetime.or_else(|| cursor.token_tree().map(|(_, rest)| rest));
+        rest.map(|rest| ((), rest)).ok_or_else(|| cursor.error("the end"))
+    });
+    skipped.is_ok()
 }
 
 /// A name of the user's choice.

@@ -103,12 +103,18 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.geometric_dependencies(t, q).map(|found| found.smallest_pivot)
     }
 
+    /// Rows that nearly depend on each other where only lengths count.
     fn geometric_dependencies(&mut self, t: f64, q: &[f64]) -> Option<Dependencies> {
+        self.dependencies_in(t, q, &self.geometry.weights())
+    }
+
+    /// Rows that nearly depend on each other in the metric of a positive diagonal, `n_q`.
+    pub(super) fn dependencies_in(&mut self, t: f64, q: &[f64], weight: &[f64]) -> Option<Dependencies> {
         if self.info.n_unknowns() > LARGEST_DIAGNOSED {
             return None;
         }
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        dependencies(&self.geometry.weights(), &self.info.jacobian, &self.buffers.jacobian, NEARLY_DEPENDENT)
+        dependencies(weight, &self.info.jacobian, &self.buffers.jacobian, NEARLY_DEPENDENT)
     }
 
     /// What to say when a motion cannot be continued from a state: where rows nearly depend on each other, that they do.
@@ -127,13 +133,6 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 cause: Box::new(cause),
             },
         }
-    }
-
-    /// Rows that nearly depend on each other in the metric of the masses.
-    pub(super) fn near_dependencies(&mut self, t: f64, q: &[f64]) -> Option<Dependencies> {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let found = dependencies(&weights(&self.mass), &self.info.jacobian, &self.buffers.jacobian, NEARLY_DEPENDENT)?;
-        (found.n > 0).then_some(found)
     }
 
     /// The rows that depend on each other at a state. Slow, for reports.

@@ -3,7 +3,7 @@
 use super::deficient::{Rank, second_opinion};
 use super::system::Buffers;
 use super::{MotionError, System};
-use crate::linalg::{DampedKkt, KktFactorization, LARGEST_DIAGNOSED};
+use crate::linalg::{DampedKkt, KktFactorization, LARGEST_DIAGNOSED, weights};
 use crate::model::Scene;
 
 /// Share of the terms of an equation that dependent rows that agree leave of it at most. Of what damping has passed over, levers far
@@ -45,7 +45,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 self.write_right_side(t, q, v);
                 second_opinion(&mut self.second_opinion, self.info).solve(&mut self.buffers.right_side);
                 let decided = self.share_left(t, q, v);
-                if decided < left {
+                if decided < left || left.is_nan() {
                     self.read_solution(a, lambda);
                     self.rank = Rank::default();
                     left = decided;
@@ -59,7 +59,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
             return Err(MotionError::NotFinite { t, quantity: "an acceleration or a multiplier" });
         }
         self.check_accelerations(t, q)?;
-        let found = if is_small { self.near_dependencies(t, q) } else { None };
+        let found = self.dependencies_in(t, q, &weights(&self.mass)).filter(|found| found.n > 0);
         Err(MotionError::LostInRounding {
             t,
             rows: found.iter().flat_map(|found| &found.rows).map(|&i| self.info.rows[i].name).collect(),

@@ -1,6 +1,7 @@
 //! DOP853 with its step control.
 
 use super::reach::{Reach, is_too_short, reach};
+use super::usual;
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
@@ -43,18 +44,11 @@ pub(super) struct Adaptive<T = f64> {
 /// So many tries of one step fail before errors across the rows are told from the others: away from rank loss it is one.
 const PATIENCE: u32 = 2;
 
-/// Part of the usual length that is tried before shorter ones next to rank loss: a mechanism that passes a singular position in
-/// one such step is farther from it, and from the noise there, than one that creeps up to it.
-const SHORTEST_HELD: f64 = 1.0 / 16.0;
-
 /// A step counts as the shortest when it is longer by what the clock and the end of the run make of it.
 const ABOUT: f64 = 1.01;
 
 /// Part of the usual length below which a step next to rank loss leads nowhere but into noise.
 const CREEPING: f64 = 1e-4;
-
-/// Part of a step by which the usual length comes nearer to it where it is shorter.
-const FADING: f64 = 0.1;
 
 impl<T: Scalar> Adaptive<T> {
     pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance, projects: bool) -> Self {
@@ -147,7 +141,7 @@ impl<T: Scalar> Adaptive<T> {
         };
         // the length before a kink: behind it the law is as smooth as before
         let (mut whole, mut n_kinks) = (None, 0);
-        let shortest = SHORTEST_HELD * self.usual_s;
+        let shortest = usual::SHORTEST * self.usual_s;
         if length < shortest {
             self.is_held_by_rows = self.projects && system.is_near_rank_loss(t, &from.state.q);
             if self.is_held_by_rows {
@@ -186,7 +180,7 @@ impl<T: Scalar> Adaptive<T> {
                         self.step_s = Some(whole.filter(|whole| h > SPLINTER * whole).unwrap_or(h * factor));
                         self.last_s = Some(h);
                         if !self.is_held_by_rows {
-                            self.usual_s = h.max(self.usual_s - FADING * h);
+                            self.usual_s = usual::follow(self.usual_s, h, h);
                         }
                         return Ok(());
                     } else {

@@ -2,6 +2,7 @@
 
 use super::instantaneous::Instantaneous;
 use super::singular::Approach;
+use super::usual;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
@@ -38,10 +39,7 @@ const MIDDLE: f64 = 0.46;
 /// A leap of the controlled length begins within this of where it should.
 const ABOUT: f64 = 1.1;
 
-/// Part of the usual length below which steps do not shrink: noise would only grow.
-const SHORTEST: f64 = 1.0 / 16.0;
-
-/// Error that is taken for noise then, relative like a tolerance.
+/// Error of the shortest steps that is taken for noise, relative like a tolerance.
 const NOISE: f64 = 1e-10;
 
 /// Tries of one step.
@@ -112,7 +110,7 @@ impl Crossing {
         if !self.chooses_steps {
             self.length_s = distance / MIDDLE;
         }
-        let shortest = SHORTEST * usual_s;
+        let shortest = usual::SHORTEST * usual_s;
         let noise = NOISE / self.tolerance.relative;
         for _ in 0..MAX_TRIES {
             let length = self.length_s;

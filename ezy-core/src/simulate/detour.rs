@@ -2,6 +2,7 @@
 
 use super::adaptive::Adaptive;
 use super::reach::{Reach, is_too_short, reach};
+use super::usual;
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Knot, Taylor, Tolerance};
 use crate::model::Scene;
@@ -19,9 +20,6 @@ pub(super) struct TaylorWithDetour<'s> {
 
 /// Steps that shorten to this part of the usual raise the question of rank.
 const SHORT: f64 = 0.2;
-
-/// Part of a step by which the usual length comes nearer to it where it is shorter.
-const FADING: f64 = 0.1;
 
 impl<'s> TaylorWithDetour<'s> {
     pub fn new(taylor: Taylor<'s>, tolerance: Tolerance, detour: Adaptive) -> Self {
@@ -66,7 +64,7 @@ impl<'s> TaylorWithDetour<'s> {
     ) -> Result<(), MotionError> {
         let (t, length) = (from.state.t, self.taylor.longest_step(self.tolerance));
         let is_short = length < SHORT * self.usual_s;
-        self.usual_s = length.min(end - t).max(self.usual_s - FADING * length);
+        self.usual_s = usual::follow(self.usual_s, length, length.min(end - t));
         let was_on_detour = std::mem::replace(
             &mut self.is_on_detour,
             is_short && length < end - t && system.is_near_rank_loss(t, &from.state.q),

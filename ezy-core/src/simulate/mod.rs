@@ -27,6 +27,7 @@ mod sensitivity;
 mod simulation;
 mod singular;
 mod stepper;
+mod usual;
 
 pub use ensemble::Ensemble;
 pub use error::SetupError;

@@ -6,6 +6,7 @@ use super::events::Kinks;
 use super::instantaneous::Instantaneous;
 use super::integrator::Integrator;
 use super::singular::Approach;
+use super::usual;
 use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
@@ -15,9 +16,6 @@ const SHORTENED: f64 = 0.9;
 
 /// A step whose end has a smaller part of the pivot at its start ends next to a singular position.
 const TOO_NEAR: f64 = 0.03;
-
-/// Part of a step by which the usual length comes nearer to it where it is shorter.
-const FADING: f64 = 0.1;
 
 /// More than one are needed only where rank is lost for good.
 const MAX_SHORTENED: usize = 3;
@@ -106,7 +104,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         };
         if outcome.is_ok() {
             let length = self.next.state.t - self.now.state.t;
-            self.usual_s = length.max(self.usual_s - FADING * length);
+            self.usual_s = usual::follow(self.usual_s, length, length);
         }
         let State { t, q, .. } = &self.now.state;
         outcome.map_err(|error| self.system.locked_up(*t, q, error))

@@ -122,7 +122,10 @@ impl Lookout {
         let (mut last, mut beyond) = (motion.now.state.t, undefined);
         while beyond - last > resolution_at(beyond) {
             let t = 0.5 * (last + beyond);
-            *(if self.value(motion, 0, t).is_ok() { &mut last } else { &mut beyond }) = t;
+            match self.value(motion, 0, t) {
+                Ok(_) => last = t,
+                Err(_) => beyond = t,
+            }
         }
         last
     }

@@ -1,10 +1,114 @@
 //! Accelerations and multipliers; corrections with the same matrix.
 
-use super::deficient::{Rank, Threshold};
+use super::configuration::{Configuration, Rows, Solved};
 use super::system::Solver;
 use super::{Metric, MotionError, System};
-use crate::linalg::{ConditionEstimator, Conditioning};
+use crate::linalg::{
+    ConditionEstimator, Conditioning, EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, weights,
+    write_diagonal,
+};
 use crate::model::{Pivots, Scene, Series, SeriesStore};
+
+/// Share of the terms of an equation that accelerations may leave of it. Rows that agree within this share count as redundant.
+const VERIFIED: f64 = 1e-12;
+
+impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
+    /// Accelerations and multipliers at velocities `v` (`n_q`), as [`System::accelerations`] but not verified.
+    ///
+    /// # Errors
+    /// [`MotionError`] when a number is not finite or nothing moves a coordinate; `a` and `lambda` are then unspecified.
+    #[inline]
+    pub fn accelerations(&mut self, v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Result<Solved, MotionError> {
+        if self.may_eliminate()
+            && let Some(smallest) = self.system.eliminate_accelerations(self.t, self.q, v, a, lambda)
+        {
+            return Ok(Solved::regular(smallest));
+        }
+        self.solve_accelerations(v, a, lambda)
+    }
+
+    /// The same by factors of K.
+    fn solve_accelerations(&mut self, v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Result<Solved, MotionError> {
+        self.system.counters.evaluations += 1;
+        self.factor()?;
+        self.write_right_side(v);
+        let solved = self.solve_in_buffer();
+        self.read_solution(a, lambda);
+        Ok(solved)
+    }
+
+    /// The smallest `delta` (`n_q`) in the mass matrix with `G delta = −residual` (`n_c`).
+    ///
+    /// # Errors
+    /// As [`Self::accelerations`].
+    pub fn correction(&mut self, residual: &[f64], delta: &mut [f64]) -> Result<Solved, MotionError> {
+        if self.may_eliminate()
+            && let Some(smallest) = self.system.eliminate_correction(self.t, self.q, residual, delta)
+        {
+            return Ok(Solved::regular(smallest));
+        }
+        self.solve_correction(residual, delta)
+    }
+
+    /// The same by factors of K.
+    pub(super) fn solve_correction(&mut self, residual: &[f64], delta: &mut [f64]) -> Result<Solved, MotionError> {
+        self.factor()?;
+        let right_side = &mut self.system.factors.right_side;
+        right_side[..delta.len()].fill(0.0);
+        right_side[delta.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
+        let solved = self.solve_in_buffer();
+        delta.copy_from_slice(&self.system.factors.right_side[..delta.len()]);
+        Ok(solved)
+    }
+
+    /// `[F; −[h; s]]` into the buffer.
+    fn write_right_side(&mut self, v: &[f64]) {
+        let System { scene, fixed, factors, .. } = &mut *self.system;
+        let (F, gamma) = factors.right_side.split_at_mut(v.len());
+        scene.applied_force(fixed, self.t, self.q, v, F);
+        scene.convective_term(fixed, self.t, self.q, v, gamma);
+        gamma.iter_mut().for_each(|h| *h = -*h);
+    }
+
+    fn read_solution(&self, a: &mut [f64], lambda: &mut [f64]) {
+        let (solved_a, solved_lambda) = self.system.factors.right_side.split_at(a.len());
+        a.copy_from_slice(solved_a);
+        lambda.copy_from_slice(solved_lambda);
+    }
+
+    /// Puts accelerations that were not eliminated, and that stand in the buffer, into the equations.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFinite`], [`MotionError::ContradictoryRows`], [`MotionError::LostInRounding`].
+    fn verify(&mut self, v: &[f64], solved: Solved) -> Result<(), MotionError> {
+        let (t, q, info) = (self.t, self.q, self.system.info);
+        let solution = self.system.factors.right_side.clone();
+        self.write_right_side(v);
+        let System { mass, factors, .. } = &*self.system;
+        let weight = weights(mass);
+        let mut diagonal = vec![0.0; info.n_rows()];
+        write_diagonal(info.jacobian.entries(), &weight, &factors.jacobian, &mut diagonal);
+        let mut equations = EquationResidual::new(info.n_coordinates(), info.n_rows(), &info.jacobian);
+        equations.write(mass, &factors.jacobian, &factors.right_side, &solution);
+        let left = equations.share_of_what_matters(&weight, &diagonal);
+        if left <= VERIFIED {
+            return Ok(());
+        }
+        if left.is_nan() {
+            return Err(MotionError::NotFinite { t, quantity: "an acceleration or a multiplier" });
+        }
+        self.system.check_accelerations(t, q, solved)?;
+        let smallest_pivot = self.system.independence(t, q);
+        let rank = self.system.rank_at(t, q, Independent::Above(INDEPENDENT_EXACTLY));
+        let found = rank.map(|rank| rank.dependencies()).filter(|found| found.n > 0);
+        Err(MotionError::LostInRounding {
+            t,
+            smallest_pivot: found.as_ref().and(smallest_pivot),
+            rows: found.iter().flat_map(|found| &found.rows).map(|&i| info.rows[i].name).collect(),
+            residual: left,
+        })
+    }
+}
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Accelerations and multipliers at one state: solves `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`.
@@ -16,16 +120,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// | `lambda` (written) | `n_c` | N, N·m |
     ///
     /// # Errors
-    /// [`MotionError`] when a number is not finite, nothing moves a coordinate, rows contradict each other or the numbers of
-    /// the scene are too far apart for what they decide to be told from rounding; `a` and `lambda` are then unspecified.
-    /// Rows that depend on each other and agree are no error: `a` is unique, `lambda` the smallest that belongs to it (each
-    /// in units of the root of its entry of `G M⁻¹ Gᵀ`), and [`System::lost_rank`] tells. Where rank is in doubt, what is
-    /// returned leaves at most 1e-12 of the terms of each equation.
+    /// [`MotionError`] when a number is not finite, nothing moves a coordinate, rows contradict each other or the matrix is too
+    /// ill-conditioned for a correct digit; `a` and `lambda` are then unspecified.
+    /// Redundant rows that agree are no error: `a` is unique, `lambda` the smallest that belongs to it (each in units of its
+    /// row, scaled to one). What does not come from the elimination leaves at most 1e-12 of the terms of each equation.
     /// # Cost
-    /// One factorisation and one solve. Where a pivot of the generated elimination vanishes, a pivoted factorisation
-    /// besides, which decides, and where rows depend on each other one more; where these nearly do, one with complete
-    /// pivoting. What does not come from the elimination is put into the equations once. No allocation but for the first of
-    /// those.
+    /// One factorisation and one solve; where a pivot of the generated elimination vanishes, a pivoted factorisation besides.
+    /// What does not come from the elimination is put into the equations once, which allocates.
     pub fn accelerations(
         &mut self,
         t: f64,
@@ -33,20 +134,38 @@ impl<S: Scene + ?Sized> System<'_, S> {
         v: &[f64],
         a: &mut [f64],
         lambda: &mut [f64],
-    ) -> Result<(), MotionError> {
-        if self.eliminate_accelerations(t, q, v, a, lambda) {
-            return Ok(());
+    ) -> Result<Solved, MotionError> {
+        let mut at = self.at(t, q);
+        let solved = at.accelerations(v, a, lambda)?;
+        let n = at.system.info.n_unknowns();
+        // what the elimination gives is taken as it is, and large systems of full rank
+        if !at.may_eliminate() && (n <= LARGEST_DIAGNOSED || solved.is_rank_deficient) {
+            at.verify(v, solved)?;
         }
-        self.factor_accelerations(t, q, v, a, lambda)?;
-        self.settle_accelerations(t, q, v, a, lambda)
+        Ok(solved)
     }
 
-    /// As [`System::accelerations`] within a run: where rows nearly depend on each other, what they differ by is rounding of
-    /// a state that was projected onto them, and is left. [`System::check_accelerations`] tells when it is more than that.
+    /// As [`System::accelerations`] within a run, not verified: where rows nearly depend on each other, what they differ by is
+    /// rounding of a state that was projected onto them. [`System::check_accelerations`] tells when it is more than that.
     ///
     /// # Errors
     /// As [`System::accelerations`], but for rows that contradict each other.
-    pub(crate) fn accelerations_in_passing(
+    #[inline]
+    pub(crate) fn accelerations_unchecked(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+        rows: Rows,
+    ) -> Result<Solved, MotionError> {
+        self.at_with(t, q, rows).accelerations(v, a, lambda)
+    }
+
+    /// [`System::accelerations_unchecked`] of a stage of a step.
+    #[inline]
+    pub(super) fn accelerations_of_stage(
         &mut self,
         t: f64,
         q: &[f64],
@@ -54,47 +173,43 @@ impl<S: Scene + ?Sized> System<'_, S> {
         a: &mut [f64],
         lambda: &mut [f64],
     ) -> Result<(), MotionError> {
-        match self.eliminate_accelerations(t, q, v, a, lambda) {
-            true => Ok(()),
-            false => self.factor_accelerations(t, q, v, a, lambda),
+        if self.uses_elimination()
+            && self.factors.holds_no_rows()
+            && self.eliminate_accelerations(t, q, v, a, lambda).is_some()
+        {
+            return Ok(());
         }
+        self.at_with(t, q, Rows::Held).solve_accelerations(v, a, lambda).map(|_| ())
     }
 
-    /// By the elimination of the scene; false where there is none or a pivot vanishes.
-    fn eliminate_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> bool {
-        self.counters.evaluations += 1;
-        self.counters.factorizations += 1;
-        self.uses_elimination() && self.kept(self.scene.accelerations(&self.fixed, t, q, v, a, lambda))
-    }
-
-    fn factor_accelerations(
+    /// By the elimination of the scene: its smallest pivot; none where one vanished.
+    #[inline]
+    fn eliminate_accelerations(
         &mut self,
         t: f64,
         q: &[f64],
         v: &[f64],
         a: &mut [f64],
         lambda: &mut [f64],
-    ) -> Result<(), MotionError> {
-        self.factor(t, q, Threshold::Motion)?;
-        self.write_right_side(t, q, v);
-        self.solve_in_buffer();
-        self.read_solution(a, lambda);
-        Ok(())
+    ) -> Option<f64> {
+        let pivots = self.scene.accelerations(&self.fixed, t, q, v, a, lambda);
+        self.counters.evaluations += 1;
+        self.eliminated(pivots)
     }
 
-    pub(super) fn read_solution(&self, a: &mut [f64], lambda: &mut [f64]) {
-        let (solved_a, solved_lambda) = self.buffers.right_side.split_at(a.len());
-        a.copy_from_slice(solved_a);
-        lambda.copy_from_slice(solved_lambda);
+    #[inline]
+    fn eliminate_correction(&mut self, t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> Option<f64> {
+        let pivots = self.scene.correction(&self.fixed, t, q, residual, delta);
+        self.eliminated(pivots)
     }
 
-    /// `[F; −[h; s]]` into the buffer.
-    pub(super) fn write_right_side(&mut self, t: f64, q: &[f64], v: &[f64]) {
-        let (scene, c) = (self.scene, &self.fixed);
-        let (F, gamma) = self.buffers.right_side.split_at_mut(q.len());
-        scene.applied_force(c, t, q, v, F);
-        scene.convective_term(c, t, q, v, gamma);
-        gamma.iter_mut().for_each(|h| *h = -*h);
+    /// Takes note of an elimination.
+    #[inline]
+    pub(super) fn eliminated(&mut self, pivots: Pivots) -> Option<f64> {
+        self.counters.factorizations += 1;
+        let smallest = pivots.smallest();
+        self.least_pivot = self.least_pivot.min(smallest);
+        pivots.all_keep().then_some(smallest)
     }
 
     /// The smallest `delta` (`n_q`) with `G(q, t) delta = −residual` (`n_c`), smallest in the mass matrix or, with
@@ -111,64 +226,34 @@ impl<S: Scene + ?Sized> System<'_, S> {
         residual: &[f64],
         metric: Metric,
         delta: &mut [f64],
-    ) -> Result<(), MotionError> {
-        self.correction_from(t, q, residual, metric, Threshold::Motion, delta)
+    ) -> Result<Solved, MotionError> {
+        match metric {
+            Metric::Mass => self.at_with(t, q, Rows::Projected).correction(residual, delta),
+            Metric::Euclidean => self.euclidean_correction(t, q, residual, delta),
+        }
     }
 
-    pub(super) fn correction_from(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        residual: &[f64],
-        metric: Metric,
-        threshold: Threshold,
-        delta: &mut [f64],
-    ) -> Result<(), MotionError> {
-        self.counters.factorizations += 1;
-        if metric == Metric::Euclidean {
-            return self.euclidean_correction(t, q, residual, threshold, delta);
-        }
-        if self.uses_elimination() && self.kept(self.scene.correction(&self.fixed, t, q, residual, delta)) {
-            return Ok(());
-        }
-        self.factor(t, q, threshold)?;
-        let right_side = &mut self.buffers.right_side;
-        right_side[..q.len()].fill(0.0);
-        right_side[q.len()..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-        self.solve_in_buffer();
-        delta.copy_from_slice(&self.buffers.right_side[..q.len()]);
-        Ok(())
-    }
-
-    /// Begins a series from orders 0 and 1 of q in `store` ([`Series::begin`]); true when the scene's own elimination can
-    /// solve for it. Otherwise K is factored, for [`System::solve_factored`].
+    /// Begins a series from orders 0 and 1 of q in `store` ([`Series::begin`]). Where the scene's own elimination can solve for
+    /// it, tells so; else K is factored, for [`System::solve_factored`].
     ///
     /// # Errors
     /// As [`System::accelerations`].
+    #[inline]
     pub fn begin_series(
         &mut self,
         series: &dyn Series<f64>,
         t: f64,
         store: &mut SeriesStore<f64>,
-    ) -> Result<bool, MotionError> {
+    ) -> Result<Option<Solved>, MotionError> {
         self.counters.evaluations += 1;
-        self.counters.factorizations += 1;
-        let pivots = series.begin(&self.fixed, t, store);
-        if self.uses_elimination() && self.kept(pivots) {
-            return Ok(true);
+        let (pivots, n_q) = (series.begin(&self.fixed, t, store), self.info.n_coordinates());
+        let mut at = self.at_with(t, &store.q[..n_q], Rows::Projected);
+        if at.may_eliminate()
+            && let Some(smallest) = at.system.eliminated(pivots)
+        {
+            return Ok(Some(Solved::regular(smallest)));
         }
-        self.factorize(t, &store.q[..self.info.n_coordinates()]).map(|()| false)
-    }
-
-    /// Whether the elimination found what it was to find.
-    #[inline]
-    fn kept(&mut self, pivots: Pivots) -> bool {
-        self.see_pivot(pivots.smallest());
-        if !pivots.all_keep() {
-            return false;
-        }
-        self.rank = Rank::default();
-        true
+        at.factor().map(|()| None)
     }
 
     /// Factors K at one state, for [`System::solve_factored`].
@@ -176,7 +261,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Errors
     /// As [`System::accelerations`].
     pub fn factorize(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
-        self.factor(t, q, Threshold::Motion)
+        self.at_with(t, q, Rows::Projected).factor()
     }
 
     /// Whether the scene's own elimination solves, as long as no pivot vanishes.
@@ -184,41 +269,49 @@ impl<S: Scene + ?Sized> System<'_, S> {
         matches!(self.solver, Solver::Generated)
     }
 
-    /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors of [`System::factorize`].
-    pub fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) {
-        let right_side = &mut self.buffers.right_side;
+    /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors that were made last, by [`System::factorize`] or
+    /// [`System::begin_series`].
+    pub fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Solved {
+        let right_side = &mut self.factors.right_side;
         right_side[..force.len()].copy_from_slice(force);
         right_side[force.len()..].copy_from_slice(row);
-        self.solve_in_buffer();
-        self.read_solution(a, lambda);
+        let mut at = self.at(f64::NAN, &[]);
+        let solved = at.solve_in_buffer();
+        at.read_solution(a, lambda);
+        solved
     }
 
-    /// Takes from `x` (`n_q`) its part across the rows, in the mass matrix: G x = 0 afterwards.
+    /// Projects `x` (`n_q`) onto the null space of G, in the mass matrix: G x = 0 afterwards.
     ///
     /// # Errors
     /// As [`System::accelerations`].
     /// # Cost
     /// One correction; no allocation.
-    pub fn make_tangential(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
+    pub fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
         self.buffers.residual.fill(0.0);
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        self.take_residual_from(t, q, x)
+        self.remove_residual_from(t, q, x)
     }
 
-    /// [`System::smallest_pivot`] at positions that no row has to hold.
-    ///
-    /// # Cost
-    /// One correction; no allocation.
+    /// Smallest pivot, as in [`Solved`], of the rows that a step goes on with, at positions that no row has to hold; zero where they
+    /// depend on each other.
     pub fn pivot_at(&mut self, t: f64, q: &[f64]) -> f64 {
-        let seen = self.least_pivot;
-        let mut residual = std::mem::take(&mut self.buffers.residual);
-        let mut delta = std::mem::take(&mut self.buffers.delta);
-        residual.fill(0.0);
-        let outcome = self.correction(t, q, &residual, Metric::Mass, &mut delta);
-        self.buffers.residual = residual;
-        self.buffers.delta = delta;
-        self.least_pivot = seen;
-        if outcome.is_ok() { self.smallest_pivot } else { 0.0 }
+        let least = self.least_pivot;
+        let at = self.at_with(t, q, Rows::Held);
+        let pivot = if at.may_eliminate() {
+            let System { scene, fixed, buffers, .. } = &mut *at.system;
+            buffers.residual.fill(0.0);
+            let pivots = scene.correction(fixed, t, q, &buffers.residual, &mut buffers.delta);
+            at.system.eliminated(pivots).unwrap_or(0.0)
+        } else {
+            self.pivot_of_rows(t, q).unwrap_or_else(|| self.at_with(t, q, Rows::Projected).factored_pivot())
+        };
+        self.least_pivot = least;
+        pivot
+    }
+
+    /// Storage for [`System::conditioning`].
+    pub fn condition_estimator(&self) -> ConditionEstimator {
+        ConditionEstimator::new(&self.geometry.units, &self.info.jacobian)
     }
 
     /// How well K can be solved with at a state, by an estimator for this scene.
@@ -237,24 +330,19 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Cost
     /// One correction; no allocation.
     pub fn refine_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         self.scene.convective_term(&self.fixed, t, q, v, &mut self.buffers.residual);
-        self.take_residual_from(t, q, a)
+        self.remove_residual_from(t, q, a)
     }
 
-    /// Corrects `x` so that `G x` plus what stands in the buffer of residuals is zero, with G in its buffer.
-    fn take_residual_from(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
-        let mut residual = std::mem::take(&mut self.buffers.residual);
-        let mut delta = std::mem::take(&mut self.buffers.delta);
-        for (k, row, column) in self.info.jacobian.entries() {
-            residual[row] += self.buffers.jacobian[k] * x[column];
+    /// Corrects `x` so that `G x` plus what stands in the buffer of residuals is zero.
+    fn remove_residual_from(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
+        let Self { scene, info, fixed, buffers, .. } = self;
+        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
+        for (k, row, column) in info.jacobian.entries() {
+            buffers.residual[row] += buffers.jacobian[k] * x[column];
         }
-        let outcome = self.correction(t, q, &residual, Metric::Mass, &mut delta);
-        if outcome.is_ok() {
-            x.iter_mut().zip(&delta).for_each(|(x, delta)| *x += delta);
-        }
-        self.buffers.residual = residual;
-        self.buffers.delta = delta;
-        outcome
+        self.correct(t, q, Metric::Mass, Rows::Projected)?;
+        x.iter_mut().zip(&self.buffers.delta).for_each(|(x, delta)| *x += delta);
+        Ok(())
     }
 }

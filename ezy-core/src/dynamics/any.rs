@@ -39,7 +39,7 @@ impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
         a: &mut [f64],
         lambda: &mut [f64],
     ) -> Result<(), MotionError> {
-        self.accelerations_in_passing(t, q, v, a, lambda)
+        self.accelerations_of_stage(t, q, v, a, lambda)
     }
 
     #[inline]
@@ -52,7 +52,7 @@ impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
     }
 
     fn take_what_rows_forbid(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
-        self.make_tangential(t, q, x).is_ok()
+        self.project_onto_null_space(t, q, x).is_ok()
     }
 }
 

@@ -18,7 +18,7 @@ pub(super) struct Geometry {
     /// Change of each row, `n_c`, when bodies move by that length and turn by a radian.
     pub sizes: Vec<f64>,
     /// Lever of each angle, m; 1 for lengths.
-    levers: Vec<f64>,
+    pub units: Vec<f64>,
 }
 
 impl Geometry {
@@ -51,7 +51,7 @@ impl Geometry {
             sizes[row] = sizes[row].max(if is_angle(column) { g } else { g * length });
         }
         sizes.iter_mut().filter(|size| **size == 0.0).for_each(|size| *size = 1.0);
-        Self { length, sizes, levers }
+        Self { length, sizes, units: levers }
     }
 
     /// Largest of coordinates, or of velocities, in units of the length and of radians.
@@ -94,14 +94,9 @@ impl Geometry {
         residual.iter().zip(&self.sizes).all(|(c, size)| c.abs() <= TOLERANCE * size.min(1.0))
     }
 
-    /// What stands for masses where only lengths count: one for lengths, the square of its lever for an angle.
-    pub fn weights(&self) -> Vec<f64> {
-        self.levers.iter().map(|lever| lever * lever).collect()
-    }
-
     /// The smallest entry of M as a share of the largest, inertias by the mass that their lever feels.
     pub fn lightness(&self, mass: &[f64]) -> f64 {
-        let felt = || mass.iter().zip(&self.levers).map(|(m, lever)| m / lever / lever);
+        let felt = || mass.iter().zip(&self.units).map(|(m, lever)| m / lever / lever);
         let heaviest = largest(felt());
         if heaviest > 0.0 { felt().fold(heaviest, f64::min) / heaviest } else { 0.0 }
     }

@@ -6,26 +6,27 @@
 
 mod acceleration;
 mod any;
-mod deficient;
+mod configuration;
 mod energy;
 mod error;
 mod free_correction;
 mod geometry;
 mod on_rows;
 mod projection;
+mod rank;
 mod residual;
 mod row;
-mod settled;
 mod start;
 mod strain;
 mod system;
 mod worst;
 
 pub use any::{Dynamics, SystemOf};
-pub use deficient::RankLoss;
+pub use configuration::{Configuration, Rows, Solved};
 pub use error::{MotionError, StartError, SystemError};
 pub use on_rows::OnRows;
 pub use projection::{Metric, Projection};
+pub use rank::RankLoss;
 pub use residual::Slopes;
 pub(crate) use row::SystemRow;
 pub use strain::{Strain, StrainSource};

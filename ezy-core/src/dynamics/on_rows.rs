@@ -1,5 +1,6 @@
 //! Accelerations of states near the rows: those of the projected states.
 
+use super::configuration::Rows;
 use super::{Dynamics, Metric, MotionError, Projection, State, System};
 use crate::model::Scene;
 
@@ -32,8 +33,8 @@ impl<S: Scene + ?Sized> Dynamics<f64> for OnRows<'_, '_, S> {
         let State { q: on_q, v: on_v, .. } = &mut *self.projected;
         on_q.copy_from_slice(q);
         on_v.copy_from_slice(v);
-        self.system.project(t, on_q, on_v, Projection::Both, Metric::Mass)?;
-        self.system.accelerations_in_passing(t, on_q, on_v, a, lambda)
+        self.system.project_with(t, on_q, on_v, Projection::Both, Metric::Mass, Rows::Held)?;
+        self.system.accelerations_unchecked(t, on_q, on_v, a, lambda, Rows::Held).map(|_| ())
     }
 
     /// At the state whose accelerations were computed last.
@@ -46,6 +47,6 @@ impl<S: Scene + ?Sized> Dynamics<f64> for OnRows<'_, '_, S> {
     }
 
     fn take_what_rows_forbid(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
-        self.system.make_tangential(t, q, x).is_ok()
+        self.system.project_onto_null_space(t, q, x).is_ok()
     }
 }

@@ -1,10 +1,10 @@
 //! Back onto the constraints: positions first, then velocities at the projected positions.
 
-use super::deficient::{Rank, Threshold};
+use super::configuration::{Rows, Solved};
 use super::system::Buffers;
-use super::{MotionError, System, Worst, max_abs};
-use crate::linalg::{DampedKkt, DenseKkt, KktFactorization, LARGEST_DENSE};
-use crate::model::{Scene, SceneInfo, SparsityPattern};
+use super::{MotionError, Projected, System, Worst, max_abs};
+use crate::linalg::{INDEPENDENT, Independent, LARGEST_DENSE, NullSpaceKkt};
+use crate::model::{Scene, SceneInfo};
 
 /// What is projected after each step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -81,24 +81,41 @@ impl<S: Scene + ?Sized> System<'_, S> {
         v: &mut [f64],
         projection: Projection,
         metric: Metric,
-    ) -> Result<(), MotionError> {
+    ) -> Result<Projected, MotionError> {
+        self.project_with(t, q, v, projection, metric, Rows::Projected)
+    }
+
+    /// As [`System::project`], with these rows at the projected positions.
+    #[inline]
+    pub(super) fn project_with(
+        &mut self,
+        t: f64,
+        q: &mut [f64],
+        v: &mut [f64],
+        projection: Projection,
+        metric: Metric,
+        rows: Rows,
+    ) -> Result<Projected, MotionError> {
+        let mut projected = Projected::default();
         if projection.positions() {
-            self.project_positions(t, q, metric)?;
+            [projected.positions_before, projected.positions_after] = self.move_onto_rows(t, q, metric)?.0;
         }
         if projection.velocities() {
-            self.project_velocities(t, q, v, metric)?;
-            let (removed, correction) = (self.projected.velocities_before.value, max_abs(&self.buffers.delta));
+            projected.velocities_before = self.worst_velocity(t, q, v);
+            let mut solved = self.move_velocities(t, q, v, metric, rows)?;
+            let (removed, correction) = (projected.velocities_before.value, max_abs(&self.buffers.delta));
             let near_rank_loss = correction > NEAR_RANK_LOSS * removed && correction > NOTICEABLE * max_abs(v);
             if near_rank_loss && projection.positions() {
                 v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v -= delta);
                 for _ in 0..PASSES_NEAR_RANK_LOSS {
-                    self.position_residual(t, q);
-                    self.correct_positions(t, q, metric)?;
+                    self.polish_positions_in(t, q, metric)?;
                 }
-                self.project_velocities(t, q, v, metric)?;
+                self.worst_velocity(t, q, v);
+                solved = self.move_velocities(t, q, v, metric, rows)?;
             }
+            projected.solved = Some(solved);
         }
-        Ok(())
+        Ok(projected)
     }
 
     /// Largest |C(q, t)| over the position rows; zero without any.
@@ -132,46 +149,43 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// [`MotionError::ProjectionStalled`] when that is not reached in 10 passes, and those of
     /// [`System::accelerations`].
     pub fn project_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<usize, MotionError> {
+        self.move_onto_rows(t, q, metric).map(|(_, passes)| passes)
+    }
+
+    /// [`System::project_positions`], with the worst row before and after.
+    #[inline]
+    fn move_onto_rows(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<([Worst; 2], usize), MotionError> {
         let n_h = self.info.n_position_rows;
-        let mut passes = 0;
+        let before = self.worst_position(t, q);
+        let (mut worst, mut passes, mut is_rank_deficient) = (before, 0, false);
         loop {
-            let worst = self.worst_position(t, q);
             let norm = worst.value;
-            if passes == 0 {
-                self.projected.positions_before = worst;
-            }
             let residual = &self.buffers.residual[..n_h];
             if self.geometry.is_met(residual)
                 || self.geometry.position_excess(residual, q) <= 1.0
                     && (passes == MAX_PASSES || passes >= PASSES_TO_ROUNDING && norm <= self.rounding(t, q))
             {
-                self.projected.positions_after = worst;
-                return Ok(passes);
+                return Ok(([before, worst], passes));
             }
             if !norm.is_finite() {
                 return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
             }
-            if passes == MAX_PASSES && self.rank.deficient {
-                if norm <= TOLERANCE_AT_RANK_LOSS {
-                    self.projected.positions_after = worst;
-                    return Ok(passes);
+            if passes == MAX_PASSES {
+                if is_rank_deficient && norm <= TOLERANCE_AT_RANK_LOSS {
+                    return Ok(([before, worst], passes));
                 }
                 let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
-                let (rows, level) = (self.rank_loss(t, q).rows, "the positions");
-                return Err(MotionError::ContradictoryRows { t, rows, level, residual: norm, tolerance });
-            }
-            if passes == MAX_PASSES {
-                let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
-                return Err(MotionError::ProjectionStalled {
-                    t,
-                    residual: norm,
-                    row: self.info.rows[worst.row].name,
-                    passes,
-                    tolerance,
+                return Err(if is_rank_deficient {
+                    let (rows, level) = (self.rank_loss(t, q).rows, "the positions");
+                    MotionError::ContradictoryRows { t, rows, level, residual: norm, tolerance }
+                } else {
+                    let row = self.info.rows[worst.row].name;
+                    MotionError::ProjectionStalled { t, residual: norm, row, passes, tolerance }
                 });
             }
-            self.correct_positions(t, q, metric)?;
+            is_rank_deficient = self.correct_positions(t, q, metric)?.is_rank_deficient;
             passes += 1;
+            worst = self.worst_position(t, q);
         }
     }
 
@@ -179,7 +193,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// angles, but on short levers.
     fn rounding(&mut self, t: f64, q: &[f64]) -> f64 {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let Buffers { jacobian, right_side: rows, .. } = &mut self.buffers;
+        let Buffers { jacobian, sums: rows, .. } = &mut self.buffers;
         rows.fill(0.0);
         for (k, row, column) in self.info.jacobian.entries() {
             rows[row] += (jacobian[k] * q[column]).abs();
@@ -189,47 +203,87 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// One pass beyond the tolerance, for positions that are projected.
     pub(crate) fn polish_positions(&mut self, t: f64, q: &mut [f64]) -> Result<(), MotionError> {
-        self.position_residual(t, q);
-        self.correct_positions(t, q, Metric::Mass)
+        self.polish_positions_in(t, q, Metric::Mass)
+    }
+
+    fn polish_positions_in(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<(), MotionError> {
+        self.worst_position(t, q);
+        self.correct_positions(t, q, metric).map(|_| ())
     }
 
     /// One pass, for the residual of the position rows in the buffer.
-    fn correct_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<(), MotionError> {
-        self.buffers.residual[self.info.n_position_rows..].fill(0.0);
-        self.correct(t, q, metric, Level::Position)?;
+    fn correct_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<Solved, MotionError> {
+        let n_h = self.info.n_position_rows;
+        self.buffers.residual[n_h..].fill(0.0);
+        let solved = match metric {
+            Metric::Mass => self.correct(t, q, metric, Rows::Held)?,
+            Metric::Euclidean => self.correct_first(t, q, n_h)?,
+        };
         q.iter_mut().zip(&self.buffers.delta).for_each(|(q, delta)| *q += delta);
-        Ok(())
+        Ok(solved)
     }
 
     /// Moves `v` onto all rows at velocity level, at the positions `q`, by one linear solve.
     ///
     /// # Errors
     /// As [`System::accelerations`].
-    pub fn project_velocities(&mut self, t: f64, q: &[f64], v: &mut [f64], metric: Metric) -> Result<(), MotionError> {
-        self.projected.velocities_before = self.worst_velocity(t, q, v);
-        self.correct(t, q, metric, Level::Velocity)?;
-        if self.rank.deficient {
-            self.check_velocities(t, q, v)?;
-        }
+    pub fn project_velocities(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &mut [f64],
+        metric: Metric,
+    ) -> Result<Solved, MotionError> {
+        self.worst_velocity(t, q, v);
+        self.move_velocities(t, q, v, metric, Rows::Projected)
+    }
+
+    /// [`System::project_velocities`] for the residual in the buffer.
+    #[inline]
+    fn move_velocities(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &mut [f64],
+        metric: Metric,
+        rows: Rows,
+    ) -> Result<Solved, MotionError> {
+        let solved = self.correct(t, q, metric, rows)?;
+        self.check_velocities(t, q, v, solved)?;
         v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v += delta);
-        Ok(())
+        Ok(solved)
     }
 
     /// Correction for the residual in the buffer, into the buffer.
-    fn correct(&mut self, t: f64, q: &[f64], metric: Metric, level: Level) -> Result<(), MotionError> {
+    #[inline]
+    pub(super) fn correct(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
+        if metric == Metric::Mass && self.at_with(t, q, rows).may_eliminate() {
+            let Self { scene, fixed, buffers, .. } = self;
+            let pivots = scene.correction(fixed, t, q, &buffers.residual, &mut buffers.delta);
+            if let Some(smallest) = self.eliminated(pivots) {
+                return Ok(Solved::regular(smallest));
+            }
+        }
+        self.correct_by_factors(t, q, metric, rows)
+    }
+
+    fn correct_by_factors(&mut self, t: f64, q: &[f64], metric: Metric, rows: Rows) -> Result<Solved, MotionError> {
         let residual = std::mem::take(&mut self.buffers.residual);
         let mut delta = std::mem::take(&mut self.buffers.delta);
-        let outcome = match (metric, level) {
-            (Metric::Euclidean, Level::Position) => {
-                let n_h = self.info.n_position_rows;
-                self.counters.factorizations += 1;
-                self.euclidean_correction(t, q, &residual[..n_h], Threshold::Position, &mut delta)
-            }
-            (_, Level::Position) => self.correction_from(t, q, &residual, metric, Threshold::Position, &mut delta),
-            (_, Level::Velocity) => self.correction(t, q, &residual, metric, &mut delta),
+        let outcome = match metric {
+            Metric::Mass => self.at_with(t, q, rows).solve_correction(&residual, &mut delta),
+            Metric::Euclidean => self.euclidean_correction(t, q, &residual, &mut delta),
         };
-        self.buffers.residual = residual;
-        self.buffers.delta = delta;
+        (self.buffers.residual, self.buffers.delta) = (residual, delta);
+        outcome
+    }
+
+    /// The same for the first rows only, in the Euclidean metric.
+    fn correct_first(&mut self, t: f64, q: &[f64], n_rows: usize) -> Result<Solved, MotionError> {
+        let residual = std::mem::take(&mut self.buffers.residual);
+        let mut delta = std::mem::take(&mut self.buffers.delta);
+        let outcome = self.euclidean_correction(t, q, &residual[..n_rows], &mut delta);
+        (self.buffers.residual, self.buffers.delta) = (residual, delta);
         outcome
     }
 
@@ -239,76 +293,56 @@ impl<S: Scene + ?Sized> System<'_, S> {
         t: f64,
         q: &[f64],
         residual: &[f64],
-        threshold: Threshold,
         delta: &mut [f64],
-    ) -> Result<(), MotionError> {
-        self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
-        let euclidean = Euclidean::of(&mut self.euclidean, self.info)?;
-        let rank = euclidean.correction(&self.info.jacobian, &self.buffers.jacobian, residual, threshold, delta);
-        self.rank = rank.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian" })?;
-        Ok(())
+    ) -> Result<Solved, MotionError> {
+        self.counters.factorizations += 1;
+        let Self { scene, info, fixed, geometry, buffers, .. } = self;
+        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
+        let euclidean = Euclidean::of(&mut self.euclidean, info, &geometry.units)?;
+        let solved = euclidean.correction(&buffers.jacobian, residual, delta);
+        solved.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian" })
     }
-}
-
-#[derive(Clone, Copy)]
-enum Level {
-    Position,
-    Velocity,
 }
 
 /// `δ = −Gᵀ (G Gᵀ)⁻¹ r`, from K with M = 1: over the position rows for positions, over all rows for velocities.
 pub(super) struct Euclidean {
     ones: Vec<f64>,
-    positions: (DenseKkt, DampedKkt),
-    velocities: (DenseKkt, DampedKkt),
+    positions: NullSpaceKkt,
+    velocities: NullSpaceKkt,
     right_side: Vec<f64>,
 }
 
 impl Euclidean {
     /// The one of a system, made when it is first asked for.
-    fn of<'e>(made: &'e mut Option<Box<Self>>, info: &SceneInfo) -> Result<&'e mut Self, MotionError> {
+    fn of<'e>(made: &'e mut Option<Box<Self>>, info: &SceneInfo, units: &[f64]) -> Result<&'e mut Self, MotionError> {
         let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
         if n > limit {
             return Err(MotionError::EuclideanTooLarge { n, limit });
         }
-        Ok(made.get_or_insert_with(|| Box::new(Self::new(info))))
-    }
-
-    fn new(info: &SceneInfo) -> Self {
-        let n_q = info.n_coordinates();
-        let ones = vec![1.0; n_q];
-        let solvers = |n_rows| (DenseKkt::new(n_q, &info.jacobian, n_rows), DampedKkt::new(&ones, n_rows));
-        Self {
-            positions: solvers(info.n_position_rows),
-            velocities: solvers(info.n_rows()),
-            ones,
-            right_side: vec![0.0; n_q + info.n_rows()],
-        }
+        Ok(made.get_or_insert_with(|| {
+            let solver = |n_rows| NullSpaceKkt::new(units, &info.jacobian, n_rows);
+            Box::new(Self {
+                ones: vec![1.0; units.len()],
+                positions: solver(info.n_position_rows),
+                velocities: solver(info.n_rows()),
+                right_side: vec![0.0; n],
+            })
+        }))
     }
 
     /// For a residual of the position rows, or of all; `None` when a number is not finite.
-    fn correction(
-        &mut self,
-        pattern: &SparsityPattern,
-        jacobian: &[f64],
-        residual: &[f64],
-        threshold: Threshold,
-        delta: &mut [f64],
-    ) -> Option<Rank> {
+    fn correction(&mut self, jacobian: &[f64], residual: &[f64], delta: &mut [f64]) -> Option<Solved> {
         let Self { ones, positions, velocities, right_side } = self;
         let n_q = ones.len();
+        let of_positions = n_q + residual.len() < right_side.len();
         let x = &mut right_side[..n_q + residual.len()];
-        let (kkt, damped) = if residual.len() < velocities.1.n_rows() { positions } else { velocities };
+        let kkt = if of_positions { positions } else { velocities };
         x[..n_q].fill(0.0);
         x[n_q..].iter_mut().zip(residual).for_each(|(x, r)| *x = -r);
-        let rank = if kkt.factor(ones, jacobian).is_ok() {
-            kkt.solve(x);
-            Rank::default()
-        } else {
-            damped.factor(kkt, pattern, ones, jacobian, threshold.share()).ok()?;
-            Rank { deficient: true, left: Some(damped.solve(kkt, pattern, ones, jacobian, x)) }
-        };
+        kkt.factor(ones, jacobian, Independent::Above(INDEPENDENT)).ok()?;
+        let left = kkt.solve(x);
         delta.copy_from_slice(&x[..n_q]);
-        Some(rank)
+        let rank = kkt.rank();
+        Some(Solved { smallest_pivot: rank.smallest_pivot().powi(2), is_rank_deficient: rank.n_redundant() > 0, left })
     }
 }

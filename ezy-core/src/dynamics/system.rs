@@ -1,10 +1,10 @@
 //! A scene with its constants, solver and buffers.
 
-use super::deficient::Rank;
+use super::SystemError;
+use super::configuration::Factors;
 use super::geometry::Geometry;
 use super::projection::Euclidean;
-use super::{Projected, SystemError};
-use crate::linalg::{Backend, DampedKkt, DenseKkt, KktFactorization, LARGEST_DENSE, SparseKkt};
+use crate::linalg::{Backend, KktFactorization, LARGEST_DENSE, SparseKkt};
 use crate::model::{Scene, SceneInfo, Start};
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
@@ -22,28 +22,20 @@ pub struct System<'s, S: Scene + ?Sized> {
     pub(super) mass: Vec<f64>,
     pub(super) geometry: Geometry,
     pub(super) solver: Solver,
-    /// Made when a pivot of the generated elimination vanishes for the first time.
-    pub(super) second_opinion: Option<Box<DenseKkt>>,
-    /// Made when rows depend on each other for the first time.
-    pub(super) damped: Option<Box<DampedKkt>>,
-    pub(super) rank: Rank,
-    /// Of the last accelerations, correction or factorisation in the mass matrix.
-    pub(super) smallest_pivot: f64,
-    /// Of all of them since someone asked.
+    pub(super) factors: Factors,
+    /// The least pivot since someone asked.
     pub(super) least_pivot: f64,
-    /// The row at which the last factorisation failed, where the method knows.
-    pub(super) vanished_row: Option<usize>,
     /// Made at the first Euclidean correction.
     pub(super) euclidean: Option<Box<Euclidean>>,
     pub(super) buffers: Buffers,
-    pub(super) projected: Projected,
     pub(super) counters: Counters,
 }
 
 /// How K is solved.
 pub(super) enum Solver {
     Generated,
-    Factored(Box<dyn KktFactorization>),
+    Dense,
+    Sparse(Box<dyn KktFactorization>),
 }
 
 /// Work done since construction.
@@ -57,10 +49,8 @@ pub struct Counters {
 
 pub(super) struct Buffers {
     pub jacobian: Vec<f64>,
-    /// `n_q + n_c`.
-    pub right_side: Vec<f64>,
-    /// The same beside a solution that stands in the other.
-    pub second_side: Vec<f64>,
+    /// `n_c`.
+    pub sums: Vec<f64>,
     /// `n_c`.
     pub residual: Vec<f64>,
     /// `n_q`.
@@ -108,23 +98,12 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             info,
             solver: solver(info, &mass, needs_pivots, backend)?,
             geometry,
-            second_opinion: None,
-            damped: None,
-            rank: Rank::default(),
-            smallest_pivot: 1.0,
+            factors: Factors::new(n_q, n_c, jacobian.clone()),
             least_pivot: 1.0,
-            vanished_row: None,
             fixed,
             mass,
             euclidean: None,
-            buffers: Buffers {
-                jacobian,
-                right_side: vec![0.0; n_q + n_c],
-                second_side: vec![0.0; n_q + n_c],
-                residual: vec![0.0; n_c],
-                delta: vec![0.0; n_q],
-            },
-            projected: Projected::default(),
+            buffers: Buffers { jacobian, sums: vec![0.0; n_c], residual: vec![0.0; n_c], delta: vec![0.0; n_q] },
             counters: Counters::default(),
         })
     }
@@ -151,6 +130,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
 
     /// The inputs, to set them; they start with their declared values.
     pub fn inputs_mut(&mut self) -> &mut [f64] {
+        self.factors.forget();
         &mut self.fixed[..self.info.n_inputs()]
     }
 
@@ -159,27 +139,10 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         &self.mass
     }
 
-    /// What the last projection found, and what it left.
-    pub fn projected(&self) -> &Projected {
-        &self.projected
-    }
-
-    /// Smallest pivot of the last accelerations, correction or factorisation, relative to what it started from: falls with the
-    /// square of the distance to a position in which rows depend on each other, and is zero there. What a pivot is differs
-    /// between backends.
-    pub fn smallest_pivot(&self) -> f64 {
-        self.smallest_pivot
-    }
-
-    /// The least of [`Self::smallest_pivot`] since this was asked last: at ends and stages of steps, also of those that were
-    /// taken back.
+    /// The least [`Solved::smallest_pivot`](super::Solved) since this was asked before: at ends and stages of steps, also of those that
+    /// were taken back.
     pub fn take_least_pivot(&mut self) -> f64 {
         std::mem::replace(&mut self.least_pivot, 1.0)
-    }
-
-    pub(super) fn see_pivot(&mut self, smallest: f64) {
-        self.smallest_pivot = smallest;
-        self.least_pivot = self.least_pivot.min(smallest);
     }
 
     /// Work done so far.
@@ -257,11 +220,11 @@ fn dense(info: &'static SceneInfo) -> Result<Solver, SystemError> {
     if n > limit {
         return Err(SystemError::TooLargeForDense { n, limit });
     }
-    Ok(Solver::Factored(Box::new(DenseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows()))))
+    Ok(Solver::Dense)
 }
 
 fn sparse(info: &'static SceneInfo) -> Result<Solver, SystemError> {
-    Ok(Solver::Factored(Box::new(SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())?)))
+    Ok(Solver::Sparse(Box::new(SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())?)))
 }
 
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.

@@ -1,5 +1,7 @@
 //! Which row is farthest from being met.
 
+use super::configuration::Solved;
+
 /// A residual and the row that has it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Worst {
@@ -22,7 +24,7 @@ impl Worst {
     }
 }
 
-/// What the last projection found, and what it left.
+/// What a projection found, and what it left.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Projected {
     /// Position rows before.
@@ -31,4 +33,6 @@ pub struct Projected {
     pub positions_after: Worst,
     /// All rows at velocity level before, at the projected positions.
     pub velocities_before: Worst,
+    /// How velocities were corrected, where they were.
+    pub solved: Option<Solved>,
 }

@@ -1,6 +1,7 @@
 //! K where rows depend on each other: a solution that leaves what they cannot tell apart alone.
 
-use super::{KktFactorization, VanishedPivot};
+use super::equation_residual::EquationResidual;
+use super::{KktFactorization, Left, VanishedPivot};
 use crate::model::SparsityPattern;
 
 /// Solves `K [x; y] = [r; s]` by `[M Gᵀ; G −ε D]` in passes, each for what the passes before have left; `D` is the
@@ -21,26 +22,13 @@ pub struct DampedKkt {
     diagonal: Vec<f64>,
     damping: Vec<f64>,
     right_side: Vec<f64>,
-    rest: Vec<f64>,
-    /// Magnitudes of the terms of each equation.
-    size: Vec<f64>,
+    change: Vec<f64>,
+    equations: EquationResidual,
 }
 
-/// What a solution leaves of the rows: not small only where they contradict each other.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Left {
-    /// Length of what is left of s, each row over the root of its entry of D.
-    pub rows: f64,
-    /// To compare with: the length of x in the mass matrix, or of M⁻¹ r where that is larger.
-    pub scale: f64,
-}
-
-/// ε for accelerations and velocities: with a relative rounding of 1e-16 in positions, what σ = 3e-5 tells about
+/// ε: with a relative rounding of 1e-16 in positions, what σ = 3e-5 tells about
 /// accelerations (rounding/σ³) is noise.
-pub const COARSE: f64 = 1e-9;
-
-/// ε for positions, whose rounding reaches the result with 1/σ only.
-pub const FINE: f64 = 1e-13;
+const SHARE: f64 = 1e-9;
 
 /// A pass squares what it leaves of well determined directions; the others stop here.
 const MAX_PASSES: usize = 10;
@@ -48,30 +36,22 @@ const MAX_PASSES: usize = 10;
 /// A pass that changes x by less than this share of it was the last one.
 const CONVERGED: f64 = 1e-15;
 
-/// Terms smaller than this part of the largest may be rounding altogether: what an equation leaves is measured by no less.
-const NEGLIGIBLE: f64 = 1e-2;
-
 impl DampedKkt {
-    /// Storage for the diagonal of M and `n_rows` rows. A zero is replaced by the least positive entry of its kind, mass
-    /// or inertia.
-    pub fn new(mass: &[f64], n_rows: usize) -> Self {
-        let n = mass.len() + n_rows;
+    /// Storage for the diagonal of M and the rows of `pattern`. A zero is replaced by the least positive entry of its kind, mass or
+    /// inertia.
+    pub fn new(mass: &[f64], pattern: &SparsityPattern) -> Self {
+        let (n_q, n_rows) = (mass.len(), pattern.n_rows());
         Self {
             weight: weights(mass),
             diagonal: vec![0.0; n_rows],
             damping: vec![0.0; n_rows],
-            right_side: vec![0.0; n],
-            rest: vec![0.0; n],
-            size: vec![0.0; n],
+            right_side: vec![0.0; n_q + n_rows],
+            change: vec![0.0; n_q + n_rows],
+            equations: EquationResidual::new(n_q, n_rows, pattern),
         }
     }
 
-    /// Number of rows.
-    pub fn n_rows(&self) -> usize {
-        self.diagonal.len()
-    }
-
-    /// Factors K with the rows damped by `share`, ε.
+    /// Factors K with the rows damped.
     ///
     /// # Errors
     /// [`VanishedPivot`] when a coordinate has neither mass nor a row that holds it, or a number is not finite.
@@ -81,10 +61,9 @@ impl DampedKkt {
         pattern: &SparsityPattern,
         mass: &[f64],
         jacobian: &[f64],
-        share: f64,
     ) -> Result<(), VanishedPivot> {
-        write_diagonal(rows_of(pattern, self.diagonal.len()), &self.weight, jacobian, &mut self.diagonal);
-        self.damping.iter_mut().zip(&self.diagonal).for_each(|(damping, diagonal)| *damping = share * diagonal);
+        write_diagonal(pattern.entries(), &self.weight, jacobian, &mut self.diagonal);
+        self.damping.iter_mut().zip(&self.diagonal).for_each(|(damping, diagonal)| *damping = SHARE * diagonal);
         kkt.factor_damped(mass, jacobian, &self.damping)
     }
 
@@ -92,86 +71,30 @@ impl DampedKkt {
     pub fn solve(
         &mut self,
         kkt: &mut dyn KktFactorization,
-        pattern: &SparsityPattern,
         mass: &[f64],
         jacobian: &[f64],
+        unit: &[f64],
         solution: &mut [f64],
     ) -> Left {
-        let n_q = mass.len();
         self.right_side.copy_from_slice(solution);
         solution.fill(0.0);
         for _ in 0..MAX_PASSES {
-            self.write_rest(pattern, mass, jacobian, solution);
-            kkt.solve(&mut self.rest);
-            solution.iter_mut().zip(&self.rest).for_each(|(x, change)| *x += change);
-            if self.length(&self.rest) <= CONVERGED * self.length(solution) {
+            self.equations.write(mass, jacobian, &self.right_side, solution);
+            self.change.copy_from_slice(&self.equations.left);
+            kkt.solve(&mut self.change);
+            solution.iter_mut().zip(&self.change).for_each(|(x, change)| *x += change);
+            if self.length(&self.change) <= CONVERGED * self.length(solution) {
                 break;
             }
         }
-        self.write_rest(pattern, mass, jacobian, solution);
-        let rows = self.rest[n_q..].iter().zip(&self.diagonal);
-        let applied = self.right_side[..n_q].iter().zip(&self.weight);
-        Left {
-            rows: rows.map(|(left, diagonal)| left * left / diagonal).sum::<f64>().sqrt(),
-            scale: self.length(solution).max(applied.map(|(r, weight)| r * r / weight).sum::<f64>().sqrt()),
-        }
-    }
-
-    /// The largest share that a solution of K [x; y] = [r; s], however it was found, leaves of the terms of an equation; NaN
-    /// where a number is none.
-    pub fn share_left(
-        &mut self,
-        pattern: &SparsityPattern,
-        mass: &[f64],
-        jacobian: &[f64],
-        right_side: &[f64],
-        solution: &[f64],
-    ) -> f64 {
-        write_diagonal(rows_of(pattern, self.diagonal.len()), &self.weight, jacobian, &mut self.diagonal);
-        self.right_side.copy_from_slice(right_side);
-        self.write_rest(pattern, mass, jacobian, solution);
-        self.write_size(pattern, mass, jacobian, solution);
-        // forces over the root of a mass, accelerations times it: in these units all equations compare
-        let units = self.weight.iter().chain(&self.diagonal).map(|square| square.sqrt());
-        let largest = self.size.iter().zip(units.clone()).fold(0.0, |m: f64, (size, unit)| m.max(size / unit));
-        let plain = self.size.iter().copied().fold(0.0, f64::max);
-        let left = self.rest.iter().zip(&self.size).zip(units).filter(|((rest, _), _)| **rest != 0.0);
-        // a substitute for a mass may be far from all masses: then the numbers as they stand are the limit
-        let shares = left.map(|((rest, size), unit)| rest.abs() / (size + NEGLIGIBLE * plain.min(largest * unit)));
-        shares.fold(0.0, |m: f64, x| if x > m || x.is_nan() { x } else { m })
+        self.equations.write(mass, jacobian, &self.right_side, solution);
+        self.equations.rows_left(mass, jacobian, unit, &self.right_side, solution, |_| true)
     }
 
     /// Length of `x` in the mass matrix.
     fn length(&self, x: &[f64]) -> f64 {
         x.iter().zip(&self.weight).map(|(x, weight)| weight * x * x).sum::<f64>().sqrt()
     }
-
-    /// `rest = [r; s] − K [x; y]`
-    fn write_rest(&mut self, pattern: &SparsityPattern, mass: &[f64], jacobian: &[f64], solution: &[f64]) {
-        let n_q = mass.len();
-        self.rest.copy_from_slice(&self.right_side);
-        self.rest.iter_mut().zip(solution).zip(mass).for_each(|((rest, x), m)| *rest -= m * x);
-        for (k, row, column) in rows_of(pattern, self.diagonal.len()) {
-            self.rest[column] -= jacobian[k] * solution[n_q + row];
-            self.rest[n_q + row] -= jacobian[k] * solution[column];
-        }
-    }
-
-    /// `size = |[r; s]| + |K| |[x; y]|`
-    fn write_size(&mut self, pattern: &SparsityPattern, mass: &[f64], jacobian: &[f64], solution: &[f64]) {
-        let n_q = mass.len();
-        self.size.iter_mut().zip(&self.right_side).for_each(|(size, r)| *size = r.abs());
-        self.size.iter_mut().zip(solution).zip(mass).for_each(|((size, x), m)| *size += (m * x).abs());
-        for (k, row, column) in rows_of(pattern, self.diagonal.len()) {
-            self.size[column] += (jacobian[k] * solution[n_q + row]).abs();
-            self.size[n_q + row] += (jacobian[k] * solution[column]).abs();
-        }
-    }
-}
-
-/// Entries of the first rows.
-fn rows_of(pattern: &SparsityPattern, n_rows: usize) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
-    pattern.entries().take_while(move |(_, row, _)| *row < n_rows)
 }
 
 /// Diagonal of `G W⁻¹ Gᵀ` for the entries of G; one for a row without any.

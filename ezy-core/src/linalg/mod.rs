@@ -2,37 +2,43 @@
 //!
 //! | backend | needs | method |
 //! |---|---|---|
-//! | generated | M > 0 | the scene's own straight-line elimination, [`crate::model::Equations::accelerations`] |
-//! | dense | K regular | LU of the scaled K with partial, at need complete pivoting ([`DenseKkt`]) |
-//! | sparse | M > 0 | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
+//! | generated | M > 0, G of full rank | the scene's own straight-line elimination, [`crate::model::Equations::accelerations`] |
+//! | dense | the motion determined | null-space method after full pivoting of G ([`NullSpaceKkt`]) |
+//! | sparse | M > 0, G of full rank | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
 //!
-//! Where rows of G depend on each other, dense and sparse factor K with these rows damped ([`DampedKkt`]).
+//! Which rows depend on each other is asked of [`RankRevealing`] alone. Where they do, generated and sparse scenes go on by the
+//! dense solver, and those of more than [`LARGEST_DIAGNOSED`] equations with rows damped ([`DampedKkt`]).
 
 // matrices keep the capital letters of the notation
 #![allow(non_snake_case)]
 
-mod complete;
 mod conditioning;
 mod damped;
-mod dense;
+mod equation_residual;
 mod lower;
 mod lu;
+mod null_space;
 mod order;
 mod rank;
-mod refinement;
-mod scaled;
 mod singular;
 mod sparse;
 mod sparse_lu;
 
 pub use conditioning::{ConditionEstimator, Conditioning};
-pub use damped::{COARSE, DampedKkt, FINE, Left, weights, write_diagonal};
-pub use dense::{DenseKkt, LARGEST_DENSE};
+pub use damped::{DampedKkt, weights, write_diagonal};
+pub use equation_residual::EquationResidual;
 pub use lu::Lu;
-pub use rank::{Dependencies, LARGEST_DIAGNOSED, dependencies, undetermined_coordinates};
+pub use null_space::NullSpaceKkt;
+pub use rank::{Dependencies, INDEPENDENT, INDEPENDENT_EXACTLY, Independent, RankRevealing, undetermined_coordinates};
 pub(crate) use singular::singular_values;
 pub use sparse::{SparseKkt, SparseKktError};
 pub use sparse_lu::SparseLu;
+
+/// Largest n_q + n_c for which a dense K is made: 70 MB and some seconds a factorisation.
+pub const LARGEST_DENSE: usize = 3_000;
+
+/// Largest n_q + n_c of a scene with counts whose rank is asked: full pivoting of larger ones takes longer than anyone waits.
+pub const LARGEST_DIAGNOSED: usize = 500;
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -44,19 +50,18 @@ pub enum Backend {
     Auto,
     /// Straight-line elimination of the scene; needs positive masses and inertias, and a scene without counts.
     Generated,
-    /// Pivoted dense LU; the only one for massless bodies. Up to [`LARGEST_DENSE`] equations.
+    /// Null-space method; the only one for massless bodies. Up to [`LARGEST_DENSE`] equations.
     Dense,
     /// Sparse LDLᵀ; needs positive masses and inertias.
     Sparse,
 }
 
-/// A factorisation of K, made again at each state.
+/// An elimination of K in an order known beforehand, made again at each state. It decides nothing about rank.
 pub trait KktFactorization: Send {
     /// Factors K for the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of the pattern.
     ///
     /// # Errors
-    /// [`VanishedPivot`] when K is singular to working precision; [`dependencies`] and
-    /// [`undetermined_coordinates`] tell why.
+    /// [`VanishedPivot`] when K is singular to working precision.
     fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot>;
 
     /// As [`Self::factor`], of `[M Gᵀ; G −Δ]` with the positive diagonal `damping` (`n_c`) of Δ; regular whatever the rank
@@ -66,8 +71,7 @@ pub trait KktFactorization: Send {
     /// [`VanishedPivot`] when a number is not finite, or a coordinate has neither mass nor a row that holds it.
     fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot>;
 
-    /// Smallest pivot of a row after a successful [`Self::factor`], or of any unknown where the method does not keep them apart;
-    /// relative to what it started from, or of the scaled K.
+    /// Smallest pivot of a row after a successful [`Self::factor`], relative to what it started from.
     fn smallest_pivot(&self) -> f64;
 
     /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]`, with the factors of the last successful [`Self::factor`].
@@ -81,4 +85,18 @@ pub struct VanishedPivot {
     pub relative: f64,
     /// The row whose pivot it is, where the method knows.
     pub row: Option<usize>,
+}
+
+/// K is singular whatever rows are redundant: a number is not finite, or nothing moves a coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SingularKkt;
+
+/// What a solution leaves of rows that depend on others: not small only where they contradict each other. Rows are scaled to one,
+/// angles in units of their levers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Left {
+    /// The largest.
+    pub rows: f64,
+    /// To compare with: the largest number of the solution, of `M⁻¹ r`, or of the terms of a row.
+    pub scale: f64,
 }

@@ -1,101 +1,364 @@
-//! Which rows depend on each other, which coordinates nothing moves or holds.
+//! The one question of rank: which rows of G depend on which, and how far the others are from it.
 
-use super::damped::write_diagonal;
 use crate::model::SparsityPattern;
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, DMatrixView, DVectorViewMut, linalg};
 
-/// Dependencies between rows: the null space of the scaled `D^(−1/2) G W⁻¹ Gᵀ D^(−1/2)`, `D` its diagonal before.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Dependencies {
-    /// Rows that take part in one, in declared order.
-    pub rows: Vec<usize>,
-    /// How many there are: rows beyond the rank of G.
-    pub n: usize,
-    /// The smallest eigenvalue: the smallest pivot that an elimination of rows scaled to one could meet.
-    pub smallest_pivot: f64,
+/// Gauss elimination of G with full pivoting, rows scaled by their largest entries, columns by their units.
+///
+/// `P G Q = [L₁; L₂] [U₁ U₂]` on the `rank` independent rows. In place of U₂ and L₂ stand `Z = −U₁⁻¹ U₂`, the dependent coordinates
+/// by the independent ones, and `T = L₂ L₁⁻¹`, the redundant rows by the independent ones.
+///
+/// Rounding ε of positions changes accelerations by ε/p³ where p is the smallest pivot. Below p = 1e-5, about ε^(1/3), no digit
+/// of what a row decides is left, and it counts as dependent. p² is comparable with the pivots of eliminations of G M⁻¹ Gᵀ:
+/// [`INDEPENDENT`] is the root of [`PIVOT_TOLERANCE`](crate::model::PIVOT_TOLERANCE).
+pub struct RankRevealing {
+    entries: Vec<(usize, usize, usize)>,
+    factors: DMatrix<f64>,
+    row_scale: Vec<f64>,
+    /// Row and column of G at each place.
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    rank: usize,
+    smallest_pivot: f64,
+    weakest_row: usize,
 }
 
-/// A row or coordinate takes part when its share of a null vector exceeds this; rounding leaves 1e-10 at most.
+/// An entry may be the pivot when it is at least this part of the largest; the coordinate with the least mass is taken. A tenth is the
+/// usual bound of threshold pivoting (Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 1986, section 5.4).
+const PIVOT_SHARE: f64 = 0.1;
+
+/// Pivots of rows that count as independent at positions that carry rounding, of rows scaled to one; see [`RankRevealing`].
+pub const INDEPENDENT: f64 = 1e-5;
+
+/// The same at positions that are exact: half of the digits of what the row decides are left, ε/p = √ε.
+pub const INDEPENDENT_EXACTLY: f64 = 1e-8;
+
+/// Which rows a factorisation takes for independent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Independent<'r> {
+    /// Those whose pivots exceed this.
+    Above(f64),
+    /// These, whatever their pivots are.
+    Rows(&'r [usize]),
+}
+
+/// A row or column takes part in a dependency when its share of the combination exceeds this.
 const PARTICIPATION: f64 = 1e-4;
 
-/// Columns of massless coordinates scaled to one keep this part of what they are when rows hold them.
-const HELD: f64 = 1e-9;
-
-/// Largest n_q + n_c that is diagnosed: beyond it the decomposition takes longer than anyone waits for a message.
-pub const LARGEST_DIAGNOSED: usize = 500;
-
-/// Eigenvalues up to `tolerance` count as dependencies, with the positive diagonal `weight` of W; up to [`super::COARSE`], and with
-/// [`super::weights`], solutions pass over what the rows say. Slow: for up to [`LARGEST_DIAGNOSED`] unknowns only. `None` when W or G is
-/// not finite or the decomposition does not converge.
-pub fn dependencies(
-    weight: &[f64],
-    pattern: &SparsityPattern,
-    jacobian: &[f64],
-    tolerance: f64,
-) -> Option<Dependencies> {
-    if !weight.iter().chain(jacobian).all(|x| x.is_finite()) {
-        return None;
-    }
-    let n_rows = pattern.n_rows();
-    let mut diagonal = vec![0.0; n_rows];
-    write_diagonal(pattern.entries(), weight, jacobian, &mut diagonal);
-    let mut rows = DMatrix::<f64>::zeros(n_rows, weight.len());
-    for (k, row, column) in pattern.entries() {
-        rows[(row, column)] += jacobian[k] / (diagonal[row] * weight[column]).sqrt();
-    }
-    let eigen = null_space(&rows * rows.transpose(), tolerance)?;
-    Some(Dependencies { rows: eigen.takes_part, n: eigen.n, smallest_pivot: eigen.smallest })
+/// Rows that depend on each other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dependencies {
+    /// Rows that take part in a dependency, in declared order.
+    pub rows: Vec<usize>,
+    /// How many rows are redundant.
+    pub n: usize,
 }
 
-/// Massless coordinates that take part in a motion which no row sees. `None` as for [`dependencies`].
+impl RankRevealing {
+    /// Storage for the first `n_rows` rows of a pattern with `n_columns` columns.
+    pub fn new(n_rows: usize, n_columns: usize, pattern: &SparsityPattern) -> Self {
+        Self {
+            entries: pattern.entries().take_while(|(_, row, _)| *row < n_rows).collect(),
+            factors: DMatrix::zeros(n_rows, n_columns),
+            row_scale: vec![1.0; n_rows],
+            rows: vec![0; n_rows],
+            columns: vec![0; n_columns],
+            rank: 0,
+            smallest_pivot: 1.0,
+            weakest_row: 0,
+        }
+    }
+
+    /// Factors G, whose columns are divided by `unit`. Of columns that would do as well the one of least `mass` is made
+    /// dependent, so that heavy and light bodies are not mixed.
+    ///
+    /// False when a number is not finite, or a pivot of rows that are asked for vanishes.
+    pub fn factor(&mut self, jacobian: &[f64], unit: &[f64], mass: &[f64], independent: Independent<'_>) -> bool {
+        let (n_rows, n_columns) = self.factors.shape();
+        self.write(jacobian, unit);
+        let (n_candidates, tolerance) = match independent {
+            Independent::Above(tolerance) => (n_rows, tolerance),
+            Independent::Rows(rows) => {
+                for (place, row) in rows.iter().enumerate() {
+                    let from = self.rows.iter().position(|at| at == row).unwrap_or(place);
+                    self.swap_rows(place, from);
+                }
+                (rows.len(), f64::EPSILON)
+            }
+        };
+        (self.smallest_pivot, self.weakest_row, self.rank) = (1.0, self.rows.first().copied().unwrap_or(0), 0);
+        let felt = |column: usize| mass[column] / unit[column] / unit[column];
+        while self.rank < n_candidates.min(n_columns) {
+            let i = self.rank;
+            let candidates = self.factors.view((i, i), (n_candidates - i, n_columns - i));
+            let largest = candidates.camax();
+            if !largest.is_finite() {
+                return false;
+            }
+            if largest <= tolerance {
+                break;
+            }
+            let mut best = (0, 0, f64::INFINITY, 0.0);
+            for (column, entries) in candidates.column_iter().enumerate() {
+                let mass = felt(self.columns[i + column]);
+                for (row, entry) in entries.iter().enumerate() {
+                    let size = entry.abs();
+                    if size >= PIVOT_SHARE * largest && (mass < best.2 || mass == best.2 && size > best.3) {
+                        best = (row, column, mass, size);
+                    }
+                }
+            }
+            let (row, column, _, pivot) = best;
+            self.swap_rows(i, i + row);
+            self.factors.swap_columns(i, i + column);
+            self.columns.swap(i, i + column);
+            if pivot < self.smallest_pivot {
+                (self.smallest_pivot, self.weakest_row) = (pivot, self.rows[i]);
+            }
+            let pivot = self.factors[(i, i)];
+            linalg::gauss_step(&mut self.factors, pivot, i);
+            self.rank += 1;
+        }
+        if matches!(independent, Independent::Rows(rows) if self.rank < rows.len()) {
+            return false;
+        }
+        self.express_dependent();
+        true
+    }
+
+    fn write(&mut self, jacobian: &[f64], unit: &[f64]) {
+        self.factors.fill(0.0);
+        for &(k, row, column) in &self.entries {
+            self.factors[(row, column)] += jacobian[k] / unit[column];
+        }
+        for (mut row, scale) in self.factors.row_iter_mut().zip(&mut self.row_scale) {
+            let largest = row.camax();
+            *scale = if largest > 0.0 { largest.recip() } else { 1.0 };
+            row *= *scale;
+        }
+        self.rows.iter_mut().enumerate().for_each(|(i, row)| *row = i);
+        self.columns.iter_mut().enumerate().for_each(|(i, column)| *column = i);
+    }
+
+    fn swap_rows(&mut self, i: usize, j: usize) {
+        self.factors.swap_rows(i, j);
+        self.rows.swap(i, j);
+    }
+
+    /// Z in place of U₂, T in place of L₂.
+    fn express_dependent(&mut self) {
+        let (r, (n_rows, n_columns)) = (self.rank, self.factors.shape());
+        if r == 0 {
+            return;
+        }
+        let (triangles, mut right) = self.factors.columns_range_pair_mut(0..r, r..n_columns);
+        let mut Z = right.rows_mut(0, r);
+        triangles.rows(0, r).solve_upper_triangular_mut(&mut Z);
+        Z.neg_mut();
+        for row in r..n_rows {
+            for j in (0..r).rev() {
+                let above: f64 = (j + 1..r).map(|i| self.factors[(row, i)] * self.factors[(i, j)]).sum();
+                self.factors[(row, j)] -= above;
+            }
+        }
+    }
+
+    /// Number of independent rows.
+    pub fn rank(&self) -> usize {
+        self.rank
+    }
+
+    /// Number of rows that depend on others.
+    pub fn n_redundant(&self) -> usize {
+        self.rows.len() - self.rank
+    }
+
+    /// The independent rows.
+    pub fn independent_rows(&self) -> &[usize] {
+        &self.rows[..self.rank]
+    }
+
+    /// The smallest pivot of an independent row, of rows scaled to one.
+    pub fn smallest_pivot(&self) -> f64 {
+        self.smallest_pivot
+    }
+
+    /// The row that it belongs to.
+    pub fn weakest_row(&self) -> usize {
+        self.weakest_row
+    }
+
+    /// The row of G at a place; independent ones first.
+    pub fn row(&self, place: usize) -> usize {
+        self.rows[place]
+    }
+
+    /// The column of G at a place; dependent coordinates first.
+    pub fn column(&self, place: usize) -> usize {
+        self.columns[place]
+    }
+
+    /// What a row of G was multiplied by.
+    pub fn row_scale(&self, row: usize) -> f64 {
+        self.row_scale[row]
+    }
+
+    /// Z, `rank × (n_columns − rank)`: the dependent coordinates by the independent ones.
+    pub fn dependent_by_independent(&self) -> DMatrixView<'_, f64> {
+        self.factors.view((0, self.rank), (self.rank, self.columns.len() - self.rank))
+    }
+
+    /// T, `n_redundant × rank`: the redundant rows by the independent ones.
+    pub fn redundant_by_independent(&self) -> DMatrixView<'_, f64> {
+        self.factors.view((self.rank, 0), (self.n_redundant(), self.rank))
+    }
+
+    /// Replaces s (`rank`) by `U₁⁻¹ L₁⁻¹ s`.
+    pub fn solve(&self, s: &mut [f64]) {
+        if self.rank == 0 {
+            return;
+        }
+        let triangles = self.factors.view((0, 0), (self.rank, self.rank));
+        let mut x = DVectorViewMut::from_slice(s, self.rank);
+        triangles.solve_lower_triangular_with_diag_mut(&mut x, 1.0);
+        // every pivot is beyond the tolerance
+        triangles.solve_upper_triangular_mut(&mut x);
+    }
+
+    /// Replaces r (`rank`) by `(L₁ U₁)⁻ᵀ r`.
+    pub fn solve_transposed(&self, r: &mut [f64]) {
+        if self.rank == 0 {
+            return;
+        }
+        let triangles = self.factors.view((0, 0), (self.rank, self.rank));
+        triangles.tr_solve_upper_triangular_mut(&mut DVectorViewMut::from_slice(r, self.rank));
+        for j in (0..self.rank).rev() {
+            let above: f64 = (j + 1..self.rank).map(|i| triangles[(i, j)] * r[i]).sum();
+            r[j] -= above;
+        }
+    }
+
+    /// Rows that take part in dependencies: `[−T I] P G = 0`.
+    pub fn dependencies(&self) -> Dependencies {
+        let T = self.redundant_by_independent();
+        let takes_part = |place: usize| T.column(place).iter().any(|share| share.abs() > PARTICIPATION);
+        let mut rows: Vec<usize> =
+            (0..self.rank).filter(|&place| takes_part(place)).map(|place| self.rows[place]).collect();
+        rows.extend(&self.rows[self.rank..]);
+        rows.sort_unstable();
+        Dependencies { rows, n: self.n_redundant() }
+    }
+}
+
+/// Massless coordinates that take part in a motion which no row sees. `None` when G is not finite.
 pub fn undetermined_coordinates(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Option<Vec<usize>> {
     if !jacobian.iter().all(|x| x.is_finite()) {
         return None;
     }
     let massless: Vec<usize> = (0..mass.len()).filter(|&i| mass[i] == 0.0).collect();
-    let mut columns = DMatrix::<f64>::zeros(pattern.n_rows(), massless.len());
-    for (k, row, column) in pattern.entries() {
-        if let Ok(i) = massless.binary_search(&column) {
-            columns[(row, i)] += jacobian[k];
-        }
-    }
-    for mut column in columns.column_iter_mut() {
-        let length = column.norm();
-        if length > 0.0 {
-            column /= length;
-        }
-    }
-    let eigen = null_space(columns.transpose() * &columns, HELD)?;
-    Some(eigen.takes_part.into_iter().map(|i| massless[i]).collect())
+    let held = pattern.entries().filter_map(|(k, row, column)| Some((k, massless.binary_search(&column).ok()?, row)));
+    // coordinates that depend on each other are rows that do, of the transposed matrix
+    let mut rank = RankRevealing {
+        entries: held.collect(),
+        factors: DMatrix::zeros(massless.len(), pattern.n_rows()),
+        row_scale: vec![1.0; massless.len()],
+        rows: vec![0; massless.len()],
+        columns: vec![0; pattern.n_rows()],
+        rank: 0,
+        smallest_pivot: 1.0,
+        weakest_row: 0,
+    };
+    let ones = vec![1.0; pattern.n_rows()];
+    rank.factor(jacobian, &ones, &ones, Independent::Above(INDEPENDENT));
+    Some(rank.dependencies().rows.into_iter().map(|i| massless[i]).collect())
 }
 
-struct NullSpace {
-    takes_part: Vec<usize>,
-    n: usize,
-    smallest: f64,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// What belongs to eigenvalues up to a tolerance.
-fn null_space(symmetric: DMatrix<f64>, tolerance: f64) -> Option<NullSpace> {
-    if !symmetric.iter().all(|x| x.is_finite()) {
-        return None;
+    const DENSE_3X4: SparsityPattern =
+        SparsityPattern { starts: &[0, 4, 8, 12], columns: &[0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3] };
+    const ONES: [f64; 4] = [1.0; 4];
+
+    fn factored(jacobian: &[f64; 12], independent: Independent<'_>) -> RankRevealing {
+        let mut rank = RankRevealing::new(3, 4, &DENSE_3X4);
+        assert!(rank.factor(jacobian, &ONES, &ONES, independent));
+        rank
     }
-    let size = symmetric.nrows();
-    if size == 0 {
-        return Some(NullSpace { takes_part: Vec::new(), n: 0, smallest: 1.0 });
+
+    #[test]
+    fn analytic_a_row_that_is_a_sum_of_others_is_redundant() {
+        let jacobian = [1.0, 2.0, 0.0, 1.0, 0.0, 1.0, 3.0, 0.0, 2.0, 6.0, 6.0, 2.0];
+        let rank = factored(&jacobian, Independent::Above(INDEPENDENT));
+        assert_eq!((rank.rank(), rank.dependencies().rows), (2, vec![0, 1, 2]));
     }
-    let eigen = SymmetricEigen::try_new(symmetric, f64::EPSILON, 0)?;
-    let mut takes_part = vec![false; size];
-    let mut n = 0;
-    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
-        if *value <= tolerance {
-            n += 1;
-            takes_part.iter_mut().zip(vector.iter()).for_each(|(p, x)| *p |= x.abs() > PARTICIPATION);
+
+    #[test]
+    fn analytic_null_space_and_solutions_of_the_independent_rows() {
+        let jacobian = [1.0, 2.0, 0.0, 1.0, 0.0, 1.0, 3.0, 0.0, 2.0, 5.0, 6.0, 2.5];
+        let rank = factored(&jacobian, Independent::Above(INDEPENDENT));
+        assert_eq!(rank.rank(), 3);
+        // each column of [Z; I] is met by every row
+        let Z = rank.dependent_by_independent();
+        for row in 0..3 {
+            let entry = |place: usize| jacobian[4 * row + rank.column(place)];
+            let sum: f64 = (0..3).map(|i| entry(i) * Z[(i, 0)]).sum::<f64>() + entry(3);
+            assert!(sum.abs() <= 1e-14, "{sum:e}");
+        }
+        let exact = [0.3, -1.0, 2.0];
+        let mut s: Vec<f64> = (0..3)
+            .map(|place| {
+                let row = rank.row(place);
+                let scale = rank.row_scale(row);
+                (0..3).map(|j| scale * jacobian[4 * row + rank.column(j)] * exact[j]).sum()
+            })
+            .collect();
+        rank.solve(&mut s);
+        let mut r: Vec<f64> = (0..3)
+            .map(|j| {
+                (0..3)
+                    .map(|place| {
+                        let row = rank.row(place);
+                        rank.row_scale(row) * jacobian[4 * row + rank.column(j)] * exact[place]
+                    })
+                    .sum()
+            })
+            .collect();
+        rank.solve_transposed(&mut r);
+        for (x, expected) in s.iter().chain(&r).zip(exact.iter().chain(&exact)) {
+            assert!((x - expected).abs() <= 1e-13, "{x} {expected}");
         }
     }
-    Some(NullSpace {
-        takes_part: (0..size).filter(|&i| takes_part[i]).collect(),
-        n,
-        smallest: eigen.eigenvalues.min().max(0.0),
-    })
+
+    #[test]
+    fn invariant_rows_that_are_asked_for_are_the_independent_ones() {
+        let jacobian = [1.0, 2.0, 0.0, 1.0, 0.0, 1.0, 3.0, 0.0, 2.0, 6.0, 6.0, 2.0];
+        for among in [[0, 1], [0, 2], [2, 1]] {
+            let rank = factored(&jacobian, Independent::Rows(&among));
+            let mut rows = rank.independent_rows().to_vec();
+            rows.sort_unstable();
+            let mut expected = among;
+            expected.sort_unstable();
+            assert_eq!((rows.as_slice(), rank.dependencies().n), (&expected[..], 1));
+        }
+    }
+
+    #[test]
+    fn invariant_the_lighter_of_two_equal_columns_is_dependent() {
+        let pattern = SparsityPattern { starts: &[0, 2], columns: &[0, 1] };
+        for (mass, dependent) in [([1.0, 1e-6], 1), ([1e-6, 1.0], 0)] {
+            let mut rank = RankRevealing::new(1, 2, &pattern);
+            assert!(rank.factor(&[1.0, 0.5], &[1.0, 1.0], &mass, Independent::Above(INDEPENDENT)));
+            assert_eq!(rank.column(0), dependent);
+        }
+    }
+
+    #[test]
+    fn analytic_a_massless_coordinate_in_no_row_is_undetermined() {
+        let pattern = SparsityPattern { starts: &[0, 2], columns: &[0, 1] };
+        assert_eq!(undetermined_coordinates(&[0.0, 1.0, 0.0], &pattern, &[1.0, 1.0]), Some(vec![2]));
+        assert_eq!(undetermined_coordinates(&[0.0, 0.0, 1.0], &pattern, &[1.0, 1.0]), Some(vec![0, 1]));
+        assert_eq!(undetermined_coordinates(&[0.0, 1.0, 1.0], &pattern, &[1.0, 1.0]), Some(vec![]));
+    }
 }

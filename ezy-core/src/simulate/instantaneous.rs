@@ -1,6 +1,6 @@
 //! One state of a run with its accelerations.
 
-use crate::dynamics::{MotionError, State, System};
+use crate::dynamics::{MotionError, Rows, Solved, State, System};
 use crate::integrate::Knot;
 use crate::model::{Scene, SceneInfo};
 
@@ -11,10 +11,10 @@ pub(super) struct Instantaneous {
     pub lambda: Vec<f64>,
     /// As many as the state has works.
     pub power: Vec<f64>,
-    /// Whether rows depend on each other there.
-    pub lost_rank: bool,
-    /// Smallest pivot there, as the projection saw it.
-    pub pivot: f64,
+    /// How the accelerations were solved for.
+    pub solved: Solved,
+    /// How the projection was solved for that led there.
+    pub end: Solved,
 }
 
 impl Instantaneous {
@@ -27,26 +27,30 @@ impl Instantaneous {
             a: vec![0.0; n_q],
             lambda: vec![0.0; n_c],
             power: vec![0.0; n_works],
-            lost_rank: false,
-            pivot: 0.0,
+            solved: Solved::default(),
+            end: Solved::default(),
         }
     }
 
     /// Accelerations, multipliers and powers at the state.
     pub fn evaluate<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
-        system.accelerations_in_passing(*t, q, v, &mut self.a, &mut self.lambda)?;
-        self.complete(system)
+        let solved = system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
+        self.complete(system, solved)
     }
 
-    /// What belongs to accelerations that were computed last.
+    /// What belongs to the accelerations.
     ///
     /// # Errors
     /// [`MotionError::ContradictoryRows`].
-    pub fn complete<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
+    pub fn complete<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        solved: Solved,
+    ) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
-        self.lost_rank = system.lost_rank();
-        system.check_accelerations(*t, q)?;
+        self.solved = solved;
+        system.check_accelerations(*t, q, solved)?;
         system.power(*t, q, v, &self.lambda, &mut self.power);
         Ok(())
     }

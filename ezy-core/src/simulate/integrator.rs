@@ -93,8 +93,8 @@ impl<'s> Integrator<'s> {
         match self {
             Self::Taylor(series) => {
                 let Instantaneous { state, a, lambda, .. } = at;
-                series.taylor.expand(system, state, a, lambda)?;
-                at.complete(system)
+                let solved = series.taylor.expand(system, state, a, lambda)?;
+                at.complete(system, solved)
             }
             _ => at.evaluate(system),
         }

@@ -7,7 +7,7 @@ use super::instantaneous::Instantaneous;
 use super::integrator::Integrator;
 use super::singular::Approach;
 use super::usual;
-use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, not_finite};
+use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
 
@@ -37,6 +37,8 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
     usual_s: f64,
     /// Whether works are integrated.
     pub work: bool,
+    /// What the last projection of a state found and left.
+    pub projected: Projected,
     pub now: Instantaneous,
     pub next: Instantaneous,
 }
@@ -65,6 +67,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
             crossing: None,
             usual_s: 0.0,
             work,
+            projected: Projected::default(),
             now,
             next,
         })
@@ -154,10 +157,11 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
 
     fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.step(h, t_next)?;
-        if self.integrator.chooses_steps() && !self.now.lost_rank {
+        if self.integrator.chooses_steps() && !self.now.solved.is_rank_deficient {
             for _ in 0..MAX_SHORTENED {
-                let too_near = self.crosses && self.next.pivot < TOO_NEAR * self.now.pivot;
-                if !self.system.lost_rank() && !too_near {
+                let [now, next] = [&self.now.end, &self.next.end];
+                let too_near = self.crosses && next.smallest_pivot < TOO_NEAR * now.smallest_pivot;
+                if !next.is_rank_deficient && !too_near {
                     break;
                 }
                 let t = self.now.state.t;
@@ -169,16 +173,17 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        let (system, next) = (&mut self.system, &mut self.next);
-        self.integrator.step(system, self.now.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
+        let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
+        system.hold_rows(now.state.t, &now.state.q, now.solved.is_rank_deficient);
+        self.integrator.step(system, now.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         self.project_next()
     }
 
     fn project_next(&mut self) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &mut self.next.state;
-        self.system.project(*t, q, v, self.projection, self.metric)?;
-        self.next.pivot = self.system.smallest_pivot();
+        self.projected = self.system.project(*t, q, v, self.projection, self.metric)?;
+        self.next.end = self.projected.solved.unwrap_or_default();
         Ok(())
     }
 
@@ -218,7 +223,8 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     /// Projects a state as the ends of steps are.
     pub fn project(&mut self, state: &mut State) -> Result<(), MotionError> {
         let State { t, q, v, .. } = state;
-        self.system.project(*t, q, v, self.projection, self.metric)
+        self.projected = self.system.project(*t, q, v, self.projection, self.metric)?;
+        Ok(())
     }
 
     /// Ends the motion at `t` between `now` and `next`: `next` becomes the state there, projected and evaluated.

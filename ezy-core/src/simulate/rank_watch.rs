@@ -31,8 +31,8 @@ const MAX_SPELLS: usize = 16;
 impl RankRecord {
     /// Takes note of an accepted state.
     pub(super) fn see<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, at: &Instantaneous) {
-        let was_open = std::mem::replace(&mut self.is_open, at.lost_rank);
-        if !at.lost_rank {
+        let was_open = std::mem::replace(&mut self.is_open, at.solved.is_rank_deficient);
+        if !at.solved.is_rank_deficient {
             return;
         }
         let (t, n_known) = (at.state.t, self.spells.len());

@@ -171,8 +171,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
                 return self.end(end).map(Some);
             }
         }
-        let Motion { system, now, next, .. } = &mut self.motion;
-        self.watch.look(system, now.state.t, &next.state, last)?;
+        let Motion { system, projected, now, next, .. } = &mut self.motion;
+        self.watch.look(system, now.state.t, &next.state, projected, last)?;
         let controlled = !self.control.is_idle() && !last && !self.cut;
         if !self.lookout.is_idle() {
             self.lookout.keep(&mut self.motion)?;
@@ -208,7 +208,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let state = &mut self.between.state;
         self.motion.inside(end.t, state)?;
         self.motion.project(state)?;
-        self.watch.look(&mut self.motion.system, self.motion.now.state.t, state, true)?;
+        let Motion { system, projected, now, .. } = &mut self.motion;
+        self.watch.look(system, now.state.t, state, projected, true)?;
         self.lookout.keep(&mut self.motion)?;
         self.record_between(end.t)?;
         self.motion.end_at(end.t, &mut self.between.state)?;

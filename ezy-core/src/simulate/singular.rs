@@ -28,7 +28,7 @@ impl Approach<'_> {
     /// Time to a singular position as foreseen by the last two pivots, s; none where it is far. `usual_s` is the length of the
     /// steps before; zero when there were none.
     pub fn distance(&self, usual_s: f64) -> Option<f64> {
-        let (now, before) = (self.now.pivot, self.before.pivot);
+        let (now, before) = (self.now.end.smallest_pivot, self.before.end.smallest_pivot);
         if now >= before || now <= 0.0 || usual_s == 0.0 {
             return None;
         }
@@ -58,7 +58,7 @@ impl Approach<'_> {
             }
         }
         let way = 0.5 * (left + right);
-        if at_left.min(at_right) > VANISHES * self.now.pivot {
+        if at_left.min(at_right) > VANISHES * self.now.end.smallest_pivot {
             return None;
         }
         // where masses are far apart pivots come and go although rows are independent

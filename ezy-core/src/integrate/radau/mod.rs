@@ -13,7 +13,7 @@ mod stages;
 mod tableau;
 
 use super::{Knot, Tolerance};
-use crate::dynamics::{MotionError, Slopes, State, System};
+use crate::dynamics::{MotionError, Rows, Slopes, State, System};
 use crate::linalg::SparseKktError;
 use crate::model::Scene;
 use convergence::{Convergence, SHORTEN, Verdict};
@@ -298,7 +298,7 @@ impl Radau {
             Some(before_s) => self.stages.extrapolate(&self.before, h / before_s),
             None => {
                 let State { t, q, v, .. } = from.state;
-                system.accelerations_in_passing(*t, q, v, &mut self.a, &mut self.lambda)?;
+                system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
                 self.stages.hold(&self.a, &self.lambda);
             }
         }

@@ -7,7 +7,7 @@ mod sums;
 mod work;
 
 use super::{Tolerance, compensated};
-use crate::dynamics::{MotionError, State, System};
+use crate::dynamics::{MotionError, Solved, State, System};
 use crate::model::{Scene, Series, SeriesStore};
 use expansion::{OrderSolver, expand, expand_with, increment};
 use work::Quadrature;
@@ -80,15 +80,21 @@ impl<'s> Taylor<'s> {
         from: &State,
         a: &mut [f64],
         lambda: &mut [f64],
-    ) -> Result<(), MotionError> {
+    ) -> Result<Solved, MotionError> {
         self.place(from);
-        if system.begin_series(self.series, from.t, &mut self.next)? {
-            self.expand_by_elimination(system.fixed());
-        } else {
-            expand_with(self.series, system, self.order, &mut self.next);
-        }
+        let solved = match system.begin_series(self.series, from.t, &mut self.next)? {
+            Some(solved) => {
+                self.expand_by_elimination(system.fixed());
+                solved
+            }
+            None => {
+                let mut orders = FactoredOrders { system, first: None };
+                expand_with(self.series, &mut orders, self.order, &mut self.next);
+                orders.first.unwrap_or_default()
+            }
+        };
         self.write_accelerations(a, lambda);
-        Ok(())
+        Ok(solved)
     }
 
     /// What was expanded last: coefficients of q up to `order + 1`, of the multipliers up to `order - 1`.
@@ -160,15 +166,23 @@ impl Taylor<'_> {
     }
 }
 
-impl<S: Scene + ?Sized> OrderSolver<f64> for System<'_, S> {
+/// All orders by the factors of a system.
+struct FactoredOrders<'m, 's, S: Scene + ?Sized> {
+    system: &'m mut System<'s, S>,
+    /// How accelerations were solved for.
+    first: Option<Solved>,
+}
+
+impl<S: Scene + ?Sized> OrderSolver<f64> for FactoredOrders<'_, '_, S> {
     fn fixed(&self) -> &[f64] {
-        self.fixed()
+        self.system.fixed()
     }
 
     fn solve(&mut self, k: usize, store: &mut SeriesStore<f64>) {
         let SeriesStore { lambda, force, row, a, .. } = store;
         let n_c = row.len();
-        self.solve_factored(force, row, a, &mut lambda[k * n_c..][..n_c]);
+        let solved = self.system.solve_factored(force, row, a, &mut lambda[k * n_c..][..n_c]);
+        self.first.get_or_insert(solved);
     }
 }
 

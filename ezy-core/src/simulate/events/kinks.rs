@@ -9,7 +9,7 @@
 
 use super::root::root;
 use super::{resolution_at, side_of};
-use crate::dynamics::{State, System};
+use crate::dynamics::{Rows, State, System};
 use crate::integrate::{Knot, interpolate};
 use crate::model::{EventKind, Scene, SceneInfo};
 
@@ -109,7 +109,7 @@ impl Kinks {
             return None;
         }
         let Self { places, values: [before, after, inside], a, lambda, between, .. } = self;
-        system.accelerations_in_passing(end.t, &end.q, &end.v, a, lambda).ok()?;
+        system.accelerations_unchecked(end.t, &end.q, &end.v, a, lambda, Rows::Held).ok()?;
         let (start, last) = (from.state.t, end.t);
         // works do not matter here
         let to = Knot { state: end, a, power: from.power };

@@ -1,6 +1,6 @@
 //! Which values are looked at.
 
-use crate::dynamics::{MotionError, System};
+use crate::dynamics::{MotionError, Rows, System};
 use crate::model::{GripInfo, Scene, StopInfo};
 
 /// What passes zero.
@@ -28,7 +28,7 @@ impl Sought {
         match self {
             Self::Events => system.events(t, q, v, out),
             Self::Reserve { info, a, lambda } => {
-                system.accelerations_in_passing(t, q, v, a, lambda)?;
+                system.accelerations_unchecked(t, q, v, a, lambda, Rows::Projected)?;
                 let [limit, _] = system.checked_grip(info, t, q, v)?;
                 out.fill(limit - lambda[info.row].abs());
             }
@@ -41,7 +41,7 @@ impl Sought {
                 out.iter_mut().zip(values.iter().step_by(2)).for_each(|(out, gap)| *out = *gap);
             }
             Self::Push { row, side, a, lambda } => {
-                system.accelerations_in_passing(t, q, v, a, lambda)?;
+                system.accelerations_unchecked(t, q, v, a, lambda, Rows::Projected)?;
                 out.fill(-*side * lambda[*row]);
             }
         }

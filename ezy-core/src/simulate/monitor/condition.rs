@@ -12,9 +12,9 @@ pub struct ConditionPeak {
     pub at_start: f64,
     /// The largest one.
     pub largest: f64,
-    /// Smallest pivot at that state; 1 is as good as it gets.
+    /// Smallest pivot of the rows at that state, scaled to one.
     pub pivot: f64,
-    /// Name of the row or coordinate whose pivot it is; none where it vanished.
+    /// Name of the row whose pivot it is; none where rows depend on each other.
     pub unknown: Option<&'static str>,
     /// Time of that state, s.
     pub t: f64,
@@ -41,7 +41,7 @@ impl ConditionWatch {
         if info.n_rows() == 0 || n > LARGEST {
             return None;
         }
-        let mut estimator = ConditionEstimator::new(info.n_coordinates(), &info.jacobian);
+        let mut estimator = system.condition_estimator();
         let found = system.conditioning(start.t, &start.q, &mut estimator);
         let peak = peak(system, found.condition, found, start.t);
         Some(Box::new(Self { estimator, n_between: FEWEST_BETWEEN.max((n * n) as u64), peak }))
@@ -61,9 +61,11 @@ impl ConditionWatch {
 
 fn peak<S: Scene + ?Sized>(system: &System<'_, S>, at_start: f64, found: Conditioning, t: f64) -> ConditionPeak {
     let info = system.info();
-    let name = |i: usize| match i.checked_sub(info.n_coordinates()) {
-        None => info.coordinates[i].name,
-        Some(row) => info.rows[row].name,
-    };
-    ConditionPeak { at_start, largest: found.condition, pivot: found.pivot, unknown: found.unknown.map(name), t }
+    ConditionPeak {
+        at_start,
+        largest: found.condition,
+        pivot: found.pivot,
+        unknown: found.row.map(|row| info.rows[row].name),
+        t,
+    }
 }

@@ -3,7 +3,7 @@
 use super::condition::ConditionWatch;
 use super::energy::EnergyWatch;
 use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors, Peak};
-use crate::dynamics::{Projection, State, System, Worst};
+use crate::dynamics::{Projected, Projection, State, System, Worst};
 use crate::model::{Scene, SceneInfo};
 
 /// Steps between looks at velocity rows after projection: a look costs as much as a third of an evaluation of the
@@ -77,10 +77,11 @@ impl Watch {
         system: &mut System<'_, S>,
         from: f64,
         state: &State,
+        projected: &Projected,
         last: bool,
     ) -> Result<(), ExceededLimit> {
-        self.look_at_positions(system, state)?;
-        self.look_at_velocities(system, state, last)?;
+        self.look_at_positions(system, state, projected)?;
+        self.look_at_velocities(system, state, projected, last)?;
         if let Some(energy) = &mut self.energy {
             let (now, limit) = (energy.balance(system, state), self.limits.energy_error);
             if !keeps(now.relative, limit) {
@@ -110,13 +111,13 @@ impl Watch {
         &mut self,
         system: &mut System<'_, S>,
         state: &State,
+        projected: &Projected,
     ) -> Result<(), ExceededLimit> {
         let info = system.info();
         if info.n_position_rows == 0 {
             return Ok(());
         }
         let worst = if self.projection.positions() {
-            let projected = system.projected();
             raise(&mut self.position_drift, projected.positions_before, state.t, info);
             projected.positions_after
         } else {
@@ -131,13 +132,14 @@ impl Watch {
         &mut self,
         system: &mut System<'_, S>,
         state: &State,
+        projected: &Projected,
         last: bool,
     ) -> Result<(), ExceededLimit> {
         if system.info().n_rows() == 0 {
             return Ok(());
         }
         if self.projection.velocities() {
-            raise(&mut self.velocity_drift, system.projected().velocities_before, state.t, system.info());
+            raise(&mut self.velocity_drift, projected.velocities_before, state.t, system.info());
         }
         let looks = last || self.limits.drift.is_finite() || self.n_steps.is_multiple_of(N_BETWEEN_LOOKS);
         if !looks {

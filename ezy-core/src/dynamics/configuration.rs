@@ -1,0 +1,295 @@
+//! One configuration: G, the factors of K and what they say of its rows.
+
+use super::system::Solver;
+use super::{MotionError, System};
+use crate::linalg::{
+    DampedKkt, INDEPENDENT, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, Left, NullSpaceKkt, RankRevealing,
+    undetermined_coordinates,
+};
+use crate::model::Scene;
+
+/// How a linear system at one configuration was solved.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Solved {
+    /// Smallest pivot of an independent row, relative to what it started from: falls with the square of the distance to a
+    /// position in which rows depend on each other. What a pivot is differs between backends.
+    pub smallest_pivot: f64,
+    /// Whether rows depend on each other.
+    pub is_rank_deficient: bool,
+    /// What redundant rows leave.
+    pub(super) left: Left,
+}
+
+impl Solved {
+    /// By an elimination whose pivots were all found.
+    pub(super) fn regular(smallest_pivot: f64) -> Self {
+        Self { smallest_pivot, is_rank_deficient: false, left: Left::default() }
+    }
+}
+
+/// Which rows a system takes for independent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rows {
+    /// Those that are so at the configuration, which is taken as exact.
+    Exact,
+    /// Those that are so at the configuration, which was projected and carries rounding.
+    Projected,
+    /// Where rows were redundant at the start of a step, those that were independent there: beside the constraints, redundant rows
+    /// contradict the others, by as much as a stage leaves the constraints.
+    Held,
+}
+
+/// The factors of one configuration, kept until another one is asked for.
+pub(super) struct Factors {
+    /// Where they were made; NaN where they are not good.
+    t: f64,
+    q: Vec<f64>,
+    rows: Rows,
+    made: Made,
+    /// Entries of G there.
+    pub jacobian: Vec<f64>,
+    /// Made when it is first needed.
+    dense: Option<Box<NullSpaceKkt>>,
+    damped: Option<Box<DampedKkt>>,
+    /// The independent rows at the start of a step, where others were redundant.
+    held: Vec<usize>,
+    /// Answers questions of rank beside the factors; made when it is first needed.
+    rank: Option<Box<RankRevealing>>,
+    /// `n_q + n_c`.
+    pub right_side: Vec<f64>,
+}
+
+/// By which method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Made {
+    Dense,
+    Sparse,
+    /// With the row at which the factorisation without damping failed, where that is known.
+    Damped(Option<usize>),
+}
+
+impl Factors {
+    pub fn new(n_q: usize, n_rows: usize, jacobian: Vec<f64>) -> Self {
+        Self {
+            t: f64::NAN,
+            q: vec![0.0; n_q],
+            rows: Rows::Exact,
+            made: Made::Dense,
+            jacobian,
+            dense: None,
+            damped: None,
+            held: Vec::with_capacity(n_rows),
+            rank: None,
+            right_side: vec![0.0; n_q + n_rows],
+        }
+    }
+
+    /// What was computed with other inputs is not good.
+    pub fn forget(&mut self) {
+        self.t = f64::NAN;
+    }
+
+    pub fn holds_no_rows(&self) -> bool {
+        self.held.is_empty()
+    }
+
+    #[inline]
+    fn are_of(&self, t: f64, q: &[f64], rows: Rows) -> bool {
+        self.t == t && self.rows == rows && self.q == q
+    }
+}
+
+/// A system at one configuration: the factors of K, made once for all that is asked there.
+pub struct Configuration<'c, 's, S: Scene + ?Sized> {
+    pub(super) system: &'c mut System<'s, S>,
+    pub(super) t: f64,
+    pub(super) q: &'c [f64],
+    pub(super) rows: Rows,
+}
+
+impl<'s, S: Scene + ?Sized> System<'s, S> {
+    /// The system at the configuration `q` (`n_q`) at time `t`.
+    pub fn at<'c>(&'c mut self, t: f64, q: &'c [f64]) -> Configuration<'c, 's, S> {
+        Configuration { system: self, t, q, rows: Rows::Exact }
+    }
+
+    /// As [`System::at`], with these rows; held ones where [`System::hold_rows`] found some.
+    #[inline]
+    pub(super) fn at_with<'c>(&'c mut self, t: f64, q: &'c [f64], rows: Rows) -> Configuration<'c, 's, S> {
+        let rows = if rows == Rows::Held && self.factors.held.is_empty() { Rows::Projected } else { rows };
+        Configuration { system: self, t, q, rows }
+    }
+
+    /// Where rows are redundant at the start of a step, its stages keep to those that are independent there.
+    pub(crate) fn hold_rows(&mut self, t: f64, q: &[f64], are_redundant: bool) {
+        if !are_redundant && self.factors.holds_no_rows() {
+            return;
+        }
+        let mut held = std::mem::take(&mut self.factors.held);
+        held.clear();
+        if are_redundant
+            && let Some(rank) = self.rank_at(t, q, Independent::Above(INDEPENDENT))
+            && rank.n_redundant() > 0
+        {
+            held.extend(rank.independent_rows());
+        }
+        self.factors.held = held;
+        if self.factors.rows == Rows::Held {
+            self.factors.forget();
+        }
+    }
+
+    /// What G at a configuration says about its rows; none in a system too large to tell, or where G is not finite.
+    pub(super) fn rank_at(&mut self, t: f64, q: &[f64], independent: Independent<'_>) -> Option<&RankRevealing> {
+        if self.info.n_unknowns() > LARGEST_DIAGNOSED {
+            return None;
+        }
+        let Self { scene, info, fixed, mass, geometry, factors, buffers, .. } = self;
+        scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
+        let rank = factors
+            .rank
+            .get_or_insert_with(|| Box::new(RankRevealing::new(info.n_rows(), info.n_coordinates(), &info.jacobian)));
+        rank.factor(&buffers.jacobian, &geometry.units, mass, independent).then_some(rank)
+    }
+
+    /// Square of the smallest pivot of the rows that a step goes on with; zero where they depend on each other, none where that cannot
+    /// be told.
+    pub(super) fn pivot_of_rows(&mut self, t: f64, q: &[f64]) -> Option<f64> {
+        let held = std::mem::take(&mut self.factors.held);
+        let rows = if held.is_empty() { Independent::Above(f64::EPSILON) } else { Independent::Rows(&held) };
+        let is_small = self.info.n_unknowns() <= LARGEST_DIAGNOSED;
+        let pivot = match self.rank_at(t, q, rows) {
+            Some(rank) if held.is_empty() && rank.n_redundant() > 0 => Some(0.0),
+            Some(rank) => Some(rank.smallest_pivot().powi(2)),
+            None => is_small.then_some(0.0),
+        };
+        self.factors.held = held;
+        pivot
+    }
+}
+
+impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
+    /// Whether the scene's own elimination may solve here: not where rows are redundant.
+    #[inline]
+    pub(super) fn may_eliminate(&self) -> bool {
+        let is_deficient = self.rows == Rows::Held || self.system.factors.are_of(self.t, self.q, self.rows);
+        self.system.uses_elimination() && !is_deficient
+    }
+
+    /// Factors K unless it was factored here.
+    ///
+    /// # Errors
+    /// [`MotionError`] when a number is not finite or a coordinate is undetermined.
+    pub(super) fn factor(&mut self) -> Result<(), MotionError> {
+        let (t, q, rows) = (self.t, self.q, self.rows);
+        if self.system.factors.are_of(t, q, rows) {
+            return Ok(());
+        }
+        let System { scene, info, fixed, mass, geometry, solver, factors, counters, .. } = &mut *self.system;
+        factors.forget();
+        counters.factorizations += 1;
+        scene.velocity_jacobian(fixed, t, q, &mut factors.jacobian);
+        let mut vanished = None;
+        let mut made = Made::Dense;
+        if let Solver::Sparse(kkt) = solver
+            && rows != Rows::Held
+        {
+            match kkt.factor(mass, &factors.jacobian) {
+                Ok(()) => made = Made::Sparse,
+                Err(at) => vanished = Some(at.row),
+            }
+        }
+        let is_singular = match (made, vanished, &mut *solver) {
+            (Made::Sparse, ..) => false,
+            (_, Some(row), Solver::Sparse(kkt)) if info.n_unknowns() > LARGEST_DIAGNOSED => {
+                made = Made::Damped(row);
+                let damped = factors.damped.get_or_insert_with(|| Box::new(DampedKkt::new(mass, &info.jacobian)));
+                damped.factor(kkt.as_mut(), &info.jacobian, mass, &factors.jacobian).is_err()
+            }
+            _ => {
+                let dense = factors
+                    .dense
+                    .get_or_insert_with(|| Box::new(NullSpaceKkt::new(&geometry.units, &info.jacobian, info.n_rows())));
+                let independent = match rows {
+                    Rows::Held => Independent::Rows(&factors.held),
+                    Rows::Projected => Independent::Above(INDEPENDENT),
+                    Rows::Exact => Independent::Above(INDEPENDENT_EXACTLY),
+                };
+                dense.factor(mass, &factors.jacobian, independent).is_err()
+            }
+        };
+        if is_singular && rows == Rows::Held {
+            // held rows have come to depend on each other
+            self.rows = Rows::Projected;
+            return self.factor();
+        }
+        if is_singular {
+            return Err(self.why_singular());
+        }
+        factors.made = made;
+        (factors.t, factors.rows) = (t, rows);
+        factors.q.copy_from_slice(q);
+        let smallest = self.pivot();
+        self.system.least_pivot = self.system.least_pivot.min(smallest);
+        Ok(())
+    }
+
+    /// Of the factors.
+    fn pivot(&self) -> f64 {
+        let Factors { made, dense, .. } = &self.system.factors;
+        match (made, &self.system.solver, dense) {
+            (Made::Sparse, Solver::Sparse(kkt), _) => kkt.smallest_pivot(),
+            (Made::Dense, _, Some(dense)) => dense.rank().smallest_pivot().powi(2),
+            _ => 0.0,
+        }
+    }
+
+    /// Replaces the right side `[r; s]` in the buffer of the factors by `[x; y]`.
+    pub(super) fn solve_in_buffer(&mut self) -> Solved {
+        let smallest_pivot = self.pivot();
+        let System { info, mass, geometry, solver, factors, .. } = &mut *self.system;
+        let Factors { made, dense, damped, jacobian, right_side, .. } = factors;
+        let (is_rank_deficient, left) = match (made, solver, dense, damped) {
+            (Made::Sparse, Solver::Sparse(kkt), ..) => {
+                kkt.solve(right_side);
+                (false, Left::default())
+            }
+            (Made::Damped(_), Solver::Sparse(kkt), _, Some(damped)) => {
+                (true, damped.solve(kkt.as_mut(), mass, jacobian, &geometry.units, right_side))
+            }
+            (_, _, Some(dense), _) => {
+                let left = dense.solve(right_side);
+                (dense.rank().rank() < info.n_rows(), left)
+            }
+            _ => (false, Left::default()),
+        };
+        Solved { smallest_pivot, is_rank_deficient, left }
+    }
+
+    /// Smallest pivot of the factors; zero where there are none.
+    pub(super) fn factored_pivot(&mut self) -> f64 {
+        if self.factor().is_ok() { self.pivot() } else { 0.0 }
+    }
+
+    /// The row whose pivot vanished in a system too large to tell more; none where rows are independent.
+    pub(super) fn vanished_row(&mut self) -> Option<usize> {
+        self.factor().ok()?;
+        match self.system.factors.made {
+            Made::Damped(row) => row,
+            _ => None,
+        }
+    }
+
+    /// Names what makes K singular whatever rows are redundant. Slow; only for reports.
+    #[cold]
+    fn why_singular(&mut self) -> MotionError {
+        let (t, info, jacobian) = (self.t, self.system.info, &self.system.factors.jacobian);
+        match undetermined_coordinates(&self.system.mass, &info.jacobian, jacobian) {
+            Some(found) if !found.is_empty() => MotionError::UndeterminedMotion {
+                t,
+                coordinates: found.iter().map(|&i| info.coordinates[i].name).collect(),
+            },
+            _ => MotionError::NotFinite { t, quantity: "the constraint Jacobian or an entry of its factors" },
+        }
+    }
+}

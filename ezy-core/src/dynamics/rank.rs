@@ -1,0 +1,152 @@
+//! What there is to tell about rows that depend on each other.
+
+use super::configuration::{Rows, Solved};
+use super::error::rows_or_unknown;
+use super::{MotionError, System};
+use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED, Left};
+use crate::model::Scene;
+
+/// Which rows depend on each other at one state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RankLoss {
+    /// Number of coordinates.
+    pub n_coordinates: usize,
+    /// Number of rows.
+    pub n_rows: usize,
+    /// How many of them are redundant: rows beyond the rank. `None` in a system too large to tell.
+    pub n_redundant: Option<usize>,
+    /// Names of the rows that take part in a dependency, in declared order; in a system too large to find them one that does.
+    pub rows: Vec<&'static str>,
+}
+
+impl RankLoss {
+    /// Whether there is any; in a system too large to tell, whether a pivot vanished.
+    pub fn is_lost(&self) -> bool {
+        self.n_redundant.map_or(!self.rows.is_empty(), |n| n > 0)
+    }
+
+    /// Velocities that are independent of each other there: coordinates less the rank.
+    pub fn freedom(&self) -> Option<usize> {
+        self.n_redundant.map(|n| self.n_coordinates.saturating_sub(self.n_rows - n))
+    }
+}
+
+/// `rank 17 of 20, which leaves a freedom of 1; these depend on each other: …`
+impl std::fmt::Display for RankLoss {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let rows = rows_or_unknown(&self.rows);
+        match (self.n_redundant, self.freedom()) {
+            (Some(n), Some(freedom)) => {
+                let (rank, of) = (self.n_rows - n, self.n_rows);
+                write!(
+                    f,
+                    "rank {rank} of {of}, which leaves a freedom of {freedom}; these depend on each other: {rows}"
+                )
+            }
+            _ => write!(f, "of {} rows these, and others, depend on each other: {rows}", self.n_rows),
+        }
+    }
+}
+
+/// Part of the accelerations that redundant rows may leave: where a step ends next to a singular position, rounding of
+/// positions over p³ is far below this, rows that contradict each other far above.
+const ACCELERATIONS_AGREE: f64 = 1e-2;
+
+/// The same of velocities, in which two factors of p less are noise.
+const VELOCITIES_AGREE: f64 = 1e-6;
+
+/// Pivots of rows next to dependent ones: sixteen digits of positions leave thirteen of accelerations there, ε/p³.
+const NEARLY_DEPENDENT: f64 = 0.1;
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// Whether rows nearly depend on each other at a state, whatever the masses are. Slow.
+    pub fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
+        match self.independence(t, q) {
+            Some(independence) => independence <= NEARLY_DEPENDENT * NEARLY_DEPENDENT,
+            None => self.at_with(t, q, Rows::Projected).vanished_row().is_some(),
+        }
+    }
+
+    /// Square of the smallest pivot of G, rows scaled to one and angles in units of their levers: how far rows are from depending on each
+    /// other, whatever the masses are. Masses far apart make small pivots of G M⁻¹ Gᵀ everywhere, and no position singular.
+    /// `None` in a system too large to tell. Slow.
+    pub fn independence(&mut self, t: f64, q: &[f64]) -> Option<f64> {
+        self.pivot_of_rows(t, q)
+    }
+
+    /// What to say when a motion cannot be continued from a state: where rows nearly depend on each other, that they do.
+    #[cold]
+    pub fn locked_up(&mut self, t: f64, q: &[f64], cause: MotionError) -> MotionError {
+        let may_lock = matches!(cause, MotionError::StepCollapsed { .. } | MotionError::ProjectionStalled { .. });
+        if !may_lock {
+            return cause;
+        }
+        let smallest_pivot = self.independence(t, q);
+        let (info, near) = (self.info, self.rank_at(t, q, Independent::Above(NEARLY_DEPENDENT)));
+        match near.map(|rank| rank.dependencies()).filter(|found| found.n > 0) {
+            None => cause,
+            Some(found) => MotionError::LockedUp {
+                t,
+                rows: found.rows.iter().map(|&i| info.rows[i].name).collect(),
+                smallest_pivot: smallest_pivot.unwrap_or(0.0),
+                cause: Box::new(cause),
+            },
+        }
+    }
+
+    /// The rows that depend on each other at a state. Slow, for reports.
+    pub fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
+        let (info, n_rows) = (self.info, self.info.n_rows());
+        let n_coordinates = info.n_coordinates();
+        let name = |i: usize| info.rows[i].name;
+        match self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.dependencies()) {
+            Some(found) => {
+                let rows = found.rows.into_iter().map(name).collect();
+                RankLoss { n_coordinates, n_rows, n_redundant: Some(found.n), rows }
+            }
+            None => {
+                let is_large = info.n_unknowns() > LARGEST_DIAGNOSED;
+                let row = if is_large { self.at_with(t, q, Rows::Projected).vanished_row() } else { None };
+                RankLoss { n_coordinates, n_rows, n_redundant: None, rows: row.map(name).into_iter().collect() }
+            }
+        }
+    }
+
+    /// Whether redundant rows agree about accelerations.
+    ///
+    /// # Errors
+    /// [`MotionError::ContradictoryRows`].
+    #[inline]
+    pub fn check_accelerations(&mut self, t: f64, q: &[f64], solved: Solved) -> Result<(), MotionError> {
+        match solved.is_rank_deficient {
+            true => self.check_agreement(t, q, solved.left, "the accelerations", ACCELERATIONS_AGREE),
+            false => Ok(()),
+        }
+    }
+
+    /// Whether redundant rows agree about a correction of velocities that were `v`.
+    #[inline]
+    pub(super) fn check_velocities(&mut self, t: f64, q: &[f64], v: &[f64], solved: Solved) -> Result<(), MotionError> {
+        if !solved.is_rank_deficient {
+            return Ok(());
+        }
+        let before = self.geometry.units.iter().zip(v).map(|(unit, v)| (unit * v).abs());
+        let scale = before.fold(solved.left.scale, f64::max);
+        self.check_agreement(t, q, Left { scale, ..solved.left }, "the velocities", VELOCITIES_AGREE)
+    }
+
+    fn check_agreement(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        left: Left,
+        level: &'static str,
+        tolerance: f64,
+    ) -> Result<(), MotionError> {
+        if left.rows <= tolerance * left.scale {
+            return Ok(());
+        }
+        let rows = self.rank_loss(t, q).rows;
+        Err(MotionError::ContradictoryRows { t, rows, level, residual: left.rows / left.scale, tolerance })
+    }
+}

@@ -58,6 +58,9 @@ const PASSES_NEAR_RANK_LOSS: usize = 2;
 /// farther away, removes both.
 const TOLERANCE_AT_RANK_LOSS: f64 = 1e-10;
 
+/// Redundant rows that leave this part of a residual contradict the others; less is left where passes do not converge.
+const CONTRADICTS: f64 = 0.1;
+
 /// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each
 /// other; levers of a centimetre make it a hundred times as large.
 const NEAR_RANK_LOSS: f64 = 1e3;
@@ -157,7 +160,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     fn move_onto_rows(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<([Worst; 2], usize), MotionError> {
         let n_h = self.info.n_position_rows;
         let before = self.worst_position(t, q);
-        let (mut worst, mut passes, mut is_rank_deficient) = (before, 0, false);
+        let (mut worst, mut passes, mut solved) = (before, 0, Solved::default());
         loop {
             let norm = worst.value;
             let residual = &self.buffers.residual[..n_h];
@@ -171,11 +174,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
             }
             if passes == MAX_PASSES {
-                if is_rank_deficient && norm <= TOLERANCE_AT_RANK_LOSS {
+                if solved.is_rank_deficient && norm <= TOLERANCE_AT_RANK_LOSS {
                     return Ok(([before, worst], passes));
                 }
                 let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
-                return Err(if is_rank_deficient {
+                return Err(if solved.is_rank_deficient && solved.left.rows >= CONTRADICTS * solved.left.scale {
                     let (rows, level) = (self.rank_loss(t, q).rows, "the positions");
                     MotionError::ContradictoryRows { t, rows, level, residual: norm, tolerance }
                 } else {
@@ -183,7 +186,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                     MotionError::ProjectionStalled { t, residual: norm, row, passes, tolerance }
                 });
             }
-            is_rank_deficient = self.correct_positions(t, q, metric)?.is_rank_deficient;
+            solved = self.correct_positions(t, q, metric)?;
             passes += 1;
             worst = self.worst_position(t, q);
         }

@@ -1,11 +1,12 @@
 //! Past positions in which rows depend on each other for an instant.
 
 use super::instantaneous::Instantaneous;
-use super::singular::Approach;
+use super::singular::{Approach, about};
 use super::usual;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
+use std::ops::Range;
 
 /// Steps that begin well before a singular position and end well beyond.
 ///
@@ -35,6 +36,12 @@ pub(super) struct Crossing {
 
 /// Where in a leap the singular position lies: 0.13 of its length from the nearest node of DOP853.
 const MIDDLE: f64 = 0.46;
+
+/// Where it may lie where the leap would end next to another one, 0.07 from the nearest node.
+const BESIDE: [f64; 2] = [0.40, 0.53];
+
+/// A leap whose end has a smaller part of the pivot at its start ends next to a singular position.
+const TOO_NEAR: f64 = 0.1;
 
 /// A leap of the controlled length begins within this of where it should.
 const ABOUT: f64 = 1.1;
@@ -84,12 +91,13 @@ impl Crossing {
         self.in_vain_until_s = f64::NEG_INFINITY;
     }
 
-    /// A step over a singular position or towards it, when one is near; false when there is none, or no way over it. `usual_s` is
-    /// the length of the steps before.
+    /// A step over a singular position or towards it, when one is `within` these times from now, s, or on the way already; false when there is
+    /// none, or no way over it. `usual_s` is the length of the steps before.
     pub fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         approach: &Approach<'_>,
+        within: Range<f64>,
         usual_s: f64,
     ) -> bool {
         let now = approach.now;
@@ -97,16 +105,14 @@ impl Crossing {
         if t < self.in_vain_until_s {
             return false;
         }
-        let guess = match self.ahead_s.take() {
-            Some(ahead) => Some(ahead - t),
+        let within = match self.ahead_s.take() {
+            Some(ahead) => about(ahead - t),
             None => {
                 self.length_s = usual_s;
-                approach.distance(usual_s)
+                within
             }
         };
-        let Some(distance) = guess.and_then(|guess| approach.find(system, &mut self.on_rows.q, guess)) else {
-            return false;
-        };
+        let Some(distance) = approach.find(system, &mut self.on_rows.q, within) else { return false };
         if !self.chooses_steps {
             self.length_s = distance / MIDDLE;
         }
@@ -117,7 +123,15 @@ impl Crossing {
             let leaps = distance <= ABOUT * MIDDLE * length;
             let h = if leaps { distance / MIDDLE } else { length.min(distance - MIDDLE * length) };
             self.method.restart();
-            let error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
+            let mut error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
+            let mut others = BESIDE.iter().map(|middle| distance / middle);
+            while leaps
+                && error <= 1.0
+                && self.ends_too_near(system, now)
+                && let Some(other) = others.next()
+            {
+                error = self.attempt(system, now, other).unwrap_or(f64::INFINITY);
+            }
             if error <= 1.0 || error <= noise && length <= shortest {
                 self.length_s = length.max(h * self.control.accept(error.max(f64::MIN_POSITIVE)));
                 self.begin_s = t;
@@ -135,6 +149,12 @@ impl Crossing {
         }
         self.in_vain_until_s = t + distance;
         false
+    }
+
+    /// Whether the step that was tried ends next to a singular position.
+    fn ends_too_near<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, now: &Instantaneous) -> bool {
+        let State { t, q, .. } = &self.end.state;
+        system.pivot_at(*t, q) < TOO_NEAR * now.end.smallest_pivot
     }
 
     /// Error of a step over the tolerance, of what its projection leaves.

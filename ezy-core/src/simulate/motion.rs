@@ -33,6 +33,8 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
     tolerance: Option<Tolerance>,
     /// Made when it is first needed.
     crossing: Option<Box<Crossing>>,
+    /// A buffer for positions ahead.
+    foreseen: Vec<f64>,
     /// About the length of the last steps, s; zero before the first.
     usual_s: f64,
     /// Whether works are integrated.
@@ -65,6 +67,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
             crosses: projects && info.n_position_rows > 0,
             tolerance: method.tolerance(),
             crossing: None,
+            foreseen: vec![0.0; info.n_coordinates()],
             usual_s: 0.0,
             work,
             projected: Projected::default(),
@@ -100,6 +103,8 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
     /// that chooses its steps may stop before `t_next`, and any at a kink.
     pub fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+        let Instantaneous { state: State { t, q, .. }, solved, .. } = &self.now;
+        self.system.hold_rows(*t, q, solved.is_rank_deficient);
         let outcome = match self.advance_on_leap(t_next) {
             Ok(true) => Ok(()),
             Ok(false) => self.advance_past_singular_positions(h, t_next),
@@ -127,11 +132,15 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
             let holds_inputs = chooses_steps || system.inputs().is_empty();
             let approach = Approach { now, before: next };
             let is_heading = crossing.as_ref().is_some_and(|crossing| crossing.is_heading());
-            if !self.crosses || !holds_inputs || !is_heading && approach.distance(self.usual_s).is_none() {
+            if !self.crosses || !holds_inputs {
                 return Ok(false);
             }
+            // on the way, the crossing itself knows where
+            let ahead =
+                if is_heading { Some(0.0..0.0) } else { approach.ahead(system, self.usual_s, &mut self.foreseen) };
+            let Some(within) = ahead else { return Ok(false) };
             let crossing = crossing.get_or_insert_with(|| Box::new(Crossing::new(system, self.tolerance, self.work)));
-            if !crossing.step(system, &approach, self.usual_s) {
+            if !crossing.step(system, &approach, within, self.usual_s) {
                 return Ok(false);
             }
         }
@@ -157,11 +166,9 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
 
     fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.step(h, t_next)?;
-        if self.integrator.chooses_steps() && !self.now.solved.is_rank_deficient {
+        if self.integrator.chooses_steps() {
             for _ in 0..MAX_SHORTENED {
-                let [now, next] = [&self.now.end, &self.next.end];
-                let too_near = self.crosses && next.smallest_pivot < TOO_NEAR * now.smallest_pivot;
-                if !next.is_rank_deficient && !too_near {
+                if !self.ends_near_singular_position() {
                     break;
                 }
                 let t = self.now.state.t;
@@ -172,9 +179,16 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         Ok(())
     }
 
+    /// Whether rows that were independent at the start of the step nearly depend on each other at its end.
+    fn ends_near_singular_position(&mut self) -> bool {
+        let (was, is) = (self.now.solved.is_rank_deficient, self.next.end.is_rank_deficient);
+        let State { t, q, .. } = &self.next.state;
+        let pivot = if was { self.system.pivot_at(*t, q) } else { self.next.end.smallest_pivot };
+        is && !was || self.crosses && pivot < TOO_NEAR * self.now.end.smallest_pivot
+    }
+
     fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
-        system.hold_rows(now.state.t, &now.state.q, now.solved.is_rank_deficient);
         self.integrator.step(system, now.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         self.project_next()

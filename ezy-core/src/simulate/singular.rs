@@ -3,6 +3,7 @@
 use super::instantaneous::Instantaneous;
 use crate::dynamics::{State, System};
 use crate::model::Scene;
+use std::ops::Range;
 
 /// The last two states of a motion; the root of the smallest pivot falls in proportion to the distance to a singular position.
 pub(super) struct Approach<'m> {
@@ -16,35 +17,76 @@ const NEAR: f64 = 1.6;
 /// A pivot that falls below this part of what it is now, on the way that is foreseen, vanishes there.
 const VANISHES: f64 = 0.02;
 
-/// The way that is looked at, in distances as foreseen by the last two pivots.
-const FARTHEST: f64 = 1.6;
+/// The way that is searched, in distances as they are expected.
+const SEARCHED: std::ops::Range<f64> = 0.0..1.6;
+
+/// Places ahead at which pivots are looked at where rows are redundant, each twice as far as the one before: the smallest pivot of
+/// independent rows stands still until the last quarter of a radian before a singular position, so that two states tell nothing. A
+/// position between two places is at most half as far from one of them as from here.
+const N_AHEAD: i32 = 7;
 
 /// Of golden sections: 1/2000 of the way.
 const N_SECTIONS: usize = 16;
 
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
+/// Times about a distance, s.
+pub(super) fn about(distance: f64) -> Range<f64> {
+    SEARCHED.start * distance..SEARCHED.end * distance
+}
+
 impl Approach<'_> {
-    /// Time to a singular position as foreseen by the last two pivots, s; none where it is far. `usual_s` is the length of the
-    /// steps before; zero when there were none.
-    pub fn distance(&self, usual_s: f64) -> Option<f64> {
+    /// Where a singular position may be, as times from now, s; none where it is far. `usual_s` is the length of the steps before, zero when
+    /// there were none; `q` is a buffer.
+    pub fn ahead<S: Scene + ?Sized>(
+        &self,
+        system: &mut System<'_, S>,
+        usual_s: f64,
+        q: &mut [f64],
+    ) -> Option<Range<f64>> {
+        if usual_s == 0.0 {
+            return None;
+        }
+        if self.now.solved.is_rank_deficient {
+            return self.dip_ahead(system, NEAR * usual_s, q);
+        }
         let (now, before) = (self.now.end.smallest_pivot, self.before.end.smallest_pivot);
-        if now >= before || now <= 0.0 || usual_s == 0.0 {
+        if now >= before || now <= 0.0 {
             return None;
         }
         let (now, before) = (now.sqrt(), before.sqrt());
         let distance = now * (self.now.state.t - self.before.state.t) / (before - now);
-        (distance < NEAR * usual_s).then_some(distance)
+        (distance < NEAR * usual_s).then(|| about(distance))
     }
 
-    /// Time to where the smallest pivot vanishes on the way that is foreseen, about `guess` from now, s; `q` is a buffer.
-    pub fn find<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, q: &mut [f64], guess: f64) -> Option<f64> {
+    /// Round the smallest pivot on the way that is foreseen, up to `far` from now, s.
+    fn dip_ahead<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, far: f64, q: &mut [f64]) -> Option<Range<f64>> {
+        let mut lowest = (None, self.now.end.smallest_pivot);
+        for i in 1..=N_AHEAD {
+            let s = far * 0.5_f64.powi(N_AHEAD - i);
+            self.foresee(s, q);
+            let pivot = system.pivot_at(self.now.state.t + s, q);
+            if pivot < lowest.1 {
+                lowest = (Some(s), pivot);
+            }
+        }
+        lowest.0.map(|s| 0.5 * s..2.0 * s)
+    }
+
+    /// Time to where the smallest pivot vanishes on the way that is foreseen, within times from now, s; `q` is a buffer.
+    pub fn find<S: Scene + ?Sized>(
+        &self,
+        system: &mut System<'_, S>,
+        q: &mut [f64],
+        within: Range<f64>,
+    ) -> Option<f64> {
         let mut pivot = |s: f64| {
             self.foresee(s, q);
             system.pivot_at(self.now.state.t + s, q)
         };
-        let (mut from, mut to) = (0.0, FARTHEST * guess);
-        let (mut left, mut right) = (to - GOLDEN * to, GOLDEN * to);
+        let (mut from, mut to) = (within.start, within.end);
+        let section = GOLDEN * (to - from);
+        let (mut left, mut right) = (to - section, from + section);
         let (mut at_left, mut at_right) = (pivot(left), pivot(right));
         for _ in 0..N_SECTIONS {
             if at_left <= at_right {

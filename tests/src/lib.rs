@@ -11,6 +11,7 @@ pub mod hand_roller;
 pub mod hard;
 mod leaked;
 pub mod page;
+pub mod parallel_cranks;
 pub mod piloted;
 pub mod plain_rollers;
 #[cfg(doctest)]

@@ -2,7 +2,7 @@
 //! an independent solution in 31 digits confirms, or refuses.
 
 mod accelerations;
-mod draw;
+pub mod draw;
 mod motion;
 mod oracle;
 mod parameters;

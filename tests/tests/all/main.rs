@@ -30,6 +30,7 @@ mod order;
 mod other_mechanisms;
 mod outputs;
 mod paid_when_asked;
+mod parallel_cranks;
 mod precise;
 mod projection;
 mod radau;

@@ -1,0 +1,48 @@
+//! The pendulum by which parallel cranks are judged.
+
+use ezy_tests::parallel_cranks::pendulum::{Pendulum, Swing};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// What the oracle is used to: its own errors are far below what any run keeps to.
+const ORACLE: f64 = 1e-13;
+
+/// Period of a pendulum, by the arithmetic-geometric mean: 2π/(√κ agm(1, cos(a/2))), a the amplitude.
+fn period(kappa: f64, amplitude: f64) -> f64 {
+    let (mut a, mut g) = (1.0_f64, (0.5 * amplitude).cos());
+    while (a - g).abs() > f64::EPSILON {
+        (a, g) = (0.5 * (a + g), (a * g).sqrt());
+    }
+    2.0 * PI / (kappa.sqrt() * a)
+}
+
+#[test]
+fn analytic_oracle_pendulum_returns_after_ten_periods() {
+    for (kappa, amplitude) in [(9.81, 0.3), (3.7, 2.1), (14.0, 3.0)] {
+        let start = Swing { angle: amplitude - FRAC_PI_2, rate: 0.0 };
+        let course = Pendulum { kappa }.run(start, 0.0, 10.0 * period(kappa, amplitude));
+        let off = (course.end.angle - start.angle).abs().max(course.end.rate.abs() / course.pace);
+        assert!(off <= ORACLE * course.growth, "{amplitude}: {off:.1e}, growth {:.1e}", course.growth);
+    }
+}
+
+#[test]
+fn analytic_oracle_pendulum_turns_at_its_energy_and_knows_its_level_positions() {
+    let pendulum = Pendulum { kappa: 6.0 };
+    let start = Swing { angle: 0.5, rate: 8.0 };
+    let course = pendulum.run(start, 0.2, 3.0);
+    let drift = (pendulum.energy(course.end) / pendulum.energy(start) - 1.0).abs();
+    assert!(drift <= ORACLE, "{drift:.1e}");
+    assert_eq!(course.n_level, ((course.end.angle - 0.2) / PI) as u32);
+    // slowest in the level position above, at 0.2 + 2π
+    let there = (2.0 * (pendulum.energy(start) - 6.0 * 0.2_f64.sin())).sqrt();
+    assert!((course.slowest_level - there).abs() <= ORACLE * there, "{} and {there}", course.slowest_level);
+}
+
+#[test]
+fn fd_oracle_growth_is_that_of_a_start_that_is_slightly_off() {
+    let pendulum = Pendulum { kappa: 6.0 };
+    let run = |angle: f64| pendulum.run(Swing { angle, rate: 0.0 }, 0.0, 4.0);
+    let (one, other) = (run(1.4), run(1.4 + 1e-6));
+    let by_angle = (other.end.angle - one.end.angle).abs().max((other.end.rate - one.end.rate).abs() / one.pace) / 1e-6;
+    assert!(by_angle <= 1.001 * one.growth && by_angle >= 0.05 * one.growth, "{by_angle} and {}", one.growth);
+}

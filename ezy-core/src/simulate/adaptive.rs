@@ -67,12 +67,6 @@ impl<T: Scalar> Adaptive<T> {
         }
     }
 
-    /// Steps of another method, of usually this length, s, led here.
-    pub fn take_over(&mut self, usual_s: f64) {
-        self.restart_with(usual_s);
-        self.usual_s = usual_s;
-    }
-
     /// Forgets the steps taken so far.
     pub fn restart(&mut self) {
         self.method.restart();

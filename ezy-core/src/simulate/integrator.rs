@@ -2,10 +2,10 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
-use super::detour::TaylorWithDetour;
 use super::events::{Cut, Kinks};
 use super::implicit::Implicit;
 use super::instantaneous::Instantaneous;
+use super::series::AlongSeries;
 use crate::dynamics::{MotionError, State, System, SystemError};
 use crate::integrate::{Knot, Method, Radau, Rk4, Taylor, interpolate, taylor_order};
 use crate::model::Scene;
@@ -13,7 +13,7 @@ use crate::model::Scene;
 pub(super) enum Integrator<'s> {
     Rk4(Box<Rk4>),
     Dop853(Box<Adaptive>),
-    Taylor(Box<TaylorWithDetour<'s>>),
+    Taylor(Box<AlongSeries<'s>>),
     Radau(Box<Implicit>),
 }
 
@@ -26,12 +26,11 @@ impl<'s> Integrator<'s> {
     ) -> Result<Self, SetupError> {
         let info = scene.info();
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
-        let adaptive = |tolerance| Adaptive::new(n_q, n_c, n_works, tolerance, projects);
         Ok(match method {
             Method::Rk4 { .. } => Self::Rk4(Box::new(Rk4::new(n_q, n_c, n_works))),
-            Method::Dop853(tolerance) => Self::Dop853(Box::new(adaptive(tolerance))),
+            Method::Dop853(tolerance) => Self::Dop853(Box::new(Adaptive::new(n_q, n_c, n_works, tolerance, projects))),
             Method::Taylor(tolerance) => match Taylor::new(scene, taylor_order(tolerance), n_works) {
-                Some(taylor) => Self::Taylor(Box::new(TaylorWithDetour::new(taylor, tolerance, adaptive(tolerance)))),
+                Some(taylor) => Self::Taylor(Box::new(AlongSeries::new(taylor, tolerance))),
                 None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),
             },
             Method::Radau(tolerance) => match Radau::new(scene, n_works).map_err(SystemError::from)? {
@@ -46,7 +45,7 @@ impl<'s> Integrator<'s> {
         match self {
             Self::Rk4(rk4) => rk4.restart(),
             Self::Dop853(adaptive) => adaptive.restart(),
-            Self::Taylor(series) => series.restart(),
+            Self::Taylor(series) => series.taylor.restart(),
             Self::Radau(implicit) => implicit.restart(),
         }
     }
@@ -69,8 +68,7 @@ impl<'s> Integrator<'s> {
     /// Steps that were tried and not taken.
     pub fn n_rejected(&self) -> u64 {
         match self {
-            Self::Rk4(_) => 0,
-            Self::Taylor(series) => series.n_rejected(),
+            Self::Rk4(_) | Self::Taylor(_) => 0,
             Self::Dop853(adaptive) => adaptive.n_rejected(),
             Self::Radau(implicit) => implicit.n_rejected(),
         }
@@ -158,7 +156,7 @@ impl<'s> Integrator<'s> {
                 out.t = t;
             }
             Self::Taylor(series) => {
-                series.between(system, from, to, t, out)?;
+                series.taylor.dense_at(system, from.state, t - from.state.t, out);
                 out.t = t;
             }
             Self::Radau(implicit) => {

@@ -1,0 +1,36 @@
+//! Taylor's method with its step control.
+
+use super::reach::{Reach, is_too_short, reach};
+use crate::dynamics::{MotionError, State, System};
+use crate::integrate::{Knot, Taylor, Tolerance};
+use crate::model::Scene;
+
+/// Steps along series, of lengths that their coefficients choose.
+pub(super) struct AlongSeries<'s> {
+    pub taylor: Taylor<'s>,
+    tolerance: Tolerance,
+}
+
+impl<'s> AlongSeries<'s> {
+    pub fn new(taylor: Taylor<'s>, tolerance: Tolerance) -> Self {
+        Self { taylor, tolerance }
+    }
+
+    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
+    pub fn step<S: Scene + ?Sized>(
+        &mut self,
+        system: &System<'_, S>,
+        from: Knot<'_>,
+        end: f64,
+        to: &mut State,
+    ) -> Result<(), MotionError> {
+        let (t, length) = (from.state.t, self.taylor.longest_step(self.tolerance));
+        if is_too_short(t, length) && length < end - t {
+            return Err(MotionError::StepCollapsed { t, step_s: length });
+        }
+        let Reach { step_s, t_next } = reach(t, end, length);
+        self.taylor.advance(system, from.state, step_s, to);
+        to.t = t_next;
+        Ok(())
+    }
+}

@@ -22,19 +22,6 @@ pub struct Tolerance {
 impl Tolerance {
     /// The smallest relative tolerance: below it an error estimate is rounding.
     pub const SMALLEST_RELATIVE: f64 = 1e-15;
-
-    /// The same where rows nearly depend on each other: what rounding leaves of positions and velocities comes back as
-    /// forces that no step is short enough for.
-    const SMALLEST_AT_RANK_LOSS: f64 = 1e-10;
-
-    /// What can be kept where rows nearly depend on each other.
-    #[must_use]
-    pub fn at_rank_loss(self) -> Self {
-        Self {
-            relative: self.relative.max(Self::SMALLEST_AT_RANK_LOSS),
-            absolute: self.absolute.max(Self::SMALLEST_AT_RANK_LOSS),
-        }
-    }
 }
 
 /// A proportional-integral controller for a method whose error goes with the power `order` of the step.

@@ -1,7 +1,6 @@
 //! DOP853 with its step control.
 
 use super::reach::{Reach, is_too_short, reach};
-use super::usual;
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
@@ -33,25 +32,10 @@ pub(super) struct Adaptive<T = f64> {
     rejected: u64,
     /// Whether values between the ends of the last step are prepared.
     dense: bool,
-    /// Whether steps are projected, so that errors across the rows do not count.
-    projects: bool,
-    /// Whether the last step was good without these errors only.
-    is_held_by_rows: bool,
-    /// Length of the longest of the last other steps, s.
-    usual_s: f64,
 }
 
-/// So many tries of one step fail before errors across the rows are told from the others: away from rank loss it is one.
-const PATIENCE: u32 = 2;
-
-/// A step counts as the shortest when it is longer by what the clock and the end of the run make of it.
-const ABOUT: f64 = 1.01;
-
-/// Part of the usual length below which a step next to rank loss leads nowhere but into noise.
-const CREEPING: f64 = 1e-4;
-
 impl<T: Scalar> Adaptive<T> {
-    pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance, projects: bool) -> Self {
+    pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance) -> Self {
         Self {
             method: Dop853::new(n_coordinates, n_rows, n_works),
             control: StepControl::new(DOP853_ERROR_ORDER),
@@ -61,9 +45,6 @@ impl<T: Scalar> Adaptive<T> {
             watch: StiffnessWatch::default(),
             rejected: 0,
             dense: false,
-            projects,
-            is_held_by_rows: false,
-            usual_s: 0.0,
         }
     }
 
@@ -72,8 +53,6 @@ impl<T: Scalar> Adaptive<T> {
         self.method.restart();
         self.control = StepControl::new(DOP853_ERROR_ORDER);
         self.step_s = None;
-        self.is_held_by_rows = false;
-        self.usual_s = 0.0;
         self.last_s = None;
         self.watch.restart();
     }
@@ -135,32 +114,12 @@ impl<T: Scalar> Adaptive<T> {
         };
         // the length before a kink: behind it the law is as smooth as before
         let (mut whole, mut n_kinks) = (None, 0);
-        let shortest = usual::SHORTEST * self.usual_s;
-        if length < shortest {
-            self.is_held_by_rows = self.projects && system.is_near_rank_loss(t, &from.state.q);
-            if self.is_held_by_rows {
-                length = shortest;
-            }
-        }
-        let mut patience = if self.is_held_by_rows { 0 } else { PATIENCE };
         loop {
             let Reach { step_s: h, t_next } = reach(t, end, length);
-            let creeps = self.projects && h < CREEPING * self.usual_s && system.is_near_rank_loss(t, &from.state.q);
-            if (is_too_short(t, h) || creeps) && h < left {
+            if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
-            let mut outcome = self.method.attempt(system, from, h, self.tolerance, to);
-            self.is_held_by_rows = false;
-            if let Ok(error) = &mut outcome
-                && *error > 1.0
-                && self.projects
-                && patience == 0
-                && let Some(tangential) = self.tangential_error(system, from, h, to)
-            {
-                self.is_held_by_rows = true;
-                *error = tangential;
-            }
-            match outcome {
+            match self.method.attempt(system, from, h, self.tolerance, to) {
                 Ok(error) => {
                     let shorter = if n_kinks < MAX_KINKS { up_to(system, to) } else { None };
                     if let Some(shorter) = shorter {
@@ -173,15 +132,9 @@ impl<T: Scalar> Adaptive<T> {
                         let factor = self.control.accept(error);
                         self.step_s = Some(whole.filter(|whole| h > SPLINTER * whole).unwrap_or(h * factor));
                         self.last_s = Some(h);
-                        if !self.is_held_by_rows {
-                            self.usual_s = usual::follow(self.usual_s, h, h);
-                        }
                         return Ok(());
                     } else {
                         length = h * self.control.reject(error);
-                        if self.is_held_by_rows && h > ABOUT * shortest {
-                            length = length.max(shortest);
-                        }
                     }
                 }
                 // a stage may have left the region of the motion: a shorter step may not
@@ -192,23 +145,7 @@ impl<T: Scalar> Adaptive<T> {
                     }
                 }
             }
-            patience = patience.saturating_sub(1);
             self.rejected += 1;
         }
-    }
-
-    /// Where rows nearly depend on each other, the error of the step that was tried last without what the projection takes away.
-    fn tangential_error(
-        &mut self,
-        system: &mut impl Dynamics<T>,
-        from: Knot<'_, T>,
-        h: f64,
-        to: &State<T>,
-    ) -> Option<f64> {
-        let is_near = [to, from.state].into_iter().any(|at| system.is_near_rank_loss(at.t, &at.q));
-        if !is_near {
-            return None;
-        }
-        self.method.tangential_error(system, h, self.tolerance.at_rank_loss(), to)
     }
 }

@@ -39,7 +39,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
             Method::Rk4 { step_s } => return Err(SetupError::Step { step_s }),
             Method::Dop853(tolerance) => {
                 super::launch::check_tolerance(tolerance)?;
-                Steps::Dop853(Box::new(Adaptive::new(n_q, n_c, 0, tolerance, false)))
+                Steps::Dop853(Box::new(Adaptive::new(n_q, n_c, 0, tolerance)))
             }
             Method::Taylor(_) | Method::Radau(_) => return Err(SetupError::SingleNumbers { method: method.name() }),
         };

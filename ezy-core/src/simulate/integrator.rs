@@ -18,17 +18,12 @@ pub(super) enum Integrator<'s> {
 }
 
 impl<'s> Integrator<'s> {
-    pub fn new<S: Scene + ?Sized>(
-        method: Method,
-        scene: &'s S,
-        n_works: usize,
-        projects: bool,
-    ) -> Result<Self, SetupError> {
+    pub fn new<S: Scene + ?Sized>(method: Method, scene: &'s S, n_works: usize) -> Result<Self, SetupError> {
         let info = scene.info();
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         Ok(match method {
             Method::Rk4 { .. } => Self::Rk4(Box::new(Rk4::new(n_q, n_c, n_works))),
-            Method::Dop853(tolerance) => Self::Dop853(Box::new(Adaptive::new(n_q, n_c, n_works, tolerance, projects))),
+            Method::Dop853(tolerance) => Self::Dop853(Box::new(Adaptive::new(n_q, n_c, n_works, tolerance))),
             Method::Taylor(tolerance) => match Taylor::new(scene, taylor_order(tolerance), n_works) {
                 Some(taylor) => Self::Taylor(Box::new(AlongSeries::new(taylor, tolerance))),
                 None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),

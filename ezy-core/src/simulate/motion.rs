@@ -56,7 +56,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         let info = system.info();
         let [now, next] = std::array::from_fn(|_| Instantaneous::zero(info, work));
         let projects = projection == Projection::Both && metric == Metric::Mass;
-        let integrator = Integrator::new(method, system.scene(), now.power.len(), projects)?;
+        let integrator = Integrator::new(method, system.scene(), now.power.len())?;
         let kinks = Kinks::new(info);
         Ok(Self {
             system,

@@ -107,9 +107,9 @@ const OF_A_STEP: f64 = 3.0;
 /// projection ten times as much.
 const OF_RK4: f64 = 1.0 / 12.0;
 
-/// What rounding leaves of the angle at each passage of the level position, rad: no step needs to end nearer than D = 0.01 to it, and rounding
-/// of coordinates comes back in velocities with 1/D².
-const OF_A_PASSAGE: f64 = f64::EPSILON / (0.01 * 0.01);
+/// What rounding leaves of the angle at each passage of the level position, rad: at a distance D of it rounding of coordinates
+/// comes back in velocities with 1/D², and the slowest cranks, which pass it at 0.1 √κ, turn back at D = 0.1²/2 beyond it.
+const OF_A_PASSAGE: f64 = f64::EPSILON / (0.005 * 0.005);
 
 /// What a run may be off, rad: every step makes its error, and the motion makes it larger.
 fn allowed(member: &Member, course: &Course, method: Method, steps: u64) -> f64 {

@@ -58,9 +58,6 @@ const PASSES_NEAR_RANK_LOSS: usize = 2;
 /// farther away, removes both.
 const TOLERANCE_AT_RANK_LOSS: f64 = 1e-10;
 
-/// Redundant rows that leave this part of a residual contradict the others; less is left where passes do not converge.
-const CONTRADICTS: f64 = 0.1;
-
 /// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each
 /// other; levers of a centimetre make it a hundred times as large.
 const NEAR_RANK_LOSS: f64 = 1e3;
@@ -178,7 +175,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                     return Ok(([before, worst], passes));
                 }
                 let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
-                return Err(if solved.is_rank_deficient && solved.left.rows >= CONTRADICTS * solved.left.scale {
+                return Err(if solved.is_rank_deficient && self.independent_rows_are_met(t, q) {
                     let (rows, level) = (self.rank_loss(t, q).rows, "the positions");
                     MotionError::ContradictoryRows { t, rows, level, residual: norm, tolerance }
                 } else {
@@ -190,6 +187,15 @@ impl<S: Scene + ?Sized> System<'_, S> {
             passes += 1;
             worst = self.worst_position(t, q);
         }
+    }
+
+    /// Whether only redundant rows leave a part of the residual in the buffer: they contradict the others then.
+    fn independent_rows_are_met(&mut self, t: f64, q: &[f64]) -> bool {
+        let n_h = self.info.n_position_rows;
+        let Some(rank) = self.rank_at(t, q, Independent::Above(INDEPENDENT)) else { return true };
+        let rows: Vec<usize> = rank.independent_rows().iter().copied().filter(|row| *row < n_h).collect();
+        let extent = self.geometry.extent(q);
+        rows.iter().all(|&row| self.buffers.residual[row].abs() <= self.geometry.position_tolerance(row, extent))
     }
 
     /// Rounding that coordinates leave in the position rows: of each one, by its slope. A rate of 1e4 rad/s makes large

@@ -146,7 +146,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
         if left.rows <= tolerance * left.scale {
             return Ok(());
         }
-        let rows = self.rank_loss(t, q).rows;
-        Err(MotionError::ContradictoryRows { t, rows, level, residual: left.rows / left.scale, tolerance })
+        let (rows, residual) = (self.rank_loss(t, q).rows, left.rows / left.scale);
+        // next to a singular position of the independent rows it is rounding by which redundant ones differ
+        let near = self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.smallest_pivot());
+        match near.filter(|pivot| *pivot <= NEARLY_DEPENDENT) {
+            Some(pivot) => Err(MotionError::LostInRounding { t, rows, smallest_pivot: Some(pivot * pivot), residual }),
+            None => Err(MotionError::ContradictoryRows { t, rows, level, residual, tolerance }),
+        }
     }
 }

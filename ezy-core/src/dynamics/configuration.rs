@@ -139,6 +139,11 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         }
     }
 
+    /// Whether rows were redundant at the start of the step.
+    pub(crate) fn holds_rows(&self) -> bool {
+        !self.factors.holds_no_rows()
+    }
+
     /// What G at a configuration says about its rows; none in a system too large to tell, or where G is not finite.
     pub(super) fn rank_at(&mut self, t: f64, q: &[f64], independent: Independent<'_>) -> Option<&RankRevealing> {
         if self.info.n_unknowns() > LARGEST_DIAGNOSED {

@@ -294,10 +294,17 @@ impl Radau {
         from: Knot<'_>,
         h: f64,
     ) -> Result<(), MotionError> {
+        let State { t, q, v, .. } = from.state;
         match self.before_s {
-            Some(before_s) => self.stages.extrapolate(&self.before, h / before_s),
+            Some(before_s) => {
+                self.stages.extrapolate(&self.before, h / before_s);
+                if system.holds_rows() {
+                    // nothing fixes their part in the null space of Gᵀ, which extrapolation would make grow from step to step
+                    system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
+                    self.stages.hold_multipliers(&self.lambda);
+                }
+            }
             None => {
-                let State { t, q, v, .. } = from.state;
                 system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
                 self.stages.hold(&self.a, &self.lambda);
             }

@@ -33,10 +33,13 @@ impl Stages {
 
     /// Everything as at the start.
     pub fn hold(&mut self, a: &[f64], lambda: &[f64]) {
-        for i in 0..N_STAGES {
-            self.a[i].copy_from_slice(a);
-            self.lambda[i].copy_from_slice(lambda);
-        }
+        self.a.iter_mut().for_each(|stage| stage.copy_from_slice(a));
+        self.hold_multipliers(lambda);
+    }
+
+    /// Multipliers as at the start.
+    pub fn hold_multipliers(&mut self, lambda: &[f64]) {
+        self.lambda.iter_mut().for_each(|stage| stage.copy_from_slice(lambda));
     }
 
     /// Accelerations and multipliers go on as in the step before, which was `1/ratio` times as long.

@@ -21,6 +21,7 @@ mod hand_and_generated;
 mod hard;
 mod kinks;
 mod large;
+mod level_cranks;
 mod local_order;
 mod long_runs;
 mod massless;

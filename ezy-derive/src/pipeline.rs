@@ -4,7 +4,7 @@
 use proc_macro2::TokenStream;
 
 use crate::diag::Diagnostics;
-use crate::mechanics::{Equations, Templates};
+use crate::mechanics::Derived;
 use crate::{emit, faulty, mechanics, model, parse};
 
 /// A model file as Rust items, or as compile errors on the words to change.
@@ -22,13 +22,9 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     if !diag.is_empty() {
         return with_faults(diag);
     }
+    let scenes: Vec<Derived> = model.scenes.iter().map(|scene| Derived::new(&model, scene)).collect();
     let mut items = diag.into_compile_errors();
-    items.extend(if model.is_repeated() {
-        let templates: Vec<Templates> = model.scenes.iter().map(|scene| Templates::derive(&model, scene)).collect();
-        emit::repeated(&model, templates)
-    } else {
-        emit::model(&model, model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect())
-    });
+    items.extend(emit::model(&model, &scenes));
     items
 }
 

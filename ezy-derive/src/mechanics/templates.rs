@@ -7,8 +7,12 @@ use super::forces::Load;
 use super::kinematics::Vector;
 use super::rows;
 use super::scene::{Group, drives};
+use super::series::Recurrences;
+use super::slopes::Slopes;
 use super::symbols::Symbols;
-use crate::model::{BodyId, EffectId, Force, InputId, Model, Output, ParameterId, Point, Row, Scene, StartValue};
+use crate::function::Function;
+use crate::model::{BodyId, EffectId, Force, InputId, Loop, Model, Output, ParameterId, Point, Row, Scene, StartValue};
+use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
 /// Everything that is emitted for a scene with arrays. Coordinates are those of the model's slots.
@@ -151,6 +155,60 @@ impl<'m> RowTemplate<'m> {
         let multipliers = drives(algebra, symbols, &constraints, None, &mut groups);
         let power = groups.first().map_or(SumId::ZERO, |&(_, power)| power);
         Self { row, slots, constraints, multipliers, power }
+    }
+}
+
+/// A row or a force of a scene with counts, as series and slopes see it.
+pub struct Item<'t, 'm> {
+    pub loops: &'m [Loop],
+    pub slots: &'t [BodyId],
+    pub constraints: Option<&'t Constraints>,
+    /// What it adds to F, by coordinate.
+    pub force: &'t [(usize, SumId)],
+}
+
+impl Item<'_, '_> {
+    pub fn n_rows(&self) -> usize {
+        self.constraints.map_or(0, |constraints| constraints.rows.len())
+    }
+}
+
+/// Rows, then forces.
+fn items<'t, 'm>(rows: &'t [RowTemplate<'m>], forces: &'t [ForceTemplate<'m>]) -> impl Iterator<Item = Item<'t, 'm>> {
+    let rows = rows.iter().map(|of| {
+        let (loops, constraints) = (&of.row.loops[..], Some(&of.constraints));
+        Item { loops, slots: &of.slots, constraints, force: &[] }
+    });
+    let forces = forces.iter().map(|of| {
+        let (loops, force) = (&of.force.loops[..], &of.entries[..]);
+        Item { loops, slots: &of.slots, constraints: None, force }
+    });
+    rows.chain(forces)
+}
+
+impl<'m> Templates<'m> {
+    pub fn items(&self) -> impl Iterator<Item = Item<'_, 'm>> {
+        items(&self.rows, &self.forces)
+    }
+
+    /// The recurrences of each item.
+    ///
+    /// # Errors
+    /// A function that has no Taylor series.
+    pub fn series(&mut self, constants: &mut ConstantPool) -> Result<Vec<Recurrences>, Function> {
+        let Self { algebra, symbols, rows, forces, .. } = self;
+        let mut extended = constants.clone();
+        let of_item = |item: Item| Recurrences::of_item(algebra, symbols, &mut extended, item.constraints, item.force);
+        let recurrences = items(rows, forces).map(of_item).collect::<Result<_, _>>()?;
+        *constants = extended;
+        Ok(recurrences)
+    }
+
+    /// The slopes of each item; `None` when some are too long to write.
+    pub fn slopes(&mut self) -> Option<Vec<Slopes>> {
+        let Self { algebra, symbols, rows, forces, .. } = self;
+        let of_item = |item: Item| Slopes::derive(algebra, symbols, item.constraints, item.force.iter().copied());
+        items(rows, forces).map(of_item).collect()
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::mathml::inline;
 use crate::emit::abbreviations::Abbreviations;
-use crate::emit::info::Emitted;
 use crate::mechanics::Equations;
+use crate::mechanics::kernels::{Kernels, Quantity};
 use crate::mechanics::symbols::Symbols;
 use crate::model::{InputId, Model, Parameter, ParameterId};
 use crate::symbolic::print::{Names, Printed};
@@ -113,10 +113,10 @@ pub fn elimination(equations: &Equations, order: &[(Vec<usize>, bool)]) -> Vec<S
 }
 
 /// Counts of the two generated solutions.
-pub fn operations(emitted: &Emitted<'_>) -> Vec<String> {
-    let kernels = [("accelerations and multipliers", emitted.accelerations), ("projection", emitted.correction)];
-    let rows = kernels.map(|(name, solver)| {
-        let count = solver.program.count();
+pub fn operations(kernels: &Kernels<'_>) -> Vec<String> {
+    let solutions = [("accelerations and multipliers", Quantity::Accelerations), ("projection", Quantity::Correction)];
+    let rows = solutions.map(|(name, quantity)| {
+        let count = kernels[&quantity].count();
         let numbers = [count.mul, count.add, count.div, count.trig, count.calls];
         std::iter::once(name.to_owned()).chain(numbers.map(|n| n.to_string())).collect()
     });

@@ -94,9 +94,9 @@ for self::SlidesLeft {
         c[33usize] = k54;
         c[34usize] = k55;
     }
-    fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+    fn mass_matrix(&self, c: &[T], out: &mut [T]) {
         let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
         out[0usize] = c[26usize];
         out[1usize] = c[26usize];
         out[2usize] = c[27usize];

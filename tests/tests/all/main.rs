@@ -5,6 +5,7 @@ mod scenes;
 mod accuracy;
 mod architecture;
 mod backends;
+mod circles;
 mod control;
 mod crossing;
 mod crossing_cases;

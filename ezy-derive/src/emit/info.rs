@@ -9,7 +9,7 @@ use crate::mechanics::derived::Straight;
 use crate::mechanics::kernels::Quantity;
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Derived, Equations, EventKind, Group, SceneEvent};
-use crate::model::{Bound, InputId, Model, Parameter, ParameterId, Relation, Scene};
+use crate::model::{Bound, Coordinate, InputId, Model, Parameter, ParameterId, Relation, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::program::Count;
@@ -129,7 +129,7 @@ fn coordinates(equations: &Equations) -> Vec<TokenStream> {
     (positions.iter().zip(velocities).enumerate())
         .map(|(i, (position, velocity))| {
             let (name, velocity_name) = (&position.text, &velocity.text);
-            let unit = if i % 3 == 2 { "rad" } else { "m" };
+            let unit = Coordinate::at(i).component.unit();
             let (symbol, velocity_symbol) = (formula(position), formula(velocity));
             quote! {
                 ::ezy_core::model::CoordinateInfo {

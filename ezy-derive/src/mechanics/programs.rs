@@ -4,9 +4,8 @@ use super::kernels::{Kernel, Kernels, Over, Pass, Put, Quantity, Read};
 use super::scene::{Equations, Group};
 use super::slopes::Slopes;
 use super::solve::{Correction, Solver};
-use super::symbols::index;
 use super::templates::{RowTemplate, Templates};
-use crate::model::BodyId;
+use crate::model::{BodyId, Coordinate};
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::Program;
 use crate::symbolic::{Algebra, SumId, Symbol};
@@ -175,7 +174,11 @@ pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> K
         .collect();
     kernels.insert(Quantity::PotentialEnergy, Kernel::of(potential));
     let start = templates.start.iter().map(|&(given, value)| {
-        let put = Put::Start { index: index(given.body, given.component), rate: given.rate, near: given.near };
+        let put = Put::Start {
+            index: Coordinate { body: given.body, component: given.component }.place(),
+            rate: given.rate,
+            near: given.near,
+        };
         lower.pass(Over::Loops(&given.loops), &[given.body], &[value], vec![put])
     });
     kernels.insert(Quantity::Start, Kernel::of(start.collect()));

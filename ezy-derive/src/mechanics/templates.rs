@@ -11,7 +11,10 @@ use super::series::Recurrences;
 use super::slopes::Slopes;
 use super::symbols::Symbols;
 use crate::function::Function;
-use crate::model::{BodyId, EffectId, Force, InputId, Loop, Model, Output, ParameterId, Point, Row, Scene, StartValue};
+use crate::model::{
+    BodyId, Component, Coordinate, EffectId, Force, InputId, Loop, Model, Output, ParameterId, Point, Row, Scene,
+    StartValue,
+};
 use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -101,7 +104,7 @@ impl<'m> Templates<'m> {
         let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
         let masses = model.arrays.iter().map(|array| {
             let (mass, inertia) = (writer.write(&array.mass), writer.write(&array.inertia));
-            [mass, mass, inertia]
+            Component::ALL.map(|component| component.inertia(mass, inertia))
         });
         let masses = masses.collect();
         let forces = forces(model, &mut writer, scene);
@@ -225,7 +228,7 @@ fn forces<'m>(model: &'m Model, writer: &mut Writer<'_>, scene: &Scene) -> Vec<F
         let mut sums: Vec<SumId> = entries.iter().map(|&(_, entry)| entry).collect();
         sums.extend([power, load.potential]);
         let mut slots = slots(writer, &sums);
-        slots.extend(entries.iter().map(|&(i, _)| BodyId(i / 3)));
+        slots.extend(entries.iter().map(|&(i, _)| Coordinate::at(i).body));
         slots.sort_unstable();
         slots.dedup();
         let group = force.effect.map_or(Group::Model, Group::Effect);
@@ -239,7 +242,8 @@ fn slots(writer: &mut Writer<'_>, sums: &[SumId]) -> Vec<BodyId> {
     let mut reads = |symbol| sums.iter().any(|&sum| !writer.algebra.diff(sum, symbol).is_zero());
     let symbols = writer.symbols;
     let mut read = |body: &BodyId| {
-        (3 * body.0..3 * body.0 + 3).any(|i| reads(symbols.coordinate_at(i)) || reads(symbols.velocity_at(i)))
+        let mut places = Coordinate::of(*body).into_iter().map(Coordinate::place);
+        places.any(|i| reads(symbols.coordinate_at(i)) || reads(symbols.velocity_at(i)))
     };
     (0..writer.model.bodies.len()).map(BodyId).filter(|body| read(body)).collect()
 }

@@ -5,7 +5,7 @@ use crate::emit::abbreviations::Abbreviations;
 use crate::mechanics::Equations;
 use crate::mechanics::kernels::{Kernels, Quantity};
 use crate::mechanics::symbols::Symbols;
-use crate::model::{InputId, Model, Parameter, ParameterId};
+use crate::model::{BodyId, Coordinate, InputId, Model, Parameter, ParameterId};
 use crate::symbolic::print::{Names, Printed};
 
 /// A table with a head, nothing when it has no rows; line breaks and bars within cells are kept harmless.
@@ -85,8 +85,9 @@ pub fn sparsity(model: &Model, equations: &Equations) -> Vec<String> {
     let head: String = bodies.iter().map(|body| format!("  {body:<3}")).collect();
     let line = |(row, name): (&Vec<_>, &str)| {
         let cells = bodies.iter().enumerate().map(|(i, body)| {
-            let sign = |k: usize| if row.iter().any(|&(column, _)| column == 3 * i + k) { 'x' } else { '.' };
-            let signs: String = (0..3).map(sign).collect();
+            let reads = |at: Coordinate| row.iter().any(|&(column, _)| column == at.place());
+            let signs: String =
+                Coordinate::of(BodyId(i)).into_iter().map(|at| if reads(at) { 'x' } else { '.' }).collect();
             format!("  {signs:<width$}", width = body.chars().count().max(3))
         });
         format!("{name:widest$}{}", cells.collect::<String>().trim_end())

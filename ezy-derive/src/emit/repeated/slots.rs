@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::loops::{about, members, whole};
-use crate::model::{BodyId, Model, Slot};
+use crate::model::{BodyId, Component, Coordinate, Model, Slot};
 
 /// Index of the first body of each array.
 pub fn firsts(model: &Model) -> TokenStream {
@@ -33,7 +33,8 @@ pub fn slot_places(model: &Model, slots: &[BodyId]) -> TokenStream {
         });
         let first = about("first", &model.arrays[*array]);
         let place = place.map(|place| quote!(+ #place));
-        quote!(3 * (#first #place) as usize)
+        let n = Literal::usize_unsuffixed(Component::ALL.len());
+        quote!(#n * (#first #place) as usize)
     });
     let n = Literal::usize_unsuffixed(slots.len());
     quote!(let slots: [usize; #n] = [#(#places),*];)
@@ -41,7 +42,8 @@ pub fn slot_places(model: &Model, slots: &[BodyId]) -> TokenStream {
 
 /// Place in q of a coordinate of a slot.
 pub fn coordinate(slots: &[BodyId], i: usize) -> TokenStream {
-    let slot = slots.iter().position(|body| body.0 == i / 3).unwrap_or(0);
-    let [slot, component] = [slot, i % 3].map(Literal::usize_unsuffixed);
+    let Coordinate { body, component } = Coordinate::at(i);
+    let slot = slots.iter().position(|slot| *slot == body).unwrap_or(0);
+    let [slot, component] = [slot, component as usize].map(Literal::usize_unsuffixed);
     quote!(slots[#slot] + #component)
 }

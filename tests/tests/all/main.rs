@@ -44,6 +44,7 @@ mod selection;
 mod self_check;
 mod sensitivity;
 mod setup;
+mod shared_constants;
 mod start;
 mod starts_assembly;
 mod starts_projected;

@@ -1,4 +1,4 @@
-//! Functions that an expression can call: of the model language, of the engine, and of the emitted code.
+//! Functions that an expression can call: of the model language, of the engine, and of the emitted code; and its operators.
 
 /// A function of one or two scalars.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -86,6 +86,28 @@ impl Function {
             }
             (Self::Pow, [x, y]) => x.powf(*y),
             _ => f64::NAN,
+        }
+    }
+}
+
+/// What stands between two expressions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+}
+
+impl Operator {
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::Add => "+",
+            Self::Subtract => "-",
+            Self::Multiply => "*",
+            Self::Divide => "/",
+            Self::Power => "^",
         }
     }
 }

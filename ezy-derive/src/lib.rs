@@ -2,10 +2,14 @@
 
 mod diag;
 mod emit;
+#[cfg(test)]
+mod expansions;
 mod faulty;
 mod function;
 #[cfg(test)]
 mod fuzz;
+#[cfg(test)]
+mod golden;
 mod mechanics;
 mod model;
 mod parse;

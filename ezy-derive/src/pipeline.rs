@@ -4,7 +4,7 @@
 use proc_macro2::TokenStream;
 
 use crate::diag::Diagnostics;
-use crate::mechanics::{Equations, Templates};
+use crate::mechanics::Derived;
 use crate::{emit, faulty, mechanics, model, parse};
 
 /// A model file as Rust items, or as compile errors on the words to change.
@@ -22,145 +22,15 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     if !diag.is_empty() {
         return with_faults(diag);
     }
+    let scenes: Vec<Derived> = model.scenes.iter().map(|scene| Derived::new(&model, scene)).collect();
     let mut items = diag.into_compile_errors();
-    items.extend(if model.is_repeated() {
-        let templates: Vec<Templates> = model.scenes.iter().map(|scene| Templates::derive(&model, scene)).collect();
-        emit::repeated(&model, templates)
-    } else {
-        emit::model(&model, model.scenes.iter().map(|scene| Equations::derive(&model, scene)).collect())
-    });
+    items.extend(emit::model(&model, &scenes));
     items
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-    use std::path::{Path, PathBuf};
-
     use super::*;
-    use crate::model::case::snake_case;
-
-    /// The `model!` text of a model file of this workspace.
-    fn model_text(file: &str) -> TokenStream {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/src").join(file);
-        let source = std::fs::read_to_string(path).expect("the model file is there");
-        let file = syn::parse_file(&source).expect("the model file is Rust");
-        let text = file.items.into_iter().find_map(|item| match item {
-            syn::Item::Macro(item) => Some(item.mac.tokens),
-            _ => None,
-        });
-        text.expect("the file holds a model")
-    }
-
-    /// The parts of what a model file becomes, by file, and the pages that only rustdoc reads.
-    fn expanded(file: &str) -> (BTreeMap<String, String>, String) {
-        let items: syn::File = syn::parse2(expand(model_text(file))).expect("the expansion is Rust");
-        let mut pages = String::new();
-        let mut take = |attributes: &mut Vec<syn::Attribute>| {
-            attributes.retain(|attribute| {
-                let page = page(attribute);
-                pages += &page.clone().unwrap_or_default();
-                page.is_none()
-            });
-        };
-        let mut parts: BTreeMap<String, Vec<syn::Item>> = BTreeMap::new();
-        for item in items.items {
-            let syn::Item::Mod(mut module) = item else { panic!("a model becomes a module") };
-            take(&mut module.attrs);
-            for mut item in module.content.take().into_iter().flat_map(|(_, items)| items) {
-                if let syn::Item::Struct(scene) = &mut item {
-                    take(&mut scene.attrs);
-                }
-                parts.entry(part(&item)).or_default().push(item);
-            }
-            module.content = Some(Default::default());
-            parts.entry("module.rs".to_owned()).or_default().insert(0, syn::Item::Mod(module));
-        }
-        let text = |items: Vec<syn::Item>| {
-            let file = syn::parse2(quote::quote!(#(#items)*)).expect("items are a file");
-            prettyplease::unparse(&file)
-        };
-        (parts.into_iter().map(|(name, items)| (name, text(items))).collect(), pages)
-    }
-
-    /// The file of an item: scene, and trait where it implements one.
-    fn part(item: &syn::Item) -> String {
-        let last = |path: &syn::Path| path.segments.last().map(|last| snake_case(&last.ident.to_string()));
-        let (scene, of) = match item {
-            syn::Item::Struct(scene) => (Some(snake_case(&scene.ident.to_string())), None),
-            syn::Item::Impl(block) => {
-                let syn::Type::Path(scene) = &*block.self_ty else { panic!("scenes are named") };
-                let of = block.trait_.as_ref().and_then(|(.., path, _)| last(path)).filter(|of| of != "default");
-                (last(&scene.path), of)
-            }
-            _ => (None, None),
-        };
-        scene.map_or("module.rs".to_owned(), |scene| format!("{scene}/{}.rs", of.as_deref().unwrap_or("info")))
-    }
-
-    /// The text of `#[cfg_attr(doc, doc = "…")]`.
-    fn page(attribute: &syn::Attribute) -> Option<String> {
-        let syn::Meta::List(list) = &attribute.meta else { return None };
-        let text = list.path.is_ident("cfg_attr").then(|| list.tokens.clone().into_iter().last())??;
-        syn::parse2::<syn::LitStr>(text.into()).ok().map(|text| text.value())
-    }
-
-    fn golden(file: &str) -> PathBuf {
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/answers/expanded").join(file)
-    }
-
-    /// `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the file anew.
-    fn compare_with_golden(file: &str, now: &str) {
-        let golden = golden(file);
-        if std::env::var_os("UPDATE_GOLDEN").is_some() {
-            std::fs::create_dir_all(golden.parent().expect("goldens are in a folder")).expect("it can be made");
-            std::fs::write(&golden, now).expect("the golden file can be written");
-        }
-        let before = std::fs::read_to_string(&golden).unwrap_or_default();
-        assert!(now == before, "the expansion changed; see {} and UPDATE_GOLDEN", golden.display());
-    }
-
-    /// Every part, and no file besides.
-    fn compare_parts_with_golden(folder: &str, parts: &BTreeMap<String, String>) {
-        parts.iter().for_each(|(name, now)| compare_with_golden(&format!("{folder}/{name}"), now));
-        let mut files = 0;
-        let mut open = vec![golden(folder)];
-        while let Some(path) = open.pop() {
-            match std::fs::read_dir(&path) {
-                Ok(entries) => open.extend(entries.map(|entry| entry.expect("it can be read").path())),
-                Err(_) => files += 1,
-            }
-        }
-        assert_eq!(files, parts.len(), "{folder} holds files that the macro does not make");
-    }
-
-    #[test]
-    fn regress_expansion_of_the_ezy_roller_is_unchanged() {
-        compare_parts_with_golden("ezy_roller", &expanded("vehicles/ezy_roller.rs").0);
-    }
-
-    #[test]
-    fn regress_expansion_of_the_chain_is_unchanged() {
-        compare_parts_with_golden("chain", &expanded("mechanisms/chain.rs").0);
-    }
-
-    #[test]
-    fn invariant_expansion_does_not_depend_on_the_count() {
-        let text = model_text("mechanisms/chain.rs").to_string();
-        let with = |n: &str| {
-            let text = text.replace("count n = 10", &format!("count n = {n}"));
-            expand(text.parse().expect("the text has tokens")).to_string()
-        };
-        let (small, large) = (with("3"), with("777777"));
-        assert!(large.contains("777777") && !large.contains("compile_error"), "{large}");
-        assert!(large.len() - small.len() < 100, "{} and {} signs", small.len(), large.len());
-        assert_eq!(with("777777"), with("555555").replace("555555", "777777"));
-    }
-
-    #[test]
-    fn regress_pages_of_the_ezy_roller_are_unchanged() {
-        compare_with_golden("ezy_roller.md", &expanded("vehicles/ezy_roller.rs").1);
-    }
 
     /// Messages for a model with the given rows between a body `one`, a body `two` and the ground.
     fn messages(rows: &str) -> String {
@@ -259,53 +129,5 @@ mod tests {
             let found = messages(row);
             assert!(!found.contains("integrates") && !found.contains("compile_error"), "{row}: {found}");
         }
-    }
-
-    #[test]
-    fn invariant_expansion_is_the_same_twice() {
-        assert_eq!(expanded("vehicles/ezy_roller.rs"), expanded("vehicles/ezy_roller.rs"));
-    }
-
-    /// The equations of the scene `coast` of a roller with more items: `impl Equations` and `impl Scene`, as emitted.
-    fn equations_of_coast(more: &str) -> String {
-        let text = format!(
-            "model Roller {{ param a: m = 0.2; param b: m = 0.6; param m: kg = 46; param i: kg*m^2 = 10; \
-             body seat {{ mass: m, inertia: i }} body bar {{ mass: 1, inertia: 0.005 }} point A = seat(-a, 0); \
-             hinge B: seat(b, 0) ~ bar(-0.1, 0); skate rear: at A along seat(1, 0); \
-             skate front: at bar(0.1, 0) along bar(1, 0); {more} \
-             start folded {{ bar angle pi; at rest; }} scene coast {{ start folded; until 1 s; }} }}"
-        );
-        let file: syn::File = syn::parse2(expand(text.parse().expect("the text has tokens"))).expect("it is Rust");
-        let items = file.items.into_iter().filter_map(|item| match item {
-            syn::Item::Mod(module) => module.content,
-            _ => None,
-        });
-        let blocks = items.flat_map(|(_, items)| items).filter_map(|item| match item {
-            syn::Item::Impl(block) if block.trait_.is_some() => Some(quote::quote!(#block).to_string()),
-            _ => None,
-        });
-        let ends = ["model :: Equations < T > for self :: Coast {", "model :: Scene for Coast {"];
-        let blocks: Vec<String> = blocks.filter(|block| ends.iter().any(|end| block.contains(end))).collect();
-        assert_eq!(blocks.len(), ends.len(), "the scene is emitted");
-        blocks.concat()
-    }
-
-    #[test]
-    fn invariant_effects_that_a_scene_does_not_name_leave_its_code_as_it_is() {
-        let with_effects = equations_of_coast(
-            "effect pump { param m0: N*m = 2; torque seat ~ bar: m0 * cos(3 * t); } \
-             effect slip { param c: N = 400; release rear; tyre at A along seat(1, 0): stiffness c; } \
-             effect tie { rod tie: A ~ ground(0, 0) length 1; } \
-             scene driven { start folded; until 1 s; with pump, slip, tie; }",
-        );
-        assert!(with_effects == equations_of_coast(""), "{with_effects}");
-    }
-
-    #[test]
-    fn invariant_scene_without_an_effect_has_no_cosine_of_time() {
-        let (parts, _) = expanded("vehicles/ezy_roller.rs");
-        let of_coast = parts.iter().filter(|(name, _)| name.starts_with("coast/") && *name != "coast/info.rs");
-        let coast: String = of_coast.map(|(_, code)| code.as_str()).collect();
-        assert!(coast.contains("fn accelerations") && !coast.contains("cos(product"), "{coast}");
     }
 }

@@ -2,6 +2,9 @@
 //!
 //! `UPDATE_GOLDEN=1 cargo test -p ezy-derive --test gallery` writes it anew.
 
+#[path = "../src/golden.rs"]
+mod golden;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -43,10 +46,5 @@ fn regress_gallery_of_compile_errors_shows_what_the_macro_says() {
     files.sort();
     let now = OPENING.to_owned() + &files.iter().map(|file| section(file)).collect::<String>();
 
-    let page = crate_root.join("../docs/compile-errors.md");
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        fs::write(&page, &now).expect("the page can be written");
-    }
-    let before = fs::read_to_string(&page).unwrap_or_default();
-    assert!(now == before, "{} is out of date; see UPDATE_GOLDEN", page.display());
+    golden::compare(&crate_root.join("../docs/compile-errors.md"), &now);
 }

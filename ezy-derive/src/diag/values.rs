@@ -1,7 +1,7 @@
 //! Messages about expressions: shapes, units, numbers of arguments, what must not move.
 
 use super::{Extent, fault_at_two_places, fault_with_help};
-use crate::parse::ast::Operator;
+use crate::function::Operator;
 use proc_macro2::{Ident, Span};
 
 /// What messages say in place of the unit `1`.

@@ -5,28 +5,18 @@ use quote::quote;
 
 use super::abbreviations::Abbreviations;
 use crate::function::Function;
-use crate::mechanics::series::Series;
-use crate::mechanics::solve::Solver;
+use crate::mechanics::derived::Straight;
+use crate::mechanics::kernels::Quantity;
 use crate::mechanics::symbols::Symbols;
-use crate::mechanics::{Equations, EventKind, Group, SceneEvent};
-use crate::model::{Bound, InputId, Model, Parameter, ParameterId, Relation, Scene};
+use crate::mechanics::{Derived, Equations, EventKind, Group, SceneEvent};
+use crate::model::{Bound, Coordinate, InputId, Model, Parameter, ParameterId, Relation, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::program::Count;
 
-/// What the emitted kernels turned out to be.
-pub struct Emitted<'a> {
-    pub accelerations: &'a Solver,
-    pub correction: &'a Solver,
-    /// Or the function that has none.
-    pub series: &'a Result<Series, Function>,
-    pub n_constants: usize,
-    pub names: &'a Abbreviations<'a>,
-}
-
 /// The value of `SceneInfo` for a scene.
-pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emitted<'_>) -> TokenStream {
-    let names = emitted.names;
+pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbreviations<'_>) -> TokenStream {
+    let (scene, equations) = (&derived.scene, &of.equations);
     let model_name = model.name.to_string();
     let name = scene.name.to_string();
     let documentation = &scene.documentation;
@@ -51,7 +41,7 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
     let stop = option(stop(model, scene, equations, names));
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
-    let n_constants = emitted.n_constants;
+    let n_constants = derived.constants.coefficients().len();
     let (starts, columns) = pattern(equations);
     let entries = equations.constraints.jacobian.iter().flatten();
     let jacobian_entries: Vec<_> = entries.map(|&(_, entry)| formula_of(names, entry)).collect();
@@ -63,13 +53,12 @@ pub fn scene(model: &Model, scene: &Scene, equations: &Equations, emitted: &Emit
         let (symbol, formula) = (formula(&symbol), formula(&value));
         quote!(::ezy_core::model::Abbreviation { symbol: #symbol, formula: #formula })
     });
-    let elimination = emitted.accelerations.order.iter().map(|(rows, constant_pivot)| {
+    let elimination = of.elimination.iter().map(|(rows, constant_pivot)| {
         quote!(::ezy_core::model::EliminationStep { rows: &[#(#rows),*], constant_pivot: #constant_pivot })
     });
-    let acceleration_operations = operations(emitted.accelerations.program.count());
-    let correction_operations = operations(emitted.correction.program.count());
-    let cost = emitted.series.as_ref().map(|series| (series.recurrences.n_products, series.operations()));
-    let series = series(cost.map_err(|function| *function));
+    let [acceleration_operations, correction_operations] =
+        [Quantity::Accelerations, Quantity::Correction].map(|quantity| operations(derived.kernels[&quantity].count()));
+    let series = series(of.series_cost());
     quote! {
         ::ezy_core::model::SceneInfo {
             model: #model_name,
@@ -140,7 +129,7 @@ fn coordinates(equations: &Equations) -> Vec<TokenStream> {
     (positions.iter().zip(velocities).enumerate())
         .map(|(i, (position, velocity))| {
             let (name, velocity_name) = (&position.text, &velocity.text);
-            let unit = if i % 3 == 2 { "rad" } else { "m" };
+            let unit = Coordinate::at(i).component.unit();
             let (symbol, velocity_symbol) = (formula(position), formula(velocity));
             quote! {
                 ::ezy_core::model::CoordinateInfo {

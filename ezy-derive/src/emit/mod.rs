@@ -1,65 +1,54 @@
-//! From equations to Rust items. Nothing here can fail, and nothing here does algebra.
+//! What was derived as Rust items. Nothing here can fail, and nothing here does algebra.
 
 mod abbreviations;
 mod constants;
 mod info;
 mod kernel;
-mod modes;
 mod page;
 mod repeated;
 mod scene;
 mod series;
-mod slopes;
+mod signature;
+mod straight;
 mod templates;
+mod type_names;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::mechanics::{Equations, Group, Templates};
-use crate::model::case::{camel_case, snake_case};
-use crate::model::{EffectId, Model, Scene};
+use crate::mechanics::{Derived, Group};
+use crate::model::case::snake_case;
+use crate::model::{EffectId, Model};
+use type_names::{module_of_modes, scene_type};
 
 /// The module of a model: one type for each scene, and the description of all of them.
-pub fn model(model: &Model, equations: Vec<Equations>) -> TokenStream {
-    let scenes = model.scenes.iter().zip(equations).map(|(scene, equations)| scene::items(model, scene, equations));
-    let (mut scenes, summaries): (Vec<_>, Vec<_>) = scenes.unzip();
-    scenes.extend(model.scenes.iter().filter_map(|scene| modes::items(model, scene)));
-    let page = page::model(model, &summaries);
-    module(model, &page, &scenes, |type_name| quote!(|| &#type_name::INFO))
-}
-
-/// The same for a model whose sizes are numbers of a run.
-pub fn repeated(model: &Model, templates: Vec<Templates<'_>>) -> TokenStream {
-    let scenes = model.scenes.iter().zip(templates);
-    let scenes: Vec<_> = scenes.map(|(scene, templates)| repeated::items(model, scene, templates)).collect();
-    module(
-        model,
-        &TokenStream::new(),
-        &scenes,
-        |type_name| quote!(|| ::ezy_core::model::Scene::info(&<#type_name as ::core::default::Default>::default())),
-    )
-}
-
-fn module(
-    model: &Model,
-    page: &TokenStream,
-    scenes: &[TokenStream],
-    info: impl Fn(&Ident) -> TokenStream,
-) -> TokenStream {
+pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
     let visibility = &model.visibility;
     let module = Ident::new(&snake_case(&model.name.to_string()), model.name.span());
     let name = model.name.to_string();
     let documentation = &model.documentation;
+    let page = page::model(model, scenes);
     let all: Vec<_> = (0..model.effects.len()).map(|i| Group::Effect(EffectId(i))).collect();
     let effects = info::effects(model, &all);
-    let entries = model.scenes.iter().map(|scene| {
-        let (type_name, name) = (scene_type(scene), scene.name.to_string());
-        let info = info(&type_name);
+    let entries = scenes.iter().map(|derived| {
+        let (type_name, name) = (scene_type(&derived.scene), derived.scene.name.to_string());
+        let info = scene::access_to_info(derived, &type_name);
         quote! {
             ::ezy_core::model::SceneEntry {
                 name: #name,
                 info: #info,
                 new: || ::std::boxed::Box::new(<#type_name as ::core::default::Default>::default()),
+            }
+        }
+    });
+    let types = scenes.iter().map(|derived| scene::items(model, derived));
+    let modes = scenes.iter().filter(|derived| !derived.modes.is_empty()).map(|derived| {
+        let module = module_of_modes(&derived.scene);
+        let types = derived.modes.iter().map(|mode| scene::items(model, mode));
+        quote! {
+            #[doc(hidden)]
+            pub mod #module {
+                #(#types)*
             }
         }
     });
@@ -75,15 +64,8 @@ fn module(
                 effects: &[#(#effects),*],
                 scenes: &[#(#entries),*],
             };
-            #(#scenes)*
+            #(#types)*
+            #(#modes)*
         }
-    }
-}
-
-/// Type of a scene, at the span of its name in the model file.
-fn scene_type(scene: &Scene) -> Ident {
-    match scene.mode {
-        Some(mode) => modes::type_name(mode, scene),
-        None => Ident::new(&camel_case(&scene.name.to_string()), scene.name.span()),
     }
 }

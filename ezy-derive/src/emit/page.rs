@@ -11,40 +11,29 @@ mod tables;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::info::Emitted;
-use crate::mechanics::{Equations, Templates};
-use crate::model::{Model, Scene};
+use super::abbreviations::Abbreviations;
+use super::type_names::scene_type;
+use crate::mechanics::derived::{Form, Straight};
+use crate::mechanics::kernels::Quantity;
+use crate::mechanics::{Derived, Equations, Templates};
+use crate::model::Model;
 
-/// What the page of a model says of one of its scenes.
-pub struct Summary {
-    name: String,
-    type_name: String,
-    effects: Vec<String>,
-    freedom: [usize; 2],
-    operations: usize,
-}
-
-impl Summary {
-    pub fn new(model: &Model, scene: &Scene, type_name: String, equations: &Equations, emitted: &Emitted<'_>) -> Self {
-        let count = emitted.accelerations.program.count();
-        Self {
-            name: scene.name.to_string(),
-            type_name,
-            effects: scene.effects.iter().map(|effect| model.effects[effect.0].name.to_string()).collect(),
-            freedom: freedom(equations),
-            operations: count.add + count.mul + count.div,
-        }
+/// The page of the module: scenes and effects; none of a model with counts.
+pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
+    let row = |derived: &Derived<'_>| {
+        let Form::Straight(of) = &derived.form else { return None };
+        let [positions, velocities] = freedom(&of.equations);
+        let count = derived.kernels[&Quantity::Accelerations].count();
+        let operations = count.add + count.mul + count.div;
+        let effects = derived.scene.effects.iter().map(|effect| format!("`{}`", model.effects[effect.0].name));
+        let effects = effects.collect::<Vec<_>>().join(", ");
+        let name = format!("[`{}`]({})", derived.scene.name, scene_type(&derived.scene));
+        Some(vec![name, effects, positions.to_string(), velocities.to_string(), operations.to_string()])
+    };
+    let rows: Vec<Vec<String>> = scenes.iter().filter_map(row).collect();
+    if rows.is_empty() {
+        return TokenStream::new();
     }
-}
-
-/// The page of the module: scenes and effects.
-pub fn model(model: &Model, scenes: &[Summary]) -> TokenStream {
-    let rows = scenes.iter().map(|scene| {
-        let [positions, velocities] = scene.freedom;
-        let effects = scene.effects.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-        let name = format!("[`{}`]({})", scene.name, scene.type_name);
-        vec![name, effects, positions.to_string(), velocities.to_string(), scene.operations.to_string()]
-    });
     let heads = ["scene", "effects", "freedom of positions", "of velocities", "operations"];
     let mut page = Page::default();
     page.section("Scenes", tables::markdown(&heads, rows));
@@ -58,18 +47,19 @@ pub fn model(model: &Model, scenes: &[Summary]) -> TokenStream {
 }
 
 /// The page of a scene: parameters, rows, equations, sparsity, elimination, costs.
-pub fn scene(model: &Model, equations: &Equations, emitted: &Emitted<'_>) -> TokenStream {
+pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbreviations<'_>) -> TokenStream {
+    let equations = &of.equations;
     let [positions, velocities] = freedom(equations);
     let mut page = Page::default();
     page.paragraph(format!("Freedom: {positions} of positions, {velocities} of velocities."));
     page.section("Parameters", tables::parameters(model, &equations.parameters, &equations.symbols));
     page.section("Inputs", tables::inputs(model, &equations.inputs, &equations.symbols));
     page.section("Rows", tables::rows(equations));
-    equations::write(&mut page, equations, emitted.names);
-    page.section("Outputs", tables::outputs(model, equations, emitted.names));
+    equations::write(&mut page, equations, names);
+    page.section("Outputs", tables::outputs(model, equations, names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
-    page.section("Order of elimination", tables::elimination(equations, &emitted.accelerations.order));
-    page.section("Operations", tables::operations(emitted));
+    page.section("Order of elimination", tables::elimination(equations, &of.elimination));
+    page.section("Operations", tables::operations(&derived.kernels));
     page.attribute()
 }
 

@@ -1,146 +1,64 @@
-//! The type of a scene with arrays: kernels that loop over the members of each item, and the loops that describe a
-//! run with given counts.
+//! Scenes with arrays: kernels that loop over the members of each item, and the loops that describe a run with given
+//! counts.
 
 mod describe;
-mod kernels;
+pub mod kernels;
 mod loops;
-mod series;
-mod slopes;
+pub mod series;
+pub mod slopes;
+mod slots;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::constants::Constants;
-use super::{info, page, scene, scene_type, templates};
-use crate::function::Function;
-use crate::mechanics::{EventTemplate, Templates};
-use crate::model::{Model, Scene};
-use crate::symbolic::lower::ConstantPool;
+use super::{info, templates};
+use crate::mechanics::derived::Counted;
+use crate::mechanics::{Derived, EventTemplate};
+use crate::model::Model;
 use crate::symbolic::print::print;
 use describe::describe;
-use kernels::{Emitter, Methods};
 
-/// The struct, its defaults and its equations.
-pub fn items(model: &Model, scene: &Scene, mut templates: Templates<'_>) -> TokenStream {
-    let templates = &mut templates;
-    let mut pool = ConstantPool::default();
-    let mut emitter = Emitter { model, templates, pool: &mut pool };
-    let Methods { equations, scene: methods } = emitter.methods();
-    let recurrences = series::derive(templates, &mut pool);
-    let items = slopes::derive(templates);
-    let slopes = items.map(|items| Emitter { model, templates, pool: &mut pool }.slopes(&items));
-    let templates = &*templates;
-    let n_inputs = templates.inputs.len();
-    let n_constants = pool.coefficients().len();
-    let coefficients = &templates.algebra.coefficients;
-    let constants = Constants { model, parameters: &templates.parameters, coefficients }.method(&pool, n_inputs);
-    let type_name = scene_type(scene);
-    let structure = structure(model, scene, templates, &type_name);
-    let parameters: Vec<&Ident> = templates.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
-    let (parameter, set_parameter) = scene::parameter_access(&parameters);
-    let counts: Vec<&Ident> = model.counts.iter().map(|count| &count.name).collect();
-    let places: Vec<usize> = (0..counts.len()).collect();
+/// What is known of a scene when it is compiled, and the function that describes a run.
+pub fn description(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream {
+    let templates = &of.templates;
     let all = templates::all(model, templates);
     let infos = all.iter().map(|template| template.info(model, templates));
-    let fixed = fixed(model, scene, templates, n_constants, &recurrences);
-    let recurrences = recurrences.ok();
-    let access_to_series = recurrences.is_some().then(scene::access_to_series);
-    let recurrences = recurrences.map(|items| series::implementation(&type_name, model, &templates.symbols, &items));
+    let fixed = fixed(model, derived, of);
     let describe = describe(model, templates, &all);
     quote! {
-        #structure
+        /// What is known of the scene when it is compiled: everything but its sizes.
+        const FIXED: ::ezy_core::model::SceneInfo = #fixed;
 
-        impl #type_name {
-            /// What is known of the scene when it is compiled: everything but its sizes.
-            const FIXED: ::ezy_core::model::SceneInfo = #fixed;
+        const TEMPLATES: &'static [::ezy_core::model::TemplateInfo] = &[#(#infos),*];
 
-            const TEMPLATES: &'static [::ezy_core::model::TemplateInfo] = &[#(#infos),*];
-
-            fn describe(&self, layout: &mut ::ezy_core::layout::Layout) {
-                #describe
-            }
+        fn describe(&self, layout: &mut ::ezy_core::layout::Layout) {
+            #describe
         }
-
-        #[automatically_derived]
-        impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::#type_name {
-            #constants
-            #equations
-        }
-
-        #[automatically_derived]
-        impl ::ezy_core::model::Scene for #type_name {
-            fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-                static KNOWN: ::ezy_core::layout::Known = ::ezy_core::layout::Known::new();
-                KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
-            }
-            fn count(&self, index: usize) -> usize {
-                match index { #(#places => self.#counts,)* _ => 0 }
-            }
-            fn set_count(&mut self, index: usize, value: usize) {
-                match index { #(#places => self.#counts = value,)* _ => {} }
-            }
-            fn parameter(&self, index: usize) -> f64 {
-                #parameter
-            }
-            fn set_parameter(&mut self, index: usize, value: f64) {
-                #set_parameter
-            }
-            #methods
-            #slopes
-            #access_to_series
-        }
-
-        #recurrences
     }
 }
 
-fn structure(model: &Model, scene: &Scene, templates: &Templates<'_>, type_name: &Ident) -> TokenStream {
-    let parameters: Vec<_> = templates.parameters.iter().map(|id| &model.parameters[id.0]).collect();
-    let counts = model.counts.iter().map(|count| {
-        let name = &count.name;
-        let documentation = match count.documentation.trim() {
-            "" => format!("Count `{name}`; default {}.", count.default),
-            text => format!("{text}; default {}.", count.default),
-        };
-        quote!(#[doc = #documentation] pub #name: usize)
-    });
-    let fields = counts.chain(parameters.iter().map(|parameter| scene::field(parameter)));
-    let count_defaults = model.counts.iter().map(|count| {
-        let (name, value) = (&count.name, Literal::usize_unsuffixed(usize::try_from(count.default).unwrap_or(1)));
-        quote!(#name: #value)
-    });
-    let defaults = parameters.iter().map(|parameter| {
-        let (name, value) = (&parameter.name, parameter.default);
-        quote!(#name: #value)
-    });
-    let defaults = count_defaults.chain(defaults);
-    let title = scene::title(model, scene);
-    let page = page::repeated(model, templates);
+/// The methods that hand out the description of a run, and its counts.
+pub fn access(model: &Model) -> TokenStream {
+    let counts: Vec<&Ident> = model.counts.iter().map(|count| &count.name).collect();
+    let places: Vec<usize> = (0..counts.len()).collect();
     quote! {
-        #[doc = #title]
-        #[doc = ""]
-        #page
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct #type_name {
-            #(#fields),*
+        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+            static KNOWN: ::ezy_core::layout::Known = ::ezy_core::layout::Known::new();
+            KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
         }
-
-        impl ::core::default::Default for #type_name {
-            fn default() -> Self {
-                Self { #(#defaults),* }
-            }
+        fn count(&self, index: usize) -> usize {
+            match index { #(#places => self.#counts,)* _ => 0 }
+        }
+        fn set_count(&mut self, index: usize, value: usize) {
+            match index { #(#places => self.#counts = value,)* _ => {} }
         }
     }
 }
 
 /// The part of the description that does not depend on counts.
-fn fixed(
-    model: &Model,
-    scene: &Scene,
-    templates: &Templates<'_>,
-    n_constants: usize,
-    recurrences: &Result<Vec<series::Item<'_>>, Function>,
-) -> TokenStream {
+fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream {
+    let (scene, templates) = (&derived.scene, &of.templates);
+    let n_constants = derived.constants.coefficients().len();
     let (model_name, name, documentation) = (model.name.to_string(), scene.name.to_string(), &scene.documentation);
     let parameters = info::parameters(model, &templates.parameters, &templates.symbols);
     let inputs = info::inputs(model, &templates.inputs, &templates.symbols);
@@ -154,7 +72,7 @@ fn fixed(
         quote!(::ezy_core::model::CountInfo { name: #name, default: #default, documentation: #documentation })
     });
     let defaults = model.counts.iter().map(|count| count.default as usize);
-    let series = info::series(recurrences.as_ref().map(|items| series::cost(items)).map_err(|function| *function));
+    let series = info::series(of.series_cost());
     quote! {
         ::ezy_core::model::SceneInfo {
             model: #model_name,

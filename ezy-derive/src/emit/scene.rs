@@ -1,69 +1,57 @@
 //! The type of a scene: its parameters as fields, its equations as methods.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::abbreviations::Abbreviations;
 use super::constants::Constants;
-use super::kernel::{self, Body, Numbers};
-use super::{info, modes, page, scene_type, series, slopes};
-use crate::mechanics::Equations;
-use crate::mechanics::series::Series;
-use crate::mechanics::slopes::{Slope, Slopes};
-use crate::mechanics::solve::{self, Correction, Solver};
+use super::kernel::Numbers;
+use super::type_names::{module_of_modes, scene_type};
+use super::{info, page, repeated, series, signature, straight};
+use crate::mechanics::Derived;
+use crate::mechanics::derived::Form;
+use crate::mechanics::kernels::Quantity;
 use crate::model::{Model, Parameter, Scene};
-use crate::symbolic::lower::{ConstantPool, Lowering};
-use crate::symbolic::{SumId, Symbol};
 
-/// The struct, its defaults and its equations; and what the page of the model says of it.
-pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenStream, page::Summary) {
-    let mut pool = ConstantPool::default();
-    let accelerations = solve::accelerations(&mut equations, &mut pool);
-    let Correction { solver: correction, residuals } = solve::correction(&mut equations, &mut pool);
-    let series = Series::derive(&mut equations, &mut pool);
-    let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
-    let slopes = Slopes::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
-    let Methods { equations: kernels, scene: methods } =
-        methods(&equations, &mut pool, &accelerations, &correction, &residuals, slopes.as_ref());
-
-    let n_constants = pool.coefficients().len();
-    let n_inputs = equations.inputs.len();
-    let coefficients = &equations.algebra.coefficients;
-    let constants = Constants { model, parameters: &equations.parameters, coefficients }.method(&pool, n_inputs);
-    let names = &Abbreviations::new(&equations);
-    let (accelerations, correction) = (&accelerations, &correction);
-    let emitted = info::Emitted { accelerations, correction, series: &series, n_constants, names };
-    let info = info::scene(model, scene, &equations, &emitted);
-    let type_name = scene_type(scene);
-    let structure = structure(model, scene, &equations, &type_name, &emitted);
-    let parameters: Vec<&Ident> = equations.parameters.iter().map(|id| &model.parameters[id.0].name).collect();
+/// The struct, its defaults and its equations.
+pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
+    let type_name = scene_type(&derived.scene);
+    let Described { inherent, access, page } = describe(model, derived, &type_name);
+    let structure = structure(model, derived, &type_name, &page);
+    let (parameters, coefficients) = (derived.parameters(), &derived.algebra().coefficients);
+    let constants = Constants { model, parameters, coefficients }.method(&derived.constants, derived.inputs().len());
+    let equations = methods(model, derived, Numbers::Any);
+    let methods = methods(model, derived, Numbers::F64);
+    let parameters: Vec<&Ident> = parameters.iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
-    let modes = modes::access(model, scene, &parameters);
-    let summary = page::Summary::new(model, scene, type_name.to_string(), &equations, &emitted);
-    let recurrences = series.as_ref().ok();
-    let recurrences =
-        recurrences.map(|series| series::implementation(&type_name, &equations, series, n_inputs + n_constants));
-    let access_to_series = series.is_ok().then(access_to_series);
-    let items = quote! {
+    let modes = access_to_modes(derived, &parameters);
+    let series = match &derived.form {
+        Form::Straight(of) => {
+            let series = of.series.as_ref().ok();
+            series.map(|series| series::implementation(&type_name, &of.equations, series, derived.n_fixed()))
+        }
+        Form::Counted(of) => {
+            let series = of.series.as_ref().ok();
+            series.map(|series| repeated::series::implementation(&type_name, model, &of.templates, series))
+        }
+    };
+    let access_to_series = series.is_some().then(access_to_series);
+    quote! {
         #structure
 
         impl #type_name {
-            /// What is known of the scene when it is compiled.
-            pub const INFO: ::ezy_core::model::SceneInfo = #info;
+            #inherent
         }
 
         #[automatically_derived]
         impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::#type_name {
             #constants
-            #kernels
+            #equations
         }
 
         #[automatically_derived]
         impl ::ezy_core::model::Scene for #type_name {
-            fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-                static INFO: ::ezy_core::model::SceneInfo = #type_name::INFO;
-                &INFO
-            }
+            #access
             fn parameter(&self, index: usize) -> f64 {
                 #parameter
             }
@@ -75,13 +63,87 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
             #modes
         }
 
-        #recurrences
+        #series
+    }
+}
+
+/// How the module of the model finds the description of a scene.
+pub fn access_to_info(derived: &Derived<'_>, type_name: &Ident) -> TokenStream {
+    match &derived.form {
+        Form::Straight(_) => quote!(|| &#type_name::INFO),
+        Form::Counted(_) => {
+            quote!(|| ::ezy_core::model::Scene::info(&<#type_name as ::core::default::Default>::default()))
+        }
+    }
+}
+
+/// What a scene says of itself.
+struct Described {
+    /// Constants and functions of its type.
+    inherent: TokenStream,
+    /// The methods that hand them out.
+    access: TokenStream,
+    page: TokenStream,
+}
+
+fn describe(model: &Model, derived: &Derived<'_>, type_name: &Ident) -> Described {
+    match &derived.form {
+        Form::Straight(of) => {
+            let names = &Abbreviations::new(&of.equations);
+            let info = info::scene(model, derived, of, names);
+            Described {
+                inherent: quote! {
+                    /// What is known of the scene when it is compiled.
+                    pub const INFO: ::ezy_core::model::SceneInfo = #info;
+                },
+                access: quote! {
+                    fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
+                        static INFO: ::ezy_core::model::SceneInfo = #type_name::INFO;
+                        &INFO
+                    }
+                },
+                page: page::scene(model, derived, of, names),
+            }
+        }
+        Form::Counted(of) => Described {
+            inherent: repeated::description(model, derived, of),
+            access: repeated::access(model),
+            page: page::repeated(model, &of.templates),
+        },
+    }
+}
+
+/// The methods that compute with these numbers.
+fn methods(model: &Model, derived: &Derived<'_>, numbers: Numbers) -> TokenStream {
+    let of_trait = signature::ALL.iter().filter(|signature| signature.numbers == numbers);
+    let kernels = of_trait.filter_map(|signature| Some((signature, derived.kernels.get(&signature.quantity)?)));
+    let methods = kernels.map(|(signature, kernel)| {
+        let body = match &derived.form {
+            Form::Straight(of) => straight::body(of, derived.n_fixed(), signature, kernel),
+            Form::Counted(_) => repeated::kernels::body(model, derived.symbols(), signature, kernel),
+        };
+        let places = (signature.quantity == Quantity::Slopes).then(|| slope_places(model, derived));
+        let method = signature.method(body);
+        quote!(#places #method)
+    });
+    methods.collect()
+}
+
+/// The method that says which slopes there are.
+fn slope_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
+    let places = match &derived.form {
+        Form::Straight(of) => of.slopes.as_ref().map(straight::slope_places),
+        Form::Counted(of) => of.slopes.as_ref().map(|slopes| repeated::slopes::places(model, &of.templates, slopes)),
     };
-    (items, summary)
+    quote! {
+        fn slope_places(&self) -> ::core::option::Option<::ezy_core::model::SlopePlaces> {
+            #places
+        }
+    }
 }
 
 /// The methods that hand out the series.
-pub fn access_to_series() -> TokenStream {
+fn access_to_series() -> TokenStream {
     quote! {
         fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
             ::core::option::Option::Some(self)
@@ -93,308 +155,55 @@ pub fn access_to_series() -> TokenStream {
     }
 }
 
-/// The methods that read the vector of constants, by trait.
-struct Methods {
-    equations: TokenStream,
-    scene: TokenStream,
-}
-
-fn methods(
-    equations: &Equations,
-    pool: &mut ConstantPool,
-    accelerations: &Solver,
-    correction: &Solver,
-    residuals: &[Symbol],
-    slopes: Option<&Slopes>,
-) -> Methods {
-    let constraints = &equations.constraints;
-    let (n_q, n_c) = (equations.mass.len(), constraints.rows.len());
-    let jacobian: Vec<SumId> = constraints.jacobian.iter().flatten().map(|&(_, entry)| entry).collect();
-    let points: Vec<SumId> = equations.points.iter().flat_map(|point| point.position).collect();
-    let power: Vec<SumId> = equations.power.iter().map(|&(_, power)| power).collect();
-    let outputs: Vec<SumId> = equations.outputs.iter().map(|&(_, value)| value).collect();
-    let other = |symbol: Symbol| {
-        let i = residuals.iter().position(|&residual| residual == symbol).unwrap_or_default();
-        quote!(residual[#i])
-    };
-    let multiplier = |symbol: Symbol| {
-        let row = equations.multipliers.iter().find(|(other, _)| *other == symbol).map_or(0, |(_, row)| *row);
-        quote!(lambda[#row])
-    };
-    let mut emitter = Emitter { equations, pool };
-    let kernels = [
-        emitter.method(Numbers::Any, "mass_matrix", &[], "m", &equations.mass_entries),
-        emitter.method(Numbers::Any, "position_constraint", &["q"], "out", &constraints.position),
-        emitter.method(Numbers::Any, "velocity_constraint", &["q", "v"], "out", &constraints.velocity),
-        emitter.method(Numbers::Any, "velocity_jacobian", &["q"], "out", &jacobian),
-        emitter.method(Numbers::Any, "convective_term", &["q", "v"], "out", &constraints.convective),
-        emitter.method(Numbers::Any, "applied_force", &["q", "v"], "out", &equations.force),
-    ];
-    let bodies = [
-        emitter.method_with(Numbers::F64, "power", &["q", "v", "lambda"], "out", &power, &multiplier),
-        emitter.method(Numbers::F64, "points", &["q"], "out", &points),
-        emitter.method(Numbers::F64, "outputs", &["q", "v"], "out", &outputs),
-    ];
-    let Body { statements, outputs } = emitter.lowered(Numbers::F64, &[equations.potential], &no_other);
-    let potential = quote!(#statements #(#outputs)*);
-    let start = emitter.start();
-    let slope_kernel = slopes.map(|slopes| emitter.slopes(slopes));
-    let accelerations = emitter.solver(accelerations, &[("a", n_q), ("lambda", n_c)], &other);
-    let correction = emitter.solver(correction, &[("delta", n_q)], &other);
-    let events: Vec<SumId> = equations.events.iter().map(|event| event.value).collect();
-    let grip = equations.grip.map(|grip| emitter.method(Numbers::F64, "grip", &["q", "v"], "out", &grip));
-    let contact = equations.contact.as_ref();
-    let stop = contact.map(|of| emitter.method(Numbers::F64, "stop", &["q", "v"], "out", &of.values()));
-    let events = (!events.is_empty()).then(|| emitter.method(Numbers::F64, "events", &["q", "v"], "out", &events));
-    let n_fixed = equations.inputs.len() + emitter.pool.coefficients().len();
-    let opening = |numbers: Numbers, reads: &[(&str, usize)], writes: &[(&str, usize)]| {
-        let reads = reads.iter().map(|&(name, n)| open(numbers, name, name, n, false));
-        let writes = writes.iter().map(|&(name, n)| open(numbers, name, name, n, true));
-        quote!(#(#reads)* #(#writes)*)
-    };
-    let kernels = kernels.map(|method| method.finish(n_fixed, n_q, n_c));
-    let bodies =
-        bodies.into_iter().chain(events).chain(grip).chain(stop).map(|method| method.finish(n_fixed, n_q, n_c));
-    let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
-    let potential_opening =
-        opening(Numbers::F64, if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);
-    let slopes = slopes.map(|slopes| {
-        let slope_opening = opening(
-            Numbers::F64,
-            &[("c", n_fixed), ("q", n_q), ("v", n_q), ("a", n_q), ("lambda", n_c)],
-            &[("by_q", slopes.by_q.len()), ("by_v", slopes.by_v.len())],
-        );
-        slopes::methods(slope_places(slopes), quote!(#slope_opening #slope_kernel))
+/// The method that hands out the other modes behind the scene itself, with its parameters.
+fn access_to_modes(derived: &Derived<'_>, parameters: &[&Ident]) -> Option<TokenStream> {
+    let module = module_of_modes(&derived.scene);
+    let others = derived.modes.iter().map(|mode| {
+        let name = scene_type(&mode.scene);
+        quote!(::std::boxed::Box::new(#module::#name { #(#parameters: self.#parameters),* }))
     });
-    let start_opening = opening(Numbers::F64, &[("c", n_fixed)], &[]);
-    let accelerations_opening =
-        opening(Numbers::Any, &[("c", n_fixed), ("q", n_q), ("v", n_q)], &[("a", n_q), ("lambda", n_c)]);
-    let correction_opening = opening(Numbers::Any, &[("c", n_fixed), ("q", n_q), ("residual", n_c)], &[("delta", n_q)]);
-    let equations = quote! {
-        #(#kernels)*
-        #[inline]
-        fn accelerations(
-            &self,
-            c: &[T],
-            t: T,
-            q: &[T],
-            v: &[T],
-            a: &mut [T],
-            lambda: &mut [T],
-        ) -> ::ezy_core::model::Pivots {
-            #accelerations_opening
-            #accelerations
+    (!derived.modes.is_empty()).then(|| {
+        quote! {
+            fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ::ezy_core::model::Scene>> {
+                ::std::vec![::std::boxed::Box::new(*self), #(#others),*]
+            }
         }
-        #[inline]
-        fn correction(
-            &self,
-            c: &[T],
-            t: T,
-            q: &[T],
-            residual: &[T],
-            delta: &mut [T],
-        ) -> ::ezy_core::model::Pivots {
-            #correction_opening
-            #correction
-        }
-    };
-    let scene = quote! {
-        #(#bodies)*
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-            #potential_opening
-            #potential
-        }
-        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            #start_opening
-            #start
-        }
-        #slopes
-    };
-    Methods { equations, scene }
-}
-
-/// Turns a slice into an array, so that its length is checked once.
-fn open(numbers: Numbers, name: &str, slice: &str, n: usize, written: bool) -> TokenStream {
-    let (name, slice, number) = (argument(name), argument(slice), numbers.name());
-    if written {
-        quote!(let #name = ::ezy_core::kernel::array_mut::<#n, #number>(#slice);)
-    } else {
-        quote!(let #name = ::ezy_core::kernel::array::<#n, #number>(#slice);)
-    }
-}
-
-fn argument(name: &str) -> Ident {
-    Ident::new(name, Span::call_site())
-}
-
-/// The method that takes a start value.
-pub fn give(rate: bool, near: bool) -> Ident {
-    argument(match (rate, near) {
-        (false, false) => "give_position",
-        (true, false) => "give_velocity",
-        (false, true) => "near_position",
-        (true, true) => "near_velocity",
     })
 }
 
-/// A method that writes one vector; the number of constants is known only when all methods are lowered.
-struct Method {
-    numbers: Numbers,
-    name: &'static str,
-    reads: &'static [&'static str],
-    target: &'static str,
-    n_outputs: usize,
-    body: TokenStream,
-}
-
-impl Method {
-    fn finish(self, n_fixed: usize, n_q: usize, n_c: usize) -> TokenStream {
-        let Self { numbers, name, reads, target, n_outputs, body } = self;
-        let (name, output, number) = (argument(name), argument(target), numbers.name());
-        let arguments = reads.iter().map(|read| {
-            let read = argument(read);
-            quote!(#read: &[#number])
-        });
-        let time = if reads.is_empty() { quote!() } else { quote!(t: #number,) };
-        let opening = std::iter::once(open(numbers, "c", "c", n_fixed, false))
-            .chain(reads.iter().map(|&read| open(numbers, read, read, if read == "lambda" { n_c } else { n_q }, false)))
-            .chain(std::iter::once(open(numbers, "out", target, n_outputs, true)));
-        quote! {
-            fn #name(&self, c: &[#number], #time #(#arguments,)* #output: &mut [#number]) {
-                #(#opening)*
-                #body
-            }
-        }
-    }
-}
-
-/// For kernels that read nothing besides.
-fn no_other(_: Symbol) -> TokenStream {
-    quote!(f64::NAN)
-}
-
-struct Emitter<'a> {
-    equations: &'a Equations,
-    pool: &'a mut ConstantPool,
-}
-
-impl Emitter<'_> {
-    fn method(
-        &mut self,
-        numbers: Numbers,
-        name: &'static str,
-        reads: &'static [&'static str],
-        target: &'static str,
-        sums: &[SumId],
-    ) -> Method {
-        self.method_with(numbers, name, reads, target, sums, &no_other)
-    }
-
-    /// A method that reads more than time, coordinates, velocities and inputs; `other` says where.
-    fn method_with(
-        &mut self,
-        numbers: Numbers,
-        name: &'static str,
-        reads: &'static [&'static str],
-        target: &'static str,
-        sums: &[SumId],
-        other: &dyn Fn(Symbol) -> TokenStream,
-    ) -> Method {
-        let Body { statements, outputs } = self.lowered(numbers, sums, other);
-        let indices = 0..outputs.len();
-        let body = quote!(#statements #(out[#indices] = #outputs;)*);
-        Method { numbers, name, reads, target, n_outputs: sums.len(), body }
-    }
-
-    fn lowered(&mut self, numbers: Numbers, sums: &[SumId], other: &dyn Fn(Symbol) -> TokenStream) -> Body {
-        let mut lowering = Lowering::new(&self.equations.algebra, self.pool);
-        for &sum in sums {
-            let value = lowering.lower(sum);
-            lowering.program.push_output(value);
-        }
-        let mut program = lowering.program;
-        program.settle_signs();
-        kernel::body(numbers, &program, &self.equations.symbols, other)
-    }
-
-    fn start(&mut self) -> TokenStream {
-        let sums: Vec<SumId> = self.equations.start.iter().map(|given| given.value).collect();
-        let Body { statements, outputs } = self.lowered(Numbers::F64, &sums, &no_other);
-        let gives = self.equations.start.iter().zip(outputs).map(|(given, value)| {
-            let i = given.index;
-            let give = give(given.rate, given.near);
-            quote!(start.#give(#i, #value);)
-        });
-        quote!(#statements #(#gives)*)
-    }
-
-    fn slopes(&mut self, slopes: &Slopes) -> TokenStream {
-        let other = |symbol: Symbol| slopes::source(slopes, symbol, &|i| quote!(a[#i]), &|row| quote!(lambda[#row]));
-        let Body { statements, outputs } = self.lowered(Numbers::F64, &slopes.values(), &other);
-        let (by_q, by_v) = outputs.split_at(slopes.by_q.len());
-        let (places_q, places_v) = (0..by_q.len(), 0..by_v.len());
-        quote!(#statements #(by_q[#places_q] = #by_q;)* #(by_v[#places_v] = #by_v;)*)
-    }
-
-    /// Writes a solution into the named slices and returns what its pivots are.
-    fn solver(
-        &mut self,
-        solver: &Solver,
-        slices: &[(&str, usize)],
-        other: &dyn Fn(Symbol) -> TokenStream,
-    ) -> TokenStream {
-        let Body { statements, outputs } = kernel::body(Numbers::Any, &solver.program, &self.equations.symbols, other);
-        let (solution, pivots) = outputs.split_at(solver.n_outputs);
-        let targets = slices.iter().flat_map(|&(name, length)| {
-            let name = argument(name);
-            (0..length).map(move |i| quote!(#name[#i]))
-        });
-        let seen = kernel::pivots_seen(&solver.pivots, pivots);
-        quote! {
-            #statements
-            #(#targets = #solution;)*
-            ::ezy_core::model::Pivots::new()#(#seen)*
-        }
-    }
-}
-
-fn slope_places(slopes: &Slopes) -> TokenStream {
-    let list = |slopes: &[Slope]| -> Vec<TokenStream> {
-        slopes.iter().map(|Slope { row, column, .. }| quote!((#row, #column))).collect()
-    };
-    let (by_q, by_v) = (list(&slopes.by_q), list(&slopes.by_v));
-    quote! {
-        ::core::option::Option::Some(::ezy_core::model::SlopePlaces {
-            by_q: ::std::vec![#(#by_q),*],
-            by_v: ::std::vec![#(#by_v),*],
-        })
-    }
-}
-
-fn structure(
-    model: &Model,
-    scene: &Scene,
-    equations: &Equations,
-    type_name: &Ident,
-    emitted: &info::Emitted<'_>,
-) -> TokenStream {
-    let count = emitted.accelerations.program.count();
-    let page = page::scene(model, equations, emitted);
-    let title = title(model, scene);
-    let cost = format!(
-        "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
-        count.mul, count.add, count.div, count.trig
-    );
-    let parameters: Vec<_> = equations.parameters.iter().map(|id| &model.parameters[id.0]).collect();
-    let fields = parameters.iter().map(|parameter| field(parameter));
+fn structure(model: &Model, derived: &Derived<'_>, type_name: &Ident, page: &TokenStream) -> TokenStream {
+    let title = title(model, &derived.scene);
+    let cost = derived.kernels.get(&Quantity::Accelerations).map(|kernel| {
+        let count = kernel.count();
+        let cost = format!(
+            "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
+            count.mul, count.add, count.div, count.trig
+        );
+        quote!(#[doc = #cost])
+    });
+    let parameters: Vec<_> = derived.parameters().iter().map(|id| &model.parameters[id.0]).collect();
+    let counts = model.counts.iter().map(|count| {
+        let name = &count.name;
+        let documentation = match count.documentation.trim() {
+            "" => format!("Count `{name}`; default {}.", count.default),
+            text => format!("{text}; default {}.", count.default),
+        };
+        quote!(#[doc = #documentation] pub #name: usize)
+    });
+    let fields = counts.chain(parameters.iter().map(|parameter| field(parameter)));
+    let count_defaults = model.counts.iter().map(|count| {
+        let (name, value) = (&count.name, Literal::usize_unsuffixed(usize::try_from(count.default).unwrap_or(1)));
+        quote!(#name: #value)
+    });
     let defaults = parameters.iter().map(|parameter| {
         let (name, value) = (&parameter.name, parameter.default);
         quote!(#name: #value)
     });
+    let defaults = count_defaults.chain(defaults);
     quote! {
         #[doc = #title]
         #[doc = ""]
-        #[doc = #cost]
+        #cost
         #page
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct #type_name {
@@ -410,7 +219,7 @@ fn structure(
 }
 
 /// The first line of the documentation of a scene.
-pub fn title(model: &Model, scene: &Scene) -> String {
+fn title(model: &Model, scene: &Scene) -> String {
     if scene.documentation.trim().is_empty() {
         format!("Scene `{}` of `{}`.", scene.name, model.name)
     } else {
@@ -419,7 +228,7 @@ pub fn title(model: &Model, scene: &Scene) -> String {
 }
 
 /// The field of a parameter.
-pub fn field(parameter: &Parameter) -> TokenStream {
+fn field(parameter: &Parameter) -> TokenStream {
     let name = &parameter.name;
     let unit = if parameter.unit.is_empty() { "1" } else { &parameter.unit };
     let title = match parameter.documentation.trim() {
@@ -431,7 +240,7 @@ pub fn field(parameter: &Parameter) -> TokenStream {
 }
 
 /// Bodies of `parameter` and `set_parameter`.
-pub fn parameter_access(names: &[&Ident]) -> (TokenStream, TokenStream) {
+fn parameter_access(names: &[&Ident]) -> (TokenStream, TokenStream) {
     let indices: Vec<usize> = (0..names.len()).collect();
     (
         quote!(match index { #(#indices => self.#names,)* _ => f64::NAN }),

@@ -8,7 +8,7 @@ use crate::mechanics::{
     EventKind, EventTemplate, ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates,
 };
 use crate::model::whole::WholeNames;
-use crate::model::{BodyId, EffectId, Loop, Model, StartValue};
+use crate::model::{BodyId, Component, Coordinate, EffectId, Loop, Model, StartValue};
 use crate::symbolic::SumId;
 use crate::symbolic::print::print;
 use crate::symbolic::spelling;
@@ -99,8 +99,9 @@ impl Template<'_> {
         let printed = |sum| formula(&print(&templates.algebra, &templates.symbols, sum));
         let on_slots = |entries: &[(usize, SumId)]| {
             let entries = entries.iter().map(|&(i, entry)| {
-                let slot = self.slots.iter().position(|body| body.0 == i / 3).unwrap_or(0);
-                let (component, symbol) = (i % 3, formula(&templates.symbols.coordinate_names()[i]));
+                let Coordinate { body, component } = Coordinate::at(i);
+                let slot = self.slots.iter().position(|slot| *slot == body).unwrap_or(0);
+                let (component, symbol) = (component as usize, formula(&templates.symbols.coordinate_names()[i]));
                 let entry = printed(entry);
                 quote! {
                     (
@@ -199,7 +200,8 @@ fn masses(model: &Model, i: usize, masses: &[SumId], printed: &dyn Fn(SumId) -> 
         true => array.name.to_string(),
         false => format!("{}[{}]", array.name, indices.join(",")),
     };
-    let entries = ["x", "y", "phi"].into_iter().zip(masses).enumerate().map(|(component, (letter, &mass))| {
+    let entries = Component::ALL.into_iter().zip(masses).map(|(component, &mass)| {
+        let (component, letter) = (component as usize, component.name(false));
         let symbol = formula(&spelling::of_body(&format!("{body}.{letter}"), letter, &body, false));
         let mass = printed(mass);
         quote!((::ezy_core::model::SlotCoordinate { slot: 0, component: #component, symbol: #symbol }, #mass))

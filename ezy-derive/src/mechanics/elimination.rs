@@ -7,6 +7,7 @@
 //! No pivoting is needed: A is positive definite wherever G has full rank, and so is every Schur complement.
 
 use super::scene::Equations;
+use crate::model::Coordinate;
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -148,7 +149,8 @@ fn subtract_product(algebra: &mut Algebra, a: SumId, b: SumId, c: SumId) -> SumI
 
 fn on_one_body(equations: &Equations, row: usize) -> bool {
     let entries = &equations.constraints.jacobian[row];
-    entries.first().is_some_and(|(first, _)| entries.iter().all(|(column, _)| column / 3 == first / 3))
+    let mut bodies = entries.iter().map(|&(column, _)| Coordinate::at(column).body);
+    bodies.next().is_some_and(|first| bodies.all(|body| body == first))
 }
 
 fn code_name(equations: &Equations, row: usize) -> String {

@@ -7,11 +7,14 @@
 mod block;
 pub mod check;
 mod constraints;
+pub mod derived;
 mod elimination;
 mod event;
 mod expression;
 mod forces;
+pub mod kernels;
 mod kinematics;
+mod programs;
 mod rows;
 pub mod scene;
 pub mod series;
@@ -23,7 +26,8 @@ mod templates;
 #[cfg(test)]
 mod tests;
 
+pub use derived::Derived;
 pub use event::{EventKind, SceneEvent};
 pub use rows::ScalarRow;
 pub use scene::{Equations, Group};
-pub use templates::{EventTemplate, ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates};
+pub use templates::{EventTemplate, ForceTemplate, Item, OutputTemplate, PointTemplate, RowTemplate, Templates};

@@ -7,8 +7,8 @@ use super::forces::{Load, sliding};
 use super::kinematics::Vector;
 use super::rows;
 use super::stop::{self, Contact};
-use super::symbols::{Symbols, index};
-use crate::model::{BodyId, EffectId, InputId, Mode, Model, ParameterId, Scene};
+use super::symbols::Symbols;
+use crate::model::{BodyId, Component, Coordinate, EffectId, InputId, Mode, Model, ParameterId, Scene};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -131,7 +131,7 @@ fn mass_matrix(writer: &mut Writer<'_>) -> Vec<Coefficient> {
     let mut diagonal = Vec::new();
     for body in &model.bodies {
         let (mass, inertia) = (writer.coefficient(&body.mass), writer.coefficient(&body.inertia));
-        diagonal.extend([mass, mass, inertia]);
+        diagonal.extend(Component::ALL.map(|component| component.inertia(mass, inertia)));
     }
     diagonal
 }
@@ -229,7 +229,7 @@ fn start(writer: &mut Writer<'_>, scene: &Scene) -> Vec<GivenValue> {
         .values
         .iter()
         .map(|given| GivenValue {
-            index: index(given.body, given.component),
+            index: Coordinate { body: given.body, component: given.component }.place(),
             rate: given.rate,
             near: given.near,
             value: writer.write(&given.value),

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use super::check::LONGEST_SUM;
 use super::constraints::Constraints;
+use super::kernels::{Put, Read};
 use super::symbols::{Meaning, Symbols};
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -19,15 +20,6 @@ pub struct Slopes {
     pub reads: Vec<(Symbol, Read)>,
     pub by_q: Vec<Slope>,
     pub by_v: Vec<Slope>,
-}
-
-/// What a symbol stands for.
-#[derive(Debug, Clone, Copy)]
-pub enum Read {
-    /// Of a coordinate.
-    Acceleration(usize),
-    /// Of a row.
-    Multiplier(usize),
 }
 
 /// An entry: rows of R are coordinates, then rows of G.
@@ -80,6 +72,11 @@ impl Slopes {
     /// All values, those by coordinates first.
     pub fn values(&self) -> Vec<SumId> {
         self.by_q.iter().chain(&self.by_v).map(|slope| slope.value).collect()
+    }
+
+    /// Where they go: to the first vector and to the second one.
+    pub fn puts(&self) -> Vec<Put> {
+        [vec![Put::Next(0); self.by_q.len()], vec![Put::Next(1); self.by_v.len()]].concat()
     }
 }
 

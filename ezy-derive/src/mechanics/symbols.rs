@@ -1,7 +1,7 @@
 //! The symbols of a scene: time, coordinates, velocities, and values named on the way.
 
 use crate::model::whole::IndexId;
-use crate::model::{BodyId, Component, InputId, Model};
+use crate::model::{BodyId, Component, Coordinate, InputId, Model};
 use crate::symbolic::Symbol;
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::spelling;
@@ -38,9 +38,10 @@ impl Symbols {
         let (mut coordinates, mut velocities) = (Vec::new(), Vec::new());
         for body in &model.bodies {
             let body = body.name.clone();
-            for (letter, position, velocity) in [("x", "x", "vx"), ("y", "y", "vy"), ("phi", "phi", "omega")] {
-                coordinates.push(spelling::of_body(&format!("{body}.{position}"), letter, &body, false));
-                velocities.push(spelling::of_body(&format!("{body}.{velocity}"), letter, &body, true));
+            for component in Component::ALL {
+                let [position, velocity] = [false, true].map(|rate| component.name(rate));
+                coordinates.push(spelling::of_body(&format!("{body}.{position}"), position, &body, false));
+                velocities.push(spelling::of_body(&format!("{body}.{velocity}"), position, &body, true));
             }
         }
         let counts = model.counts.iter().map(|count| &count.name);
@@ -56,11 +57,11 @@ impl Symbols {
     }
 
     pub fn coordinate(&self, body: BodyId, component: Component) -> Symbol {
-        self.coordinate_at(index(body, component))
+        self.coordinate_at(Coordinate { body, component }.place())
     }
 
     pub fn velocity(&self, body: BodyId, component: Component) -> Symbol {
-        self.velocity_at(index(body, component))
+        self.velocity_at(Coordinate { body, component }.place())
     }
 
     pub fn coordinate_at(&self, i: usize) -> Symbol {
@@ -153,11 +154,6 @@ impl Names for Symbols {
 fn identifier(text: &str) -> String {
     let parts = text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|part| !part.is_empty());
     parts.collect::<Vec<_>>().join("_")
-}
-
-/// Place of a coordinate in q.
-pub fn index(body: BodyId, component: Component) -> usize {
-    3 * body.0 + component as usize
 }
 
 fn symbol(i: usize) -> Symbol {

@@ -7,8 +7,15 @@ use super::forces::Load;
 use super::kinematics::Vector;
 use super::rows;
 use super::scene::{Group, drives};
+use super::series::Recurrences;
+use super::slopes::Slopes;
 use super::symbols::Symbols;
-use crate::model::{BodyId, EffectId, Force, InputId, Model, Output, ParameterId, Point, Row, Scene, StartValue};
+use crate::function::Function;
+use crate::model::{
+    BodyId, Component, Coordinate, EffectId, Force, InputId, Loop, Model, Output, ParameterId, Point, Row, Scene,
+    StartValue,
+};
+use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
 /// Everything that is emitted for a scene with arrays. Coordinates are those of the model's slots.
@@ -97,7 +104,7 @@ impl<'m> Templates<'m> {
         let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
         let masses = model.arrays.iter().map(|array| {
             let (mass, inertia) = (writer.write(&array.mass), writer.write(&array.inertia));
-            [mass, mass, inertia]
+            Component::ALL.map(|component| component.inertia(mass, inertia))
         });
         let masses = masses.collect();
         let forces = forces(model, &mut writer, scene);
@@ -154,6 +161,60 @@ impl<'m> RowTemplate<'m> {
     }
 }
 
+/// A row or a force of a scene with counts, as series and slopes see it.
+pub struct Item<'t, 'm> {
+    pub loops: &'m [Loop],
+    pub slots: &'t [BodyId],
+    pub constraints: Option<&'t Constraints>,
+    /// What it adds to F, by coordinate.
+    pub force: &'t [(usize, SumId)],
+}
+
+impl Item<'_, '_> {
+    pub fn n_rows(&self) -> usize {
+        self.constraints.map_or(0, |constraints| constraints.rows.len())
+    }
+}
+
+/// Rows, then forces.
+fn items<'t, 'm>(rows: &'t [RowTemplate<'m>], forces: &'t [ForceTemplate<'m>]) -> impl Iterator<Item = Item<'t, 'm>> {
+    let rows = rows.iter().map(|of| {
+        let (loops, constraints) = (&of.row.loops[..], Some(&of.constraints));
+        Item { loops, slots: &of.slots, constraints, force: &[] }
+    });
+    let forces = forces.iter().map(|of| {
+        let (loops, force) = (&of.force.loops[..], &of.entries[..]);
+        Item { loops, slots: &of.slots, constraints: None, force }
+    });
+    rows.chain(forces)
+}
+
+impl<'m> Templates<'m> {
+    pub fn items(&self) -> impl Iterator<Item = Item<'_, 'm>> {
+        items(&self.rows, &self.forces)
+    }
+
+    /// The recurrences of each item.
+    ///
+    /// # Errors
+    /// A function that has no Taylor series.
+    pub fn series(&mut self, constants: &mut ConstantPool) -> Result<Vec<Recurrences>, Function> {
+        let Self { algebra, symbols, rows, forces, .. } = self;
+        let mut extended = constants.clone();
+        let of_item = |item: Item| Recurrences::of_item(algebra, symbols, &mut extended, item.constraints, item.force);
+        let recurrences = items(rows, forces).map(of_item).collect::<Result<_, _>>()?;
+        *constants = extended;
+        Ok(recurrences)
+    }
+
+    /// The slopes of each item; `None` when some are too long to write.
+    pub fn slopes(&mut self) -> Option<Vec<Slopes>> {
+        let Self { algebra, symbols, rows, forces, .. } = self;
+        let of_item = |item: Item| Slopes::derive(algebra, symbols, item.constraints, item.force.iter().copied());
+        items(rows, forces).map(of_item).collect()
+    }
+}
+
 /// Each force that a scene calls for by itself.
 fn forces<'m>(model: &'m Model, writer: &mut Writer<'_>, scene: &Scene) -> Vec<ForceTemplate<'m>> {
     let groups = std::iter::once(None).chain(scene.effects.iter().copied().map(Some));
@@ -167,7 +228,7 @@ fn forces<'m>(model: &'m Model, writer: &mut Writer<'_>, scene: &Scene) -> Vec<F
         let mut sums: Vec<SumId> = entries.iter().map(|&(_, entry)| entry).collect();
         sums.extend([power, load.potential]);
         let mut slots = slots(writer, &sums);
-        slots.extend(entries.iter().map(|&(i, _)| BodyId(i / 3)));
+        slots.extend(entries.iter().map(|&(i, _)| Coordinate::at(i).body));
         slots.sort_unstable();
         slots.dedup();
         let group = force.effect.map_or(Group::Model, Group::Effect);
@@ -181,7 +242,8 @@ fn slots(writer: &mut Writer<'_>, sums: &[SumId]) -> Vec<BodyId> {
     let mut reads = |symbol| sums.iter().any(|&sum| !writer.algebra.diff(sum, symbol).is_zero());
     let symbols = writer.symbols;
     let mut read = |body: &BodyId| {
-        (3 * body.0..3 * body.0 + 3).any(|i| reads(symbols.coordinate_at(i)) || reads(symbols.velocity_at(i)))
+        let mut places = Coordinate::of(*body).into_iter().map(Coordinate::place);
+        places.any(|i| reads(symbols.coordinate_at(i)) || reads(symbols.velocity_at(i)))
     };
     (0..writer.model.bodies.len()).map(BodyId).filter(|body| read(body)).collect()
 }

@@ -2,7 +2,8 @@
 
 use super::Expr;
 use crate::diag::values;
-use crate::parse::ast::{self, Operator};
+use crate::function::Operator;
+use crate::parse::ast;
 use std::f64::consts::PI;
 use syn::Result;
 

@@ -7,6 +7,7 @@ use super::unit::Unit;
 use super::value::{Form, Value};
 use super::{Direction, Expr};
 use crate::diag::{names, rules, values};
+use crate::function::Operator;
 use crate::parse::ast;
 use proc_macro2::Ident;
 
@@ -43,7 +44,7 @@ impl Context<'_> {
             ast::Expr::Binary { operator, span, left, right } => {
                 let (left, right) = (self.value(left, purpose), self.value(right, purpose));
                 let by_zero = |value: &Value| matches!(&value.form, Form::Scalar(x) if literal(x) == Some(0.0));
-                if *operator == ast::Operator::Divide && right.as_ref().is_some_and(by_zero) {
+                if *operator == Operator::Divide && right.as_ref().is_some_and(by_zero) {
                     self.diag.error(values::division_by_zero(*span));
                     return None;
                 }

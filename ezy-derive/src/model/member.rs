@@ -86,17 +86,19 @@ impl Context<'_> {
 fn body_member(id: BodyId, member: &str) -> Option<Value> {
     let coordinate = |component| Expr::Coordinate(id, component);
     let velocity = |component| Expr::Velocity(id, component);
-    Some(match member {
-        "x" => Value::scalar(coordinate(Component::X), Dimension::LENGTH),
-        "y" => Value::scalar(coordinate(Component::Y), Dimension::LENGTH),
-        "phi" => Value::scalar(coordinate(Component::Phi), Dimension::ANGLE),
-        "vx" => Value::scalar(velocity(Component::X), Dimension::VELOCITY),
-        "vy" => Value::scalar(velocity(Component::Y), Dimension::VELOCITY),
-        "omega" => Value::scalar(velocity(Component::Phi), Dimension::ANGULAR_VELOCITY),
-        "r" => Value::vector(coordinate(Component::X), coordinate(Component::Y), Dimension::LENGTH),
-        "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Dimension::VELOCITY),
-        _ => return None,
-    })
+    for component in Component::ALL {
+        if member == component.name(false) {
+            return Some(Value::scalar(coordinate(component), component.dimension(false)));
+        }
+        if member == component.name(true) {
+            return Some(Value::scalar(velocity(component), component.dimension(true)));
+        }
+    }
+    match member {
+        "r" => Some(Value::vector(coordinate(Component::X), coordinate(Component::Y), Dimension::LENGTH)),
+        "v" => Some(Value::vector(velocity(Component::X), velocity(Component::Y), Dimension::VELOCITY)),
+        _ => None,
+    }
 }
 
 /// What carries the members of a point.

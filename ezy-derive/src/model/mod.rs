@@ -6,6 +6,7 @@ mod array;
 pub mod case;
 mod constant;
 mod context;
+mod coordinate;
 mod dimension;
 mod event;
 mod expression;
@@ -31,6 +32,7 @@ pub mod whole;
 
 pub use crate::function::Function;
 pub use crate::parse::ast::Relation;
+pub use coordinate::{Component, Coordinate};
 pub use resolve::resolve;
 
 use crate::words::Word;
@@ -395,14 +397,6 @@ impl Model {
         let rows = self.rows.iter().enumerate().map(|(i, row)| (RowId(i), row));
         rows.filter(move |(id, row)| called(row) && !released(*id))
     }
-}
-
-/// x, y or φ of a body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Component {
-    X,
-    Y,
-    Phi,
 }
 
 /// A scalar expression with every name resolved.

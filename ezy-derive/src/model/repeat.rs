@@ -6,7 +6,8 @@ use super::names::Symbol;
 use super::whole::{CountId, IndexId, Values, Whole};
 use super::{Count, Loop};
 use crate::diag::repeats;
-use crate::parse::ast::{self, Operator};
+use crate::function::Operator;
+use crate::parse::ast;
 use proc_macro2::Ident;
 
 impl Context<'_> {

@@ -2,7 +2,6 @@
 
 use super::constant::at_defaults;
 use super::context::{Context, Purpose};
-use super::dimension::Dimension;
 use super::{Component, Start, StartValue};
 use crate::diag::scenes;
 use crate::parse::ast::{self, Quantity};
@@ -35,10 +34,10 @@ impl Context<'_> {
             let Some(body) = self.body(&given.body, false) else { continue };
             for (value, (component, rate)) in given.values.iter().zip(components(given.quantity)) {
                 let Some(value) = value else { continue };
-                let name = quantity_name(&given.body, *component, *rate);
+                let name = format!("{}.{}", &*given.body, component.name(*rate));
                 let what = format!("the start value of `{name}`");
                 let purpose = Purpose::fixed(None, what.clone());
-                let resolved = self.scalar(value, &purpose, &what, Some(dimension(*component, *rate)));
+                let resolved = self.scalar(value, &purpose, &what, Some(component.dimension(*rate)));
                 let same = |other: &StartValue| (other.body, other.component, other.rate) == (body, *component, *rate);
                 if let Some(first) = values.iter().position(same) {
                     self.diag.error(scenes::start_gives_twice(&given.word, &start.name, &name, words[first]));
@@ -63,25 +62,4 @@ impl Context<'_> {
         self.leave();
         Start { name: start.name.clone(), values }
     }
-}
-
-const fn dimension(component: Component, rate: bool) -> Dimension {
-    match (component, rate) {
-        (Component::Phi, false) => Dimension::ANGLE,
-        (Component::Phi, true) => Dimension::ANGULAR_VELOCITY,
-        (_, false) => Dimension::LENGTH,
-        (_, true) => Dimension::VELOCITY,
-    }
-}
-
-fn quantity_name(body: &Ident, component: Component, rate: bool) -> String {
-    let member = match (component, rate) {
-        (Component::X, false) => "x",
-        (Component::Y, false) => "y",
-        (Component::Phi, false) => "phi",
-        (Component::X, true) => "vx",
-        (Component::Y, true) => "vy",
-        (Component::Phi, true) => "omega",
-    };
-    format!("{body}.{member}")
 }

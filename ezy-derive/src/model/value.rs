@@ -3,7 +3,7 @@
 use super::Expr;
 use super::dimension::Measure;
 use crate::diag::values;
-use crate::parse::ast::Operator;
+use crate::function::Operator;
 use proc_macro2::Span;
 use syn::Result;
 

@@ -1,6 +1,7 @@
 //! The model text as a tree: what was written and where, without meaning.
 
 use crate::diag::Extent;
+use crate::function::Operator;
 use crate::words::{Asked, Setting, Word};
 use proc_macro2::{Ident, Span};
 use std::ops::Deref;
@@ -305,15 +306,6 @@ pub enum Expr {
     },
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Power,
-}
-
 impl Deref for Name {
     type Target = Ident;
 
@@ -325,18 +317,6 @@ impl Deref for Name {
 impl From<&Name> for Extent {
     fn from(name: &Name) -> Self {
         Self { first: name.word.span(), last: name.end }
-    }
-}
-
-impl Operator {
-    pub const fn sign(self) -> &'static str {
-        match self {
-            Self::Add => "+",
-            Self::Subtract => "-",
-            Self::Multiply => "*",
-            Self::Divide => "/",
-            Self::Power => "^",
-        }
     }
 }
 

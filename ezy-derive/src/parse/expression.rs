@@ -1,9 +1,10 @@
 //! Expressions, by recursive descent: `+ -` bind weakest, then `* /`, then the sign, then `^` (to the right).
 
-use super::ast::{Expr, Name, Operator};
+use super::ast::{Expr, Name};
 use super::token::{Bracketed, end, expected, found, name, parenthesised, peek_number, peek_word};
 use super::unit::{self, Misplaced};
 use crate::diag::syntax;
+use crate::function::Operator;
 use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::{Lit, Result, Token};

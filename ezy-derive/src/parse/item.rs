@@ -1,9 +1,9 @@
 //! The items of a model or an effect: one row of a table for each word, and what is skipped after a fault.
 
-use super::ast::{Item, ItemKind, Loop};
+use super::ast::{Effect, Item, ItemKind, Loop};
 use super::statement::statement;
-use super::token::{braced, expected, peek_word, skip};
-use super::{Log, body, effect, event, let_value, output, parameter, point, release, repeat, scene, start, stop};
+use super::token::{braced, expected, name, peek_word, skip};
+use super::{Log, body, event, let_value, output, parameter, point, release, repeat, scene, start, stop};
 use crate::diag::syntax;
 use crate::words::WORDS;
 use proc_macro2::Ident;
@@ -34,13 +34,13 @@ pub const MODEL: Level = Level {
     in_for: &[POINT, OUTPUT],
 };
 /// The items of an effect.
-pub const EFFECT: Level =
+const EFFECT: Level =
     Level { place: "an effect", items: &[PARAM, INPUT, OUTPUT, LET, EVENT, STOP, RELEASE], in_for: &[OUTPUT] };
 
 const BODY: ItemWord = ItemWord { word: "body", example: "body seat { mass: m1, inertia: i1 }", parse: body::body };
 const POINT: ItemWord = ItemWord { word: "point", example: "point A = seat(-a, 0);", parse: point::point };
 const EFFECT_ITEM: ItemWord =
-    ItemWord { word: "effect", example: "effect pump { torque seat ~ bar: 2*cos(t); }", parse: effect::effect };
+    ItemWord { word: "effect", example: "effect pump { torque seat ~ bar: 2*cos(t); }", parse: effect };
 const START: ItemWord =
     ItemWord { word: "start", example: "start folded { seat at (0, 0) angle 0; at rest; }", parse: start::start };
 const SCENE: ItemWord =
@@ -91,6 +91,15 @@ pub fn items(input: ParseStream, level: Level, loops: &[Loop], items: &mut Vec<I
             }
         }
     }
+}
+
+/// `effect name { param …; let …; release …; rows and forces }`
+fn effect(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
+    let name = name(input, "the name of the effect")?;
+    let inside = braced(input)?.inside;
+    let mut effect = Effect { name, items: Vec::new() };
+    items(&inside, EFFECT, &[], &mut effect.items, log);
+    Ok(ItemKind::Effect(effect))
 }
 
 /// `for i in a..b { … }`: its items, each with the `for` around it.

@@ -2,7 +2,6 @@
 
 pub mod ast;
 mod body;
-mod effect;
 mod event;
 mod expression;
 mod item;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Layer, and the layers of the same crate that it may import.
 const DERIVE: &[(&str, &[&str])] = &[
-    ("diag", &["diag", "parse"]),
+    ("diag", &["diag"]),
     ("parse", &["parse", "diag"]),
     ("model", &["model", "parse", "diag"]),
     ("symbolic", &["symbolic"]),

@@ -2,10 +2,10 @@
 
 use super::mathml::inline;
 use crate::emit::abbreviations::Abbreviations;
-use crate::emit::info::Emitted;
 use crate::mechanics::Equations;
+use crate::mechanics::kernels::{Kernels, Quantity};
 use crate::mechanics::symbols::Symbols;
-use crate::model::{InputId, Model, Parameter, ParameterId};
+use crate::model::{BodyId, Coordinate, InputId, Model, Parameter, ParameterId};
 use crate::symbolic::print::{Names, Printed};
 
 /// A table with a head, nothing when it has no rows; line breaks and bars within cells are kept harmless.
@@ -85,8 +85,9 @@ pub fn sparsity(model: &Model, equations: &Equations) -> Vec<String> {
     let head: String = bodies.iter().map(|body| format!("  {body:<3}")).collect();
     let line = |(row, name): (&Vec<_>, &str)| {
         let cells = bodies.iter().enumerate().map(|(i, body)| {
-            let sign = |k: usize| if row.iter().any(|&(column, _)| column == 3 * i + k) { 'x' } else { '.' };
-            let signs: String = (0..3).map(sign).collect();
+            let reads = |at: Coordinate| row.iter().any(|&(column, _)| column == at.place());
+            let signs: String =
+                Coordinate::of(BodyId(i)).into_iter().map(|at| if reads(at) { 'x' } else { '.' }).collect();
             format!("  {signs:<width$}", width = body.chars().count().max(3))
         });
         format!("{name:widest$}{}", cells.collect::<String>().trim_end())
@@ -113,10 +114,10 @@ pub fn elimination(equations: &Equations, order: &[(Vec<usize>, bool)]) -> Vec<S
 }
 
 /// Counts of the two generated solutions.
-pub fn operations(emitted: &Emitted<'_>) -> Vec<String> {
-    let kernels = [("accelerations and multipliers", emitted.accelerations), ("projection", emitted.correction)];
-    let rows = kernels.map(|(name, solver)| {
-        let count = solver.program.count();
+pub fn operations(kernels: &Kernels<'_>) -> Vec<String> {
+    let solutions = [("accelerations and multipliers", Quantity::Accelerations), ("projection", Quantity::Correction)];
+    let rows = solutions.map(|(name, quantity)| {
+        let count = kernels[&quantity].count();
         let numbers = [count.mul, count.add, count.div, count.trig, count.calls];
         std::iter::once(name.to_owned()).chain(numbers.map(|n| n.to_string())).collect()
     });

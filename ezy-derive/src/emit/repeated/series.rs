@@ -5,65 +5,34 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::kernels::{coordinate, firsts, slot_places};
 use super::loops::{looped, whole};
+use super::slots::{coordinate, firsts, slot_places};
 use crate::emit::kernel::{self, Body, Numbers};
-use crate::function::Function;
-use crate::mechanics::Templates;
 use crate::mechanics::series::{Ahead, Kernel, Recurrences, Slot};
 use crate::mechanics::symbols::Symbols;
+use crate::mechanics::{Item, Templates};
+use crate::model::Model;
 use crate::model::whole::Whole;
-use crate::model::{BodyId, Loop, Model};
 use crate::symbolic::Symbol;
-use crate::symbolic::lower::ConstantPool;
-use crate::symbolic::program::Count;
-
-/// An item and its recurrences.
-pub struct Item<'m> {
-    loops: &'m [Loop],
-    slots: Vec<BodyId>,
-    n_rows: usize,
-    recurrences: Recurrences,
-}
-
-/// The recurrences of all rows and forces.
-///
-/// # Errors
-/// A function that has no Taylor series.
-pub fn derive<'m>(templates: &mut Templates<'m>, pool: &mut ConstantPool) -> Result<Vec<Item<'m>>, Function> {
-    let Templates { algebra, symbols, rows, forces, .. } = templates;
-    let mut extended = pool.clone();
-    let mut items = Vec::new();
-    for row in rows.iter() {
-        let recurrences = Recurrences::of_row(algebra, symbols, &mut extended, row)?;
-        let n_rows = row.constraints.rows.len();
-        items.push(Item { loops: &row.row.loops, slots: row.slots.clone(), n_rows, recurrences });
-    }
-    for force in forces.iter() {
-        let recurrences = Recurrences::of_force(algebra, symbols, &mut extended, force)?;
-        items.push(Item { loops: &force.force.loops, slots: force.slots.clone(), n_rows: 0, recurrences });
-    }
-    *pool = extended;
-    Ok(items)
-}
-
-/// Products and operations of one order, of one member of each item.
-pub fn cost(items: &[Item<'_>]) -> (usize, Count) {
-    let kernels = items.iter().flat_map(|item| [&item.recurrences.right_side, &item.recurrences.finish]);
-    let operations = kernels.map(|kernel| kernel.program.count()).sum();
-    (items.iter().map(|item| item.recurrences.n_products).sum(), operations)
-}
 
 /// The implementation for the type of a scene.
-pub fn implementation(type_name: &Ident, model: &Model, symbols: &Symbols, items: &[Item<'_>]) -> TokenStream {
-    let writer = Writer { model, symbols };
+pub fn implementation(
+    type_name: &Ident,
+    model: &Model,
+    templates: &Templates<'_>,
+    recurrences: &[Recurrences],
+) -> TokenStream {
     let firsts = firsts(model);
-    let sizes = items.iter().map(|item| writer.sizes(item));
     let opening = opening();
+    let writers = || {
+        let items = templates.items().zip(recurrences);
+        items.map(|(item, recurrences)| Writer { model, symbols: &templates.symbols, item, recurrences })
+    };
+    let sizes = writers().map(|writer| writer.sizes());
     let (begin, right_side, finish) = (
-        items.iter().map(|item| writer.pass(item, &item.recurrences.begin, Phase::Begin)),
-        items.iter().map(|item| writer.pass(item, &item.recurrences.right_side, Phase::Order)),
-        items.iter().map(|item| writer.pass(item, &item.recurrences.finish, Phase::Order)),
+        writers().map(|writer| writer.pass(&writer.recurrences.begin, Phase::Begin)),
+        writers().map(|writer| writer.pass(&writer.recurrences.right_side, Phase::Order)),
+        writers().map(|writer| writer.pass(&writer.recurrences.finish, Phase::Order)),
     );
     quote! {
         #[automatically_derived]
@@ -134,31 +103,33 @@ enum Phase {
 struct Writer<'a> {
     model: &'a Model,
     symbols: &'a Symbols,
+    item: Item<'a, 'a>,
+    recurrences: &'a Recurrences,
 }
 
 impl Writer<'_> {
-    fn sizes(&self, item: &Item<'_>) -> TokenStream {
-        let Recurrences { n_base, n_kept, n_products, .. } = item.recurrences;
+    fn sizes(&self) -> TokenStream {
+        let Recurrences { n_base, n_kept, n_products, .. } = self.recurrences;
         let add = quote!(size.n_products += #n_products; size.n_base += #n_base; size.n_kept += #n_kept;);
-        looped(self.model, item.loops, &|from, to| quote!(#from..#to), add)
+        looped(self.model, self.item.loops, &|from, to| quote!(#from..#to), add)
     }
 
     /// A program for each member of an item.
-    fn pass(&self, item: &Item<'_>, kernel: &Kernel, phase: Phase) -> TokenStream {
-        let Recurrences { n_base, n_kept, n_products, .. } = item.recurrences;
-        let n_rows = item.n_rows;
-        let read = |symbol: Symbol| self.read(item, phase, symbol);
-        let place = |i| coordinate(&item.slots, i);
+    fn pass(&self, kernel: &Kernel, phase: Phase) -> TokenStream {
+        let Recurrences { n_base, n_kept, n_products, .. } = self.recurrences;
+        let n_rows = self.item.n_rows();
+        let read = |symbol: Symbol| self.read(phase, symbol);
+        let place = |i| coordinate(self.item.slots, i);
         let Body { statements, outputs } = kernel::body_at(Numbers::Any, &kernel.program, self.symbols, &place, &read);
         let written = kernel.targets.iter().zip(outputs).map(|(&target, value)| {
-            let place = self.place(item, phase, target);
+            let place = self.place(phase, target);
             match target {
                 // several items may push the same body
                 Slot::Force(_) => quote!(#place = #place + #value;),
                 _ => quote!(#place = #value;),
             }
         });
-        let slots = slot_places(self.model, &item.slots);
+        let slots = slot_places(self.model, self.item.slots);
         let body = quote! {
             #slots
             #statements
@@ -168,22 +139,22 @@ impl Writer<'_> {
             base_place += #n_base;
             kept_place += #n_kept;
         };
-        looped(self.model, item.loops, &|from, to| quote!(#from..#to), body)
+        looped(self.model, self.item.loops, &|from, to| quote!(#from..#to), body)
     }
 
-    fn read(&self, item: &Item<'_>, phase: Phase, symbol: Symbol) -> TokenStream {
+    fn read(&self, phase: Phase, symbol: Symbol) -> TokenStream {
         if let Some(id) = self.symbols.index_of(symbol) {
             let value = whole(self.model, &Whole::Index(id));
             return quote!(T::from_f64(#value as f64));
         }
-        match item.recurrences.slots.slot(symbol) {
-            Some(slot) => self.place(item, phase, slot),
+        match self.recurrences.slots.slot(symbol) {
+            Some(slot) => self.place(phase, slot),
             None => quote!(T::from_f64(f64::NAN)),
         }
     }
 
     /// Where a slot of a member is.
-    fn place(&self, item: &Item<'_>, phase: Phase, slot: Slot) -> TokenStream {
+    fn place(&self, phase: Phase, slot: Slot) -> TokenStream {
         let order = |ahead: Ahead| match phase {
             Phase::Begin => {
                 let order = Literal::usize_unsuffixed(ahead.saturating_sub(1));
@@ -212,13 +183,13 @@ impl Writer<'_> {
                 quote!(sums[#place])
             }
             Slot::Kept(ahead, i) => of_order("kept", quote!(n_kept), ahead, member("kept", i)),
-            Slot::Coordinate(ahead, i) => of_order("q", quote!(n_q), ahead, coordinate(&item.slots, i)),
+            Slot::Coordinate(ahead, i) => of_order("q", quote!(n_q), ahead, coordinate(self.item.slots, i)),
             Slot::Force(i) => {
-                let place = coordinate(&item.slots, i);
+                let place = coordinate(self.item.slots, i);
                 quote!(force[#place])
             }
             Slot::Acceleration(i) => {
-                let place = coordinate(&item.slots, i);
+                let place = coordinate(self.item.slots, i);
                 quote!(a[#place])
             }
             Slot::Row(i) => {

@@ -2,8 +2,7 @@
 
 use super::Load;
 use crate::mechanics::expression::Writer;
-use crate::mechanics::symbols::index;
-use crate::model::{Arguments, BodyId, Component};
+use crate::model::{Arguments, BodyId, Component, Coordinate};
 
 /// V = −Σ m g · r; where g moves, it is a force m g that does work.
 pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
@@ -23,7 +22,7 @@ pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
                 let potential = writer.algebra.neg(work);
                 load.potential(writer, potential);
             } else {
-                let entry = &mut load.work_force[index(body, component)];
+                let entry = &mut load.work_force[Coordinate { body, component }.place()];
                 *entry = writer.algebra.add(*entry, weight);
             }
         }

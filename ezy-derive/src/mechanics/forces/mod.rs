@@ -13,8 +13,7 @@ mod tyre;
 
 use super::expression::Writer;
 use super::kinematics::Vector;
-use super::symbols::index;
-use crate::model::{BodyId, Component, Force, Place};
+use crate::model::{BodyId, Component, Coordinate, Force, Place};
 use crate::symbolic::{SumId, Symbol};
 
 /// What a group of forces does: Q = Σ (∂r/∂q)ᵀ f − ∂V/∂q.
@@ -71,7 +70,7 @@ impl Load {
     /// A torque on a body; on the ground it has no effect.
     fn turn(&mut self, writer: &mut Writer<'_>, body: Option<BodyId>, torque: SumId) {
         let Some(body) = body else { return };
-        let entry = &mut self.work_force[index(body, Component::Phi)];
+        let entry = &mut self.work_force[Coordinate { body, component: Component::Phi }.place()];
         *entry = writer.algebra.add(*entry, torque);
     }
 

@@ -14,12 +14,13 @@ mod slot;
 mod solution;
 
 use crate::function::Function;
+use crate::mechanics::constraints::Constraints;
+use crate::mechanics::scene::Equations;
 use crate::mechanics::solve::Elimination;
 use crate::mechanics::symbols::Symbols;
-use crate::mechanics::{Equations, ForceTemplate, RowTemplate};
-use crate::symbolic::Algebra;
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::{Count, Node, NodeId, Program, Value};
+use crate::symbolic::{Algebra, SumId};
 use level::{Level, Source};
 use lowered::Sums;
 use product::Product;
@@ -101,48 +102,26 @@ impl Series {
         Ok(Self { recurrences: step.recurrences(begin, right_side, finish), pivots, solution })
     }
 
-    /// Operations of one order, without the sums of products.
-    pub fn operations(&self) -> Count {
-        let Recurrences { right_side, finish, .. } = &self.recurrences;
-        [right_side, &self.solution, finish].map(|kernel| kernel.program.count()).into_iter().sum()
+    /// Products and operations of one order.
+    pub fn cost(&self) -> (usize, Count) {
+        let (n_products, count) = self.recurrences.cost();
+        (n_products, [count, self.solution.program.count()].into_iter().sum())
     }
 }
 
 impl Recurrences {
-    /// Of a declared row.
+    /// Of an item of a scene with counts: its rows, or its force by coordinate.
     ///
     /// # Errors
     /// A function that has no Taylor series.
-    pub fn of_row(
+    pub fn of_item(
         algebra: &mut Algebra,
         symbols: &mut Symbols,
         constants: &mut ConstantPool,
-        row: &RowTemplate<'_>,
+        constraints: Option<&Constraints>,
+        force: &[(usize, SumId)],
     ) -> Result<Self, Function> {
-        let sums = Sums::new(algebra, Some(&row.constraints), &[]);
-        Self::of_item(algebra, symbols, constants, &sums)
-    }
-
-    /// Of a declared force.
-    ///
-    /// # Errors
-    /// A function that has no Taylor series.
-    pub fn of_force(
-        algebra: &mut Algebra,
-        symbols: &mut Symbols,
-        constants: &mut ConstantPool,
-        force: &ForceTemplate<'_>,
-    ) -> Result<Self, Function> {
-        let sums = Sums::new(algebra, None, &force.entries);
-        Self::of_item(algebra, symbols, constants, &sums)
-    }
-
-    fn of_item(
-        algebra: &Algebra,
-        symbols: &mut Symbols,
-        constants: &mut ConstantPool,
-        sums: &Sums,
-    ) -> Result<Self, Function> {
+        let sums = Sums::new(algebra, constraints, force);
         let mut lowering = Lowering::new(algebra, constants);
         let lowered = sums.lower(&mut lowering);
         let program = lowering.program;
@@ -152,6 +131,14 @@ impl Recurrences {
         let finish = orders::finish(&mut step, 0..0);
         let begin = orders::begin(&mut step, &lowered, &[]);
         Ok(step.recurrences(begin, right_side, finish))
+    }
+}
+
+impl Recurrences {
+    /// Products and operations of one order, without those of a solution.
+    pub fn cost(&self) -> (usize, Count) {
+        let kernels = [&self.right_side, &self.finish];
+        (self.n_products, kernels.map(|kernel| kernel.program.count()).into_iter().sum())
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::{Trial, mechanism};
+use crate::golden;
 use crate::words::WORDS;
 
 /// More bodies take longer to compile than to test.
@@ -38,7 +39,6 @@ fn chosen() -> Vec<Trial> {
     chosen
 }
 
-/// `UPDATE_GOLDEN=1 cargo test -p ezy-derive --lib` writes the file anew.
 #[test]
 fn regress_random_models_are_those_of_the_file() {
     let mut now =
@@ -55,10 +55,5 @@ fn regress_random_models_are_those_of_the_file() {
     let list = names.join(", ");
     write!(now, "\npub static MODELS: [&ModelInfo; {}] = [{list}];\n", names.len()).expect("a string takes text");
 
-    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/src/random_models.rs");
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        std::fs::write(&golden, &now).expect("the file can be written");
-    }
-    let before = std::fs::read_to_string(&golden).unwrap_or_default();
-    assert!(now == before, "the models changed; see {} and UPDATE_GOLDEN", golden.display());
+    golden::compare(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/src/random_models.rs"), &now);
 }

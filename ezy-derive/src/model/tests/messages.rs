@@ -3,8 +3,10 @@
 //! A case of a golden file is a remark, the text (behind `>`), and its messages as `line:column text`; a blank
 //! line ends it. `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the files anew.
 
-use super::resolve;
 use std::path::PathBuf;
+
+use super::resolve;
+use crate::golden;
 
 /// What stands before the items of a case, on line 1, and behind them.
 const BEFORE: &str = "pub model M { body seat { mass: 1, inertia: 1 } body bar { mass: 1, inertia: 1 } \
@@ -62,12 +64,7 @@ fn check(golden: &str, model: impl Fn(&str) -> String) {
     let old = std::fs::read_to_string(&path).expect("the golden file is there");
     let new: Vec<String> = old.trim_end().split("\n\n").map(|case| with_messages(case, &model)).collect();
     let new = new.join("\n\n") + "\n";
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        std::fs::write(&path, &new).expect("the golden file can be written");
-    }
-    for (old, new) in old.trim_end().split("\n\n").zip(new.trim_end().split("\n\n")) {
-        assert!(std::env::var_os("UPDATE_GOLDEN").is_some() || old == new, "expected:\n{old}\n\nfound:\n{new}");
-    }
+    golden::compare(&path, &new);
 }
 
 /// The remark and the text of a case with the messages that the text has now.

@@ -26,14 +26,14 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sw
         c[5usize] = k17;
         c[6usize] = parameter_l;
     }
-    fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+    fn mass_matrix(&self, c: &[T], out: &mut [T]) {
         let mut place = 0;
         for _ in 0..(self.n as i64) {
-            m[place] = c[0usize];
+            out[place] = c[0usize];
             place += 1;
-            m[place] = c[0usize];
+            out[place] = c[0usize];
             place += 1;
-            m[place] = c[1usize];
+            out[place] = c[1usize];
             place += 1;
         }
     }
@@ -228,7 +228,6 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sw
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         let first_link: i64 = 0;
-        let mut place = 0;
         out.fill(T::from_f64(0.0));
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];

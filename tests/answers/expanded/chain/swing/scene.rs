@@ -41,20 +41,7 @@ impl ::ezy_core::model::Scene for Swing {
         lambda: &[f64],
         out: &mut [f64],
     ) {
-        let first_link: i64 = 0;
         out.fill(0.0);
-        let mut place = 0;
-    }
-    fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-        let first_link: i64 = 0;
-        let mut total = 0.0;
-        for at_i in 0..(self.n as i64) {
-            let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
-            let link_i_y = q[slots[0] + 1];
-            let product_2 = c[3usize] * link_i_y;
-            total += product_2;
-        }
-        total
     }
     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
         let first_link: i64 = 0;
@@ -112,6 +99,17 @@ impl ::ezy_core::model::Scene for Swing {
             out[place] = value_10;
             place += 1;
         }
+    }
+    fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+        let first_link: i64 = 0;
+        let mut total = 0.0;
+        for at_i in 0..(self.n as i64) {
+            let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
+            let link_i_y = q[slots[0] + 1];
+            let product_2 = c[3usize] * link_i_y;
+            total += product_2;
+        }
+        total
     }
     fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
         let first_link: i64 = 0;
@@ -195,7 +193,9 @@ impl ::ezy_core::model::Scene for Swing {
         by_v: &mut [f64],
     ) {
         let first_link: i64 = 0;
-        let (mut place, mut place_q, mut place_v) = (0, 0, 0);
+        let mut place_q = 0;
+        let mut place_v = 0;
+        let mut place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let multiplier_0 = lambda[place + 0usize];
@@ -303,7 +303,6 @@ impl ::ezy_core::model::Scene for Swing {
         }
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
-            place += 0usize;
         }
     }
     fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {

@@ -94,9 +94,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         c[30usize] = k58;
         c[31usize] = k59;
     }
-    fn mass_matrix(&self, c: &[T], m: &mut [T]) {
+    fn mass_matrix(&self, c: &[T], out: &mut [T]) {
         let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
         out[0usize] = c[23usize];
         out[1usize] = c[23usize];
         out[2usize] = c[24usize];

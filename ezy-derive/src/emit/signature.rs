@@ -1,0 +1,114 @@
+//! What the methods that compute are called, read and write: the same for every scene.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::kernel::Numbers;
+use crate::mechanics::kernels::Quantity;
+
+/// A method of `Equations<T>`, where it computes with any number, or of `Scene`.
+pub struct Signature {
+    pub quantity: Quantity,
+    pub numbers: Numbers,
+    name: &'static str,
+    /// Besides the vector of constants.
+    pub reads: &'static [&'static str],
+    pub writes: Writes,
+}
+
+/// What becomes of the outputs.
+#[derive(Clone, Copy)]
+pub enum Writes {
+    /// They fill these vectors.
+    Vectors(&'static [&'static str]),
+    /// The same, and the method returns what its pivots are.
+    Solution(&'static [&'static str]),
+    /// The method returns their sum.
+    Value,
+    /// They are given to a `Start`.
+    Start,
+}
+
+impl Writes {
+    /// The vectors that are filled.
+    pub fn vectors(self) -> &'static [&'static str] {
+        match self {
+            Self::Vectors(names) | Self::Solution(names) => names,
+            Self::Value | Self::Start => &[],
+        }
+    }
+}
+
+const OUT: Writes = Writes::Vectors(&["out"]);
+
+/// Every method, in the order in which they are emitted.
+pub const ALL: [Signature; 17] = [
+    any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
+    any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
+    any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
+    any(Quantity::VelocityJacobian, "velocity_jacobian", &["t", "q"], OUT),
+    any(Quantity::ConvectiveTerm, "convective_term", &["t", "q", "v"], OUT),
+    any(Quantity::AppliedForce, "applied_force", &["t", "q", "v"], OUT),
+    any(Quantity::Accelerations, "accelerations", &["t", "q", "v"], Writes::Solution(&["a", "lambda"])),
+    any(Quantity::Correction, "correction", &["t", "q", "residual"], Writes::Solution(&["delta"])),
+    real(Quantity::Power, "power", &["t", "q", "v", "lambda"], OUT),
+    real(Quantity::Points, "points", &["t", "q"], OUT),
+    real(Quantity::Outputs, "outputs", &["t", "q", "v"], OUT),
+    real(Quantity::Events, "events", &["t", "q", "v"], OUT),
+    real(Quantity::Grip, "grip", &["t", "q", "v"], OUT),
+    real(Quantity::Stop, "stop", &["t", "q", "v"], OUT),
+    real(Quantity::PotentialEnergy, "potential_energy", &["t", "q"], Writes::Value),
+    real(Quantity::Start, "start", &[], Writes::Start),
+    real(Quantity::Slopes, "slopes", &["t", "q", "v", "a", "lambda"], Writes::Vectors(&["by_q", "by_v"])),
+];
+
+const fn any(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
+    Signature { quantity, numbers: Numbers::Any, name, reads, writes }
+}
+
+const fn real(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
+    Signature { quantity, numbers: Numbers::F64, name, reads, writes }
+}
+
+impl Signature {
+    /// The method around what it does.
+    pub fn method(&self, body: TokenStream) -> TokenStream {
+        let (name, number) = (argument(self.name), self.numbers.name());
+        let reads = self.reads.iter().map(|&read| {
+            let name = argument(read);
+            if read == "t" { quote!(#name: #number) } else { quote!(#name: &[#number]) }
+        });
+        let written = self.writes.vectors().iter().map(|&written| {
+            let name = argument(written);
+            quote!(#name: &mut [#number])
+        });
+        let start = matches!(self.writes, Writes::Start).then(|| quote!(start: &mut ::ezy_core::model::Start));
+        let arguments = reads.chain(written).chain(start);
+        let (inline, result) = match self.writes {
+            Writes::Solution(_) => (quote!(#[inline]), quote!(-> ::ezy_core::model::Pivots)),
+            Writes::Value => (quote!(), quote!(-> #number)),
+            _ => (quote!(), quote!()),
+        };
+        quote! {
+            #inline
+            fn #name(&self, c: &[#number], #(#arguments),*) #result {
+                #body
+            }
+        }
+    }
+}
+
+/// The name of an argument.
+pub fn argument(name: &str) -> Ident {
+    Ident::new(name, Span::call_site())
+}
+
+/// The method that takes a start value.
+pub fn give(rate: bool, near: bool) -> Ident {
+    argument(match (rate, near) {
+        (false, false) => "give_position",
+        (true, false) => "give_velocity",
+        (false, true) => "near_position",
+        (true, true) => "near_velocity",
+    })
+}

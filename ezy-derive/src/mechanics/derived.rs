@@ -1,0 +1,150 @@
+//! All that follows from a scene, stage by stage. What is emitted is this, printed.
+
+use super::kernels::{Kernels, Quantity};
+use super::programs;
+use super::scene::Equations;
+use super::series::{Recurrences, Series};
+use super::slopes::Slopes;
+use super::solve;
+use super::symbols::Symbols;
+use super::templates::Templates;
+use crate::function::Function;
+use crate::model::{InputId, Model, ParameterId, Scene};
+use crate::symbolic::Algebra;
+use crate::symbolic::lower::ConstantPool;
+use crate::symbolic::program::Count;
+
+/// A scene and what follows from it.
+#[derive(Debug)]
+pub struct Derived<'m> {
+    /// In its mode.
+    pub scene: Scene,
+    pub form: Form<'m>,
+    pub kernels: Kernels<'m>,
+    /// What kernels read of parameters; each is computed once.
+    pub constants: ConstantPool,
+    /// The scenes that a skate with a limit, or a stop, makes of it.
+    pub modes: Vec<Derived<'m>>,
+}
+
+/// The equations, and what is derived of all of them together.
+#[derive(Debug)]
+pub enum Form<'m> {
+    Straight(Box<Straight>),
+    Counted(Box<Counted<'m>>),
+}
+
+/// Of a scene whose bodies are known when it is compiled.
+#[derive(Debug)]
+pub struct Straight {
+    pub equations: Equations,
+    /// Blocks in the order of elimination, with whether the pivot is constant.
+    pub elimination: Vec<(Vec<usize>, bool)>,
+    /// Or the function that has none.
+    pub series: Result<Series, Function>,
+    /// `None` when they are too long to write.
+    pub slopes: Option<Slopes>,
+}
+
+/// Of a scene whose sizes are numbers of a run; series and slopes by item.
+#[derive(Debug)]
+pub struct Counted<'m> {
+    pub templates: Templates<'m>,
+    pub series: Result<Vec<Recurrences>, Function>,
+    pub slopes: Option<Vec<Slopes>>,
+}
+
+impl Straight {
+    /// Products and operations of one order of the series.
+    ///
+    /// # Errors
+    /// The function that has none.
+    pub fn series_cost(&self) -> Result<(usize, Count), Function> {
+        self.series.as_ref().map(Series::cost).map_err(|function| *function)
+    }
+}
+
+impl Counted<'_> {
+    /// Products and operations of one order of the series, of one member of each item.
+    ///
+    /// # Errors
+    /// The function that has none.
+    pub fn series_cost(&self) -> Result<(usize, Count), Function> {
+        let items = self.series.as_ref().map_err(|function| *function)?;
+        let (products, operations): (Vec<usize>, Vec<Count>) = items.iter().map(Recurrences::cost).unzip();
+        Ok((products.into_iter().sum(), operations.into_iter().sum()))
+    }
+}
+
+impl<'m> Derived<'m> {
+    pub fn new(model: &'m Model, scene: &'m Scene) -> Self {
+        if model.is_repeated() {
+            return Self::counted(model, scene);
+        }
+        let in_mode = |mode| Self::straight(model, &Scene { mode: Some(mode), ..scene.clone() });
+        let modes = model.modes_of(scene).into_iter().map(in_mode).collect();
+        Self { modes, ..Self::straight(model, scene) }
+    }
+
+    fn straight(model: &Model, scene: &Scene) -> Self {
+        let mut equations = Equations::derive(model, scene);
+        let mut constants = ConstantPool::default();
+        let accelerations = solve::accelerations(&mut equations, &mut constants);
+        let correction = solve::correction(&mut equations, &mut constants);
+        let series = Series::derive(&mut equations, &mut constants);
+        let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
+        let slopes = Slopes::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
+        let mut kernels = programs::straight(&equations, slopes.as_ref(), &mut constants);
+        let elimination = accelerations.order.clone();
+        kernels.insert(Quantity::Accelerations, programs::accelerations(&equations, accelerations));
+        kernels.insert(Quantity::Correction, programs::correction(correction));
+        let form = Form::Straight(Box::new(Straight { equations, elimination, series, slopes }));
+        Self { scene: scene.clone(), form, kernels, constants, modes: Vec::new() }
+    }
+
+    fn counted(model: &'m Model, scene: &'m Scene) -> Self {
+        let mut templates = Templates::derive(model, scene);
+        let mut constants = ConstantPool::default();
+        let mut kernels = programs::counted(&templates, &mut constants);
+        let series = templates.series(&mut constants);
+        let slopes = templates.slopes();
+        if let Some(slopes) = &slopes {
+            kernels.insert(Quantity::Slopes, programs::counted_slopes(&templates, slopes, &mut constants));
+        }
+        let form = Form::Counted(Box::new(Counted { templates, series, slopes }));
+        Self { scene: scene.clone(), form, kernels, constants, modes: Vec::new() }
+    }
+
+    pub fn algebra(&self) -> &Algebra {
+        match &self.form {
+            Form::Straight(of) => &of.equations.algebra,
+            Form::Counted(of) => &of.templates.algebra,
+        }
+    }
+
+    pub fn symbols(&self) -> &Symbols {
+        match &self.form {
+            Form::Straight(of) => &of.equations.symbols,
+            Form::Counted(of) => &of.templates.symbols,
+        }
+    }
+
+    pub fn parameters(&self) -> &[ParameterId] {
+        match &self.form {
+            Form::Straight(of) => &of.equations.parameters,
+            Form::Counted(of) => &of.templates.parameters,
+        }
+    }
+
+    pub fn inputs(&self) -> &[InputId] {
+        match &self.form {
+            Form::Straight(of) => &of.equations.inputs,
+            Form::Counted(of) => &of.templates.inputs,
+        }
+    }
+
+    /// Length of the vector that kernels read: inputs, then constants.
+    pub fn n_fixed(&self) -> usize {
+        self.inputs().len() + self.constants.coefficients().len()
+    }
+}

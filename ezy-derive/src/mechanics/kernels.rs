@@ -1,0 +1,108 @@
+//! The kernels of a scene: a program for each quantity that is computed from a state, and where its outputs go.
+
+use std::collections::BTreeMap;
+
+use crate::model::{BodyId, Loop};
+use crate::symbolic::Symbol;
+use crate::symbolic::program::{Count, Program};
+
+/// What a kernel computes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quantity {
+    MassMatrix,
+    PositionConstraint,
+    VelocityConstraint,
+    VelocityJacobian,
+    ConvectiveTerm,
+    AppliedForce,
+    Accelerations,
+    Correction,
+    Power,
+    Points,
+    Outputs,
+    Events,
+    Grip,
+    Stop,
+    PotentialEnergy,
+    Start,
+    Slopes,
+}
+
+/// The kernels of a scene.
+pub type Kernels<'m> = BTreeMap<Quantity, Kernel<'m>>;
+
+/// A quantity as programs: one of a scene whose bodies are known, one for each item of a scene with counts.
+#[derive(Debug)]
+pub struct Kernel<'m> {
+    pub passes: Vec<Pass<'m>>,
+    /// Rows of each watched pivot. Pivots and their thresholds are the last outputs of the program.
+    pub pivots: Vec<Vec<usize>>,
+}
+
+impl<'m> Kernel<'m> {
+    pub fn of(passes: Vec<Pass<'m>>) -> Self {
+        Self { passes, pivots: Vec::new() }
+    }
+
+    /// Operations of all passes, each made once.
+    pub fn count(&self) -> Count {
+        self.passes.iter().map(|pass| pass.program.count()).sum()
+    }
+}
+
+/// A program that is run for each member of an item.
+#[derive(Debug)]
+pub struct Pass<'m> {
+    pub over: Over<'m>,
+    /// The bodies that it refers to.
+    pub slots: Vec<BodyId>,
+    pub program: Program,
+    /// Where each output goes.
+    pub puts: Vec<Put>,
+    /// What it reads besides time, coordinates, velocities and inputs.
+    pub reads: Vec<(Symbol, Read)>,
+    /// Rows of the item, where a kernel counts on which rows are its own.
+    pub n_rows: usize,
+}
+
+impl Pass<'_> {
+    /// What a symbol stands for that is no time, coordinate, velocity or input.
+    pub fn read(&self, symbol: Symbol) -> Option<Read> {
+        self.reads.iter().find(|(other, _)| *other == symbol).map(|&(_, read)| read)
+    }
+}
+
+/// How often a pass is made.
+#[derive(Debug, Clone, Copy)]
+pub enum Over<'m> {
+    /// Once for each pass of the loops; once without any.
+    Loops(&'m [Loop]),
+    /// Once for each body of an array: its place in the model.
+    Members(usize),
+}
+
+/// Where an output goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Put {
+    /// To the next place of a vector: its number among those that the kernel writes.
+    Next(usize),
+    /// Added to the entry of a coordinate.
+    Coordinate(usize),
+    /// Added to the entry of a group.
+    Group(usize),
+    /// Added to the value of the kernel.
+    Total,
+    /// A start value of a coordinate.
+    Start { index: usize, rate: bool, near: bool },
+}
+
+/// What a symbol stands for.
+#[derive(Debug, Clone, Copy)]
+pub enum Read {
+    /// Of a coordinate.
+    Acceleration(usize),
+    /// Of a row, among those of the pass.
+    Multiplier(usize),
+    /// Of a row.
+    Residual(usize),
+}

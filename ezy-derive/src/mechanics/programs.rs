@@ -1,0 +1,196 @@
+//! The programs of all kernels, from the expressions of a scene.
+
+use super::kernels::{Kernel, Kernels, Over, Pass, Put, Quantity, Read};
+use super::scene::{Equations, Group};
+use super::slopes::Slopes;
+use super::solve::{Correction, Solver};
+use super::templates::{RowTemplate, Templates};
+use crate::model::{BodyId, Coordinate};
+use crate::symbolic::lower::{ConstantPool, Lowering};
+use crate::symbolic::program::Program;
+use crate::symbolic::{Algebra, SumId, Symbol};
+
+/// Lowers sums to programs that share a vector of constants.
+struct Lower<'a> {
+    algebra: &'a Algebra,
+    constants: &'a mut ConstantPool,
+}
+
+impl Lower<'_> {
+    fn program(&mut self, sums: &[SumId]) -> Program {
+        let mut lowering = Lowering::new(self.algebra, self.constants);
+        for &sum in sums {
+            let value = lowering.lower(sum);
+            lowering.program.push_output(value);
+        }
+        let mut program = lowering.program;
+        program.settle_signs();
+        program
+    }
+
+    fn pass<'m>(&mut self, over: Over<'m>, slots: &[BodyId], sums: &[SumId], puts: Vec<Put>) -> Pass<'m> {
+        Pass { over, slots: slots.to_vec(), program: self.program(sums), puts, reads: Vec::new(), n_rows: 0 }
+    }
+
+    /// A pass that fills the only vector of its kernel.
+    fn stacked<'m>(&mut self, over: Over<'m>, slots: &[BodyId], sums: &[SumId]) -> Pass<'m> {
+        self.pass(over, slots, sums, vec![Put::Next(0); sums.len()])
+    }
+
+    /// A kernel of one pass that fills one vector.
+    fn vector<'m>(&mut self, sums: &[SumId]) -> Kernel<'m> {
+        self.once(sums, vec![Put::Next(0); sums.len()], Vec::new())
+    }
+
+    /// A kernel of one pass.
+    fn once<'m>(&mut self, sums: &[SumId], puts: Vec<Put>, reads: Vec<(Symbol, Read)>) -> Kernel<'m> {
+        let pass = self.pass(Over::Loops(&[]), &[], sums, puts);
+        Kernel::of(vec![Pass { reads, ..pass }])
+    }
+}
+
+/// The kernels of a scene whose bodies are known; those that solve are there already.
+pub fn straight<'m>(equations: &Equations, slopes: Option<&Slopes>, constants: &mut ConstantPool) -> Kernels<'m> {
+    let constraints = &equations.constraints;
+    let jacobian: Vec<SumId> = constraints.jacobian.iter().flatten().map(|&(_, entry)| entry).collect();
+    let points: Vec<SumId> = equations.points.iter().flat_map(|point| point.position).collect();
+    let power: Vec<SumId> = equations.power.iter().map(|&(_, power)| power).collect();
+    let outputs: Vec<SumId> = equations.outputs.iter().map(|&(_, value)| value).collect();
+    let events: Vec<SumId> = equations.events.iter().map(|event| event.value).collect();
+    let start: Vec<SumId> = equations.start.iter().map(|given| given.value).collect();
+    let mut lower = Lower { algebra: &equations.algebra, constants };
+    let mut kernels = Kernels::new();
+    for (quantity, sums) in [
+        (Quantity::MassMatrix, &equations.mass_entries),
+        (Quantity::PositionConstraint, &constraints.position),
+        (Quantity::VelocityConstraint, &constraints.velocity),
+        (Quantity::VelocityJacobian, &jacobian),
+        (Quantity::ConvectiveTerm, &constraints.convective),
+        (Quantity::AppliedForce, &equations.force),
+    ] {
+        kernels.insert(quantity, lower.vector(sums));
+    }
+    let multipliers = equations.multipliers.iter().map(|&(symbol, row)| (symbol, Read::Multiplier(row)));
+    kernels.insert(Quantity::Power, lower.once(&power, vec![Put::Next(0); power.len()], multipliers.collect()));
+    kernels.insert(Quantity::Points, lower.vector(&points));
+    kernels.insert(Quantity::Outputs, lower.vector(&outputs));
+    kernels.insert(Quantity::PotentialEnergy, lower.once(&[equations.potential], vec![Put::Total], Vec::new()));
+    let gives = equations.start.iter();
+    let gives = gives.map(|given| Put::Start { index: given.index, rate: given.rate, near: given.near });
+    kernels.insert(Quantity::Start, lower.once(&start, gives.collect(), Vec::new()));
+    if let Some(slopes) = slopes {
+        kernels.insert(Quantity::Slopes, lower.once(&slopes.values(), slopes.puts(), slopes.reads.clone()));
+    }
+    if let Some(grip) = &equations.grip {
+        kernels.insert(Quantity::Grip, lower.vector(grip));
+    }
+    if let Some(contact) = &equations.contact {
+        kernels.insert(Quantity::Stop, lower.vector(&contact.values()));
+    }
+    if !events.is_empty() {
+        kernels.insert(Quantity::Events, lower.vector(&events));
+    }
+    kernels
+}
+
+/// The accelerations, then the multipliers.
+pub fn accelerations<'m>(equations: &Equations, solver: Solver) -> Kernel<'m> {
+    let n_q = equations.mass.len();
+    let puts = [vec![Put::Next(0); n_q], vec![Put::Next(1); solver.n_outputs - n_q]].concat();
+    solution(solver, puts, Vec::new())
+}
+
+/// The correction of the coordinates.
+pub fn correction<'m>(correction: Correction) -> Kernel<'m> {
+    let Correction { solver, residuals } = correction;
+    let puts = vec![Put::Next(0); solver.n_outputs];
+    let residuals = residuals.into_iter().enumerate().map(|(row, symbol)| (symbol, Read::Residual(row)));
+    solution(solver, puts, residuals.collect())
+}
+
+fn solution<'m>(solver: Solver, puts: Vec<Put>, reads: Vec<(Symbol, Read)>) -> Kernel<'m> {
+    let Solver { program, pivots, .. } = solver;
+    let pass = Pass { over: Over::Loops(&[]), slots: Vec::new(), program, puts, reads, n_rows: 0 };
+    Kernel { passes: vec![pass], pivots }
+}
+
+/// The kernels of a scene with counts, but for the slopes.
+pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> Kernels<'m> {
+    let Templates { rows, forces, groups, .. } = templates;
+    let mut lower = Lower { algebra: &templates.algebra, constants };
+    let mut kernels = Kernels::new();
+    let masses = templates.masses.iter().enumerate();
+    let masses = masses.map(|(array, masses)| lower.pass(Over::Members(array), &[], masses, vec![Put::Next(0); 3]));
+    kernels.insert(Quantity::MassMatrix, Kernel::of(masses.collect()));
+
+    let position_rows = || rows.iter().filter(|row| row.is_position());
+    let mut stack =
+        |quantity, rows: &mut dyn Iterator<Item = &RowTemplate<'m>>, sums: fn(&RowTemplate<'m>) -> Vec<SumId>| {
+            let passes = rows.map(|row| lower.stacked(Over::Loops(&row.row.loops), &row.slots, &sums(row)));
+            kernels.insert(quantity, Kernel::of(passes.collect()));
+        };
+    stack(Quantity::PositionConstraint, &mut position_rows(), |row| row.constraints.position.clone());
+    stack(Quantity::VelocityConstraint, &mut rows.iter(), |row| row.constraints.velocity.clone());
+    let entries = |row: &RowTemplate<'m>| row.constraints.jacobian.iter().flatten().map(|&(_, entry)| entry).collect();
+    stack(Quantity::VelocityJacobian, &mut rows.iter(), entries);
+    stack(Quantity::ConvectiveTerm, &mut rows.iter(), |row| row.constraints.convective.clone());
+
+    let applied = forces.iter().map(|force| {
+        let (places, sums): (Vec<Put>, Vec<SumId>) =
+            force.entries.iter().map(|&(i, entry)| (Put::Coordinate(i), entry)).unzip();
+        lower.pass(Over::Loops(&force.force.loops), &force.slots, &sums, places)
+    });
+    kernels.insert(Quantity::AppliedForce, Kernel::of(applied.collect()));
+    let points = templates.points.iter();
+    let points = points.map(|of| lower.stacked(Over::Loops(&of.point.loops), &of.slots, &of.position));
+    kernels.insert(Quantity::Points, Kernel::of(points.collect()));
+    let outputs = templates.outputs.iter();
+    let outputs = outputs.map(|of| lower.stacked(Over::Loops(&of.output.loops), &of.slots, &[of.value]));
+    kernels.insert(Quantity::Outputs, Kernel::of(outputs.collect()));
+    if !templates.events.is_empty() {
+        let events = templates.events.iter();
+        let events = events.map(|of| lower.stacked(Over::Loops(&[]), &of.slots, &[of.event.value]));
+        kernels.insert(Quantity::Events, Kernel::of(events.collect()));
+    }
+
+    let group = |group: Group| Put::Group(groups.iter().position(|other| *other == group).unwrap_or(0));
+    let working = forces.iter().filter(|force| !force.power.is_zero());
+    let mut power: Vec<Pass<'m>> = working
+        .map(|of| lower.pass(Over::Loops(&of.force.loops), &of.slots, &[of.power], vec![group(of.group)]))
+        .collect();
+    // rows that stand still are passed over, so that those that move find their multipliers
+    let n_counted = rows.iter().rposition(|row| !row.multipliers.is_empty()).map_or(0, |last| last + 1);
+    power.extend(rows[..n_counted].iter().map(|row| {
+        let moves = !row.multipliers.is_empty();
+        let (sums, puts) = if moves { (vec![row.power], vec![group(Group::Drives)]) } else { (vec![], vec![]) };
+        let reads = row.multipliers.iter().map(|&(symbol, own)| (symbol, Read::Multiplier(own))).collect();
+        let pass = lower.pass(Over::Loops(&row.row.loops), &row.slots, &sums, puts);
+        Pass { reads, n_rows: row.constraints.rows.len(), ..pass }
+    }));
+    kernels.insert(Quantity::Power, Kernel::of(power));
+    let potential = forces.iter().filter(|force| !force.potential.is_zero());
+    let potential = potential
+        .map(|of| lower.pass(Over::Loops(&of.force.loops), &of.slots, &[of.potential], vec![Put::Total]))
+        .collect();
+    kernels.insert(Quantity::PotentialEnergy, Kernel::of(potential));
+    let start = templates.start.iter().map(|&(given, value)| {
+        let put = Put::Start {
+            index: Coordinate { body: given.body, component: given.component }.place(),
+            rate: given.rate,
+            near: given.near,
+        };
+        lower.pass(Over::Loops(&given.loops), &[given.body], &[value], vec![put])
+    });
+    kernels.insert(Quantity::Start, Kernel::of(start.collect()));
+    kernels
+}
+
+/// The slopes of a scene with counts, item by item.
+pub fn counted_slopes<'m>(templates: &Templates<'m>, slopes: &[Slopes], constants: &mut ConstantPool) -> Kernel<'m> {
+    let mut lower = Lower { algebra: &templates.algebra, constants };
+    let passes = templates.items().zip(slopes).map(|(item, slopes)| {
+        let pass = lower.pass(Over::Loops(item.loops), item.slots, &slopes.values(), slopes.puts());
+        Pass { reads: slopes.reads.clone(), n_rows: item.n_rows(), ..pass }
+    });
+    Kernel::of(passes.collect())
+}

@@ -7,6 +7,8 @@
 //! and `model ← record ← simulate`; [`report`] reads records and names; [`accuracy`] runs, compares and reports.
 
 pub mod accuracy;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod dynamics;
 mod faulty;
 pub mod integrate;

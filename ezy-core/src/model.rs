@@ -9,21 +9,25 @@
 //! `n_p` points, `n_i` inputs, `n_o` outputs, `n_s` events. Kernels panic when a slice has another length; the layers above always
 //! pass the right ones.
 
-mod equations;
+pub(crate) mod equations;
 mod event;
 mod grip;
-mod pivots;
-mod repeats;
-mod series;
+pub(crate) mod pivots;
+pub(crate) mod repeats;
+pub(crate) mod series;
 mod slopes;
 mod stop;
 
-pub use equations::{Equations, PreciseScene};
+pub use equations::Equations;
+pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind};
 pub use grip::GripInfo;
-pub use pivots::{PIVOT_TOLERANCE, Pivots};
-pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
-pub use series::{PRODUCT_GROUP, Series, SeriesInfo, SeriesSize, SeriesStore};
+pub(crate) use pivots::{PIVOT_TOLERANCE, Pivots};
+pub(crate) use repeats::LARGEST_N_MEMBERS;
+pub use repeats::{CountInfo, LayoutFault};
+pub(crate) use repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
+pub use series::SeriesInfo;
+pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
 pub use slopes::SlopePlaces;
 pub use stop::StopInfo;
 

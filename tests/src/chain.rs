@@ -3,10 +3,9 @@
 //! Written by hand as `model!` writes it for a model with a count: descriptions from loops, kernels in loops, no
 //! generated elimination.
 
-use ezy_core::layout::{Known, Layout};
+use ezy_core::__private::{Known, Layout, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 use ezy_core::model::{
-    CountInfo, EffectInfo, Equations, Formula, Operations, Repeats, RowInfo, RowTemplate, Scene, SceneInfo,
-    SlotCoordinate, SparsityPattern, Start, TemplateInfo,
+    CountInfo, EffectInfo, Equations, Formula, Operations, RowInfo, Scene, SceneInfo, SparsityPattern, Start,
 };
 
 const LENGTH: f64 = 1.0;

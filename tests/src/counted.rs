@@ -1,6 +1,7 @@
 //! A scene that counts what is asked of it.
 
-use ezy_core::model::{Equations, Pivots, Scene, SceneInfo, Start};
+use ezy_core::__private::Pivots;
+use ezy_core::model::{Equations, Scene, SceneInfo, Start};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Another scene, with counters.

@@ -36,7 +36,7 @@ pub fn repeated(model: &Model, templates: Vec<Templates<'_>>) -> TokenStream {
         model,
         &TokenStream::new(),
         &scenes,
-        |type_name| quote!(|| ::ezy_core::model::Scene::info(&<#type_name as ::core::default::Default>::default())),
+        |type_name| quote!(|| ezy::Scene::info(&<#type_name as ::core::default::Default>::default())),
     )
 }
 
@@ -46,7 +46,7 @@ fn module(
     scenes: &[TokenStream],
     info: impl Fn(&Ident) -> TokenStream,
 ) -> TokenStream {
-    let visibility = &model.visibility;
+    let (core, visibility) = (&model.core, &model.visibility);
     let module = Ident::new(&snake_case(&model.name.to_string()), model.name.span());
     let name = model.name.to_string();
     let documentation = &model.documentation;
@@ -56,7 +56,7 @@ fn module(
         let (type_name, name) = (scene_type(scene), scene.name.to_string());
         let info = info(&type_name);
         quote! {
-            ::ezy_core::model::SceneEntry {
+            ezy::SceneEntry {
                 name: #name,
                 info: #info,
                 new: || ::std::boxed::Box::new(<#type_name as ::core::default::Default>::default()),
@@ -68,8 +68,10 @@ fn module(
         #page
         #[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
         #visibility mod #module {
+            use #core::__private as ezy;
+
             /// The model and its scenes.
-            pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {
+            pub static MODEL: ezy::ModelInfo = ezy::ModelInfo {
                 name: #name,
                 documentation: #documentation,
                 effects: &[#(#effects),*],

@@ -23,6 +23,8 @@ pub fn items(model: &Model, of: &Scene) -> Option<TokenStream> {
     Some(quote! {
         #[doc(hidden)]
         pub mod #module {
+            use super::ezy;
+
             #(#scenes)*
         }
     })
@@ -40,7 +42,7 @@ pub fn access(model: &Model, scene: &Scene, parameters: &[&Ident]) -> Option<Tok
         quote!(::std::boxed::Box::new(#module::#name { #(#parameters: self.#parameters),* }))
     });
     Some(quote! {
-        fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ::ezy_core::model::Scene>> {
+        fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ezy::Scene>> {
             ::std::vec![::std::boxed::Box::new(*self), #(#others),*]
         }
     })

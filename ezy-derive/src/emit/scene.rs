@@ -49,19 +49,19 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
 
         impl #type_name {
             /// What is known of the scene when it is compiled.
-            pub const INFO: ::ezy_core::model::SceneInfo = #info;
+            pub const INFO: ezy::SceneInfo = #info;
         }
 
         #[automatically_derived]
-        impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::#type_name {
+        impl<T: ezy::Scalar> ezy::Equations<T> for self::#type_name {
             #constants
             #kernels
         }
 
         #[automatically_derived]
-        impl ::ezy_core::model::Scene for #type_name {
-            fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-                static INFO: ::ezy_core::model::SceneInfo = #type_name::INFO;
+        impl ezy::Scene for #type_name {
+            fn info(&self) -> &'static ezy::SceneInfo {
+                static INFO: ezy::SceneInfo = #type_name::INFO;
                 &INFO
             }
             fn parameter(&self, index: usize) -> f64 {
@@ -83,11 +83,11 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
 /// The methods that hand out the series.
 pub fn access_to_series() -> TokenStream {
     quote! {
-        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+        fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
             ::core::option::Option::Some(self)
         }
 
-        fn precise(&self) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+        fn precise(&self) -> ::core::option::Option<&dyn ezy::PreciseScene> {
             ::core::option::Option::Some(self)
         }
     }
@@ -181,7 +181,7 @@ fn methods(
             v: &[T],
             a: &mut [T],
             lambda: &mut [T],
-        ) -> ::ezy_core::model::Pivots {
+        ) -> ezy::Pivots {
             #accelerations_opening
             #accelerations
         }
@@ -193,7 +193,7 @@ fn methods(
             q: &[T],
             residual: &[T],
             delta: &mut [T],
-        ) -> ::ezy_core::model::Pivots {
+        ) -> ezy::Pivots {
             #correction_opening
             #correction
         }
@@ -204,7 +204,7 @@ fn methods(
             #potential_opening
             #potential
         }
-        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+        fn start(&self, c: &[f64], start: &mut ezy::Start) {
             #start_opening
             #start
         }
@@ -217,9 +217,9 @@ fn methods(
 fn open(numbers: Numbers, name: &str, slice: &str, n: usize, written: bool) -> TokenStream {
     let (name, slice, number) = (argument(name), argument(slice), numbers.name());
     if written {
-        quote!(let #name = ::ezy_core::kernel::array_mut::<#n, #number>(#slice);)
+        quote!(let #name = ezy::array_mut::<#n, #number>(#slice);)
     } else {
-        quote!(let #name = ::ezy_core::kernel::array::<#n, #number>(#slice);)
+        quote!(let #name = ezy::array::<#n, #number>(#slice);)
     }
 }
 
@@ -353,7 +353,7 @@ impl Emitter<'_> {
         quote! {
             #statements
             #(#targets = #solution;)*
-            ::ezy_core::model::Pivots::new()#(#seen)*
+            ezy::Pivots::new()#(#seen)*
         }
     }
 }
@@ -364,7 +364,7 @@ fn slope_places(slopes: &Slopes) -> TokenStream {
     };
     let (by_q, by_v) = (list(&slopes.by_q), list(&slopes.by_v));
     quote! {
-        ::core::option::Option::Some(::ezy_core::model::SlopePlaces {
+        ::core::option::Option::Some(ezy::SlopePlaces {
             by_q: ::std::vec![#(#by_q),*],
             by_v: ::std::vec![#(#by_v),*],
         })

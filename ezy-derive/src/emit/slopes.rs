@@ -23,7 +23,7 @@ pub fn source(
 /// Both methods around what they do.
 pub fn methods(places: TokenStream, kernel: TokenStream) -> TokenStream {
     quote! {
-        fn slope_places(&self) -> ::core::option::Option<::ezy_core::model::SlopePlaces> {
+        fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
             #places
         }
         fn slopes(

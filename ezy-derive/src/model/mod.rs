@@ -34,7 +34,7 @@ pub use crate::parse::ast::Relation;
 pub use resolve::resolve;
 
 use crate::words::Word;
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenStream};
 use whole::{CountId, IndexId, Whole};
 
 /// Index into [`Model::bodies`].
@@ -61,6 +61,8 @@ pub struct StartId(pub usize);
 
 /// A model file, resolved.
 pub struct Model {
+    /// The path of `ezy-core` where the model stands.
+    pub core: TokenStream,
     pub visibility: syn::Visibility,
     /// Name of the model as written, CamelCase.
     pub name: Ident,

@@ -8,7 +8,8 @@ mod info;
 mod schur;
 mod series;
 
-use ezy_core::model::{Equations, Pivots, Scene, SceneInfo, Series, Start};
+use ezy_core::__private::{Pivots, Series};
+use ezy_core::model::{Equations, Scene, SceneInfo, Start};
 use schur::Schur;
 use std::f64::consts::{FRAC_PI_2, PI};
 

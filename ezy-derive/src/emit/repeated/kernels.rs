@@ -117,7 +117,7 @@ impl Emitter<'_> {
             fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
                 #outputs
             }
-            fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
+            fn start(&self, c: &[f64], start: &mut ezy::Start) {
                 #start
             }
             #events

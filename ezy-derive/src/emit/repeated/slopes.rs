@@ -53,8 +53,8 @@ impl Emitter<'_> {
         methods(
             quote! {
                 #firsts
-                let n_q = ::ezy_core::model::Scene::info(self).n_coordinates();
-                let mut places = ::ezy_core::model::SlopePlaces::default();
+                let n_q = ezy::Scene::info(self).n_coordinates();
+                let mut places = ezy::SlopePlaces::default();
                 let mut place = 0;
                 #(#places)*
                 ::core::option::Option::Some(places)

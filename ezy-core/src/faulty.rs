@@ -34,6 +34,8 @@ macro_rules! __faulty_model {
                     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {}
                 }
 
+                impl $crate::__private::Derived for $scene {}
+
                 impl $crate::__private::Scene for $scene {
                     fn info(&self) -> &'static $crate::__private::SceneInfo {
                         ::core::unreachable!()

@@ -284,7 +284,8 @@ mod tests {
             syn::Item::Impl(block) if block.trait_.is_some() => Some(quote::quote!(#block).to_string()),
             _ => None,
         });
-        let ends = ["ezy :: Equations < T > for self :: Coast {", "ezy :: Scene for Coast {"];
+        let ends =
+            ["ezy :: Equations < T > for self :: Coast {", "ezy :: Derived for Coast {", "ezy :: Scene for Coast {"];
         let blocks: Vec<String> = blocks.filter(|block| ends.iter().any(|end| block.contains(end))).collect();
         assert_eq!(blocks.len(), ends.len(), "the scene is emitted");
         blocks.concat()

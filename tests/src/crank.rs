@@ -2,7 +2,7 @@
 
 use crate::leaked::{Description, info};
 use ezy_core::__private::Pivots;
-use ezy_core::model::{EffectInfo, Equations, Scene, SceneInfo, Start};
+use ezy_core::model::{Derived, EffectInfo, Equations, Scene, SceneInfo, Start};
 
 const RADIUS: f64 = 0.3;
 const MASS: f64 = 2.0;
@@ -97,6 +97,8 @@ impl Equations<f64> for Crank {
         Pivots::default()
     }
 }
+
+impl Derived for Crank {}
 
 impl Scene for Crank {
     fn info(&self) -> &'static SceneInfo {

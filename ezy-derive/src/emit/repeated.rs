@@ -25,7 +25,7 @@ pub fn items(model: &Model, scene: &Scene, mut templates: Templates<'_>) -> Toke
     let templates = &mut templates;
     let mut pool = ConstantPool::default();
     let mut emitter = Emitter { model, templates, pool: &mut pool };
-    let Methods { equations, scene: methods } = emitter.methods();
+    let Methods { equations, scene: methods, events } = emitter.methods();
     let recurrences = series::derive(templates, &mut pool);
     let items = slopes::derive(templates);
     let slopes = items.map(|items| Emitter { model, templates, pool: &mut pool }.slopes(&items));
@@ -68,16 +68,23 @@ pub fn items(model: &Model, scene: &Scene, mut templates: Templates<'_>) -> Toke
         }
 
         #[automatically_derived]
-        impl ezy::Scene for #type_name {
-            fn info(&self) -> &'static ezy::SceneInfo {
-                static KNOWN: ezy::Known = ezy::Known::new();
-                KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
-            }
+        impl ezy::Derived for #type_name {
             fn count(&self, index: usize) -> usize {
                 match index { #(#places => self.#counts,)* _ => 0 }
             }
             fn set_count(&mut self, index: usize, value: usize) {
                 match index { #(#places => self.#counts = value,)* _ => {} }
+            }
+            #events
+            #slopes
+            #access_to_series
+        }
+
+        #[automatically_derived]
+        impl ezy::Scene for #type_name {
+            fn info(&self) -> &'static ezy::SceneInfo {
+                static KNOWN: ezy::Known = ezy::Known::new();
+                KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
             }
             fn parameter(&self, index: usize) -> f64 {
                 #parameter
@@ -86,8 +93,6 @@ pub fn items(model: &Model, scene: &Scene, mut templates: Templates<'_>) -> Toke
                 #set_parameter
             }
             #methods
-            #slopes
-            #access_to_series
         }
 
         #recurrences

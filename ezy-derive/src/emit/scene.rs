@@ -23,7 +23,7 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
     let series = Series::derive(&mut equations, &mut pool);
     let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
     let slopes = Slopes::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
-    let Methods { equations: kernels, scene: methods } =
+    let Methods { equations: kernels, derived, scene: methods } =
         methods(&equations, &mut pool, &accelerations, &correction, &residuals, slopes.as_ref());
 
     let n_constants = pool.coefficients().len();
@@ -59,6 +59,13 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
         }
 
         #[automatically_derived]
+        impl ezy::Derived for #type_name {
+            #derived
+            #access_to_series
+            #modes
+        }
+
+        #[automatically_derived]
         impl ezy::Scene for #type_name {
             fn info(&self) -> &'static ezy::SceneInfo {
                 static INFO: ezy::SceneInfo = #type_name::INFO;
@@ -71,8 +78,6 @@ pub fn items(model: &Model, scene: &Scene, mut equations: Equations) -> (TokenSt
                 #set_parameter
             }
             #methods
-            #access_to_series
-            #modes
         }
 
         #recurrences
@@ -96,6 +101,7 @@ pub fn access_to_series() -> TokenStream {
 /// The methods that read the vector of constants, by trait.
 struct Methods {
     equations: TokenStream,
+    derived: TokenStream,
     scene: TokenStream,
 }
 
@@ -153,8 +159,8 @@ fn methods(
         quote!(#(#reads)* #(#writes)*)
     };
     let kernels = kernels.map(|method| method.finish(n_fixed, n_q, n_c));
-    let bodies =
-        bodies.into_iter().chain(events).chain(grip).chain(stop).map(|method| method.finish(n_fixed, n_q, n_c));
+    let bodies = bodies.map(|method| method.finish(n_fixed, n_q, n_c));
+    let changes = [events, grip, stop].into_iter().flatten().map(|method| method.finish(n_fixed, n_q, n_c));
     let read_by_potential: &[(&str, usize)] = &[("c", n_fixed), ("q", n_q)];
     let potential_opening =
         opening(Numbers::F64, if equations.potential.is_zero() { &[] } else { read_by_potential }, &[]);
@@ -208,9 +214,12 @@ fn methods(
             #start_opening
             #start
         }
-        #slopes
     };
-    Methods { equations, scene }
+    let derived = quote! {
+        #slopes
+        #(#changes)*
+    };
+    Methods { equations, derived, scene }
 }
 
 /// Turns a slice into an array, so that its length is checked once.

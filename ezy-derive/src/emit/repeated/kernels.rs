@@ -34,6 +34,7 @@ pub struct Written<'t> {
 pub struct Methods {
     pub equations: TokenStream,
     pub scene: TokenStream,
+    pub events: Option<TokenStream>,
 }
 
 impl Emitter<'_> {
@@ -120,9 +121,8 @@ impl Emitter<'_> {
             fn start(&self, c: &[f64], start: &mut ezy::Start) {
                 #start
             }
-            #events
         };
-        Methods { equations, scene }
+        Methods { equations, scene, events }
     }
 
     fn mass_matrix(&mut self) -> TokenStream {

@@ -84,8 +84,8 @@ pub mod prelude {
     pub use crate::dynamics::{Metric, Projection, State, System};
     pub use crate::integrate::{Method, Tolerance};
     pub use crate::linalg::Backend;
-    pub use crate::model::{Equations, ModelInfo, Scene};
+    pub use crate::model::{Derived, Equations, ModelInfo, Scene};
     pub use crate::record::{CsvWriter, RecordError, Recorder, Sample, input_index, output_index};
-    pub use crate::simulate::{InputTable, Outcome, Run, Simulation, Stepper, read_inputs};
+    pub use crate::simulate::{Ensemble, InputTable, Outcome, Run, Sensitivities, Simulation, Stepper, read_inputs};
     pub use crate::testing::{check_model, check_scene};
 }

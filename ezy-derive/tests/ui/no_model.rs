@@ -12,12 +12,9 @@ ezy_core::model! {
 
 fn main() {}
 
-// stands for ezy-core, which these tests do without
+// stands for ezy-core, without a macro of its own: rustc would point into it, as it does not where that is another crate
 extern crate self as ezy_core;
-#[macro_export]
-macro_rules! model {
-    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
-}
+pub use ezy_derive::model;
 #[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};

@@ -1,67 +1,68 @@
 ///A seat on a rear wheel, steered and driven by swinging a front bar on its own wheel.
 #[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
 pub mod ezy_roller {}
+use ::ezy_core::__private as ezy;
 /// The model and its scenes.
-pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {
+pub static MODEL: ezy::ModelInfo = ezy::ModelInfo {
     name: "EzyRoller",
     documentation: "A seat on a rear wheel, steered and driven by swinging a front bar on its own wheel.",
     effects: &[
-        ::ezy_core::model::EffectInfo {
+        ezy::EffectInfo {
             name: "pump",
             documentation: "The rider swings the bar: a torque between seat and bar.",
         },
-        ::ezy_core::model::EffectInfo {
+        ezy::EffectInfo {
             name: "rolling_resistance",
             documentation: "Drag of the rear wheel, proportional to its speed.",
         },
-        ::ezy_core::model::EffectInfo {
+        ezy::EffectInfo {
             name: "slip",
             documentation: "The rear wheel lets go: a side force against its slip replaces the skate.",
         },
-        ::ezy_core::model::EffectInfo {
+        ezy::EffectInfo {
             name: "ice",
             documentation: "The rear wheel on ice: it holds sideways up to a force and slides beyond it, with that force as friction.",
         },
-        ::ezy_core::model::EffectInfo {
+        ezy::EffectInfo {
             name: "rider",
             documentation: "The rider's arms, moved by whoever runs the scene.",
         },
     ],
     scenes: &[
-        ::ezy_core::model::SceneEntry {
+        ezy::SceneEntry {
             name: "coast",
             info: || &Coast::INFO,
             new: || ::std::boxed::Box::new(
                 <Coast as ::core::default::Default>::default(),
             ),
         },
-        ::ezy_core::model::SceneEntry {
+        ezy::SceneEntry {
             name: "driven",
             info: || &Driven::INFO,
             new: || ::std::boxed::Box::new(
                 <Driven as ::core::default::Default>::default(),
             ),
         },
-        ::ezy_core::model::SceneEntry {
+        ezy::SceneEntry {
             name: "driven_on_tarmac",
             info: || &DrivenOnTarmac::INFO,
             new: || ::std::boxed::Box::new(
                 <DrivenOnTarmac as ::core::default::Default>::default(),
             ),
         },
-        ::ezy_core::model::SceneEntry {
+        ezy::SceneEntry {
             name: "drift",
             info: || &Drift::INFO,
             new: || ::std::boxed::Box::new(
                 <Drift as ::core::default::Default>::default(),
             ),
         },
-        ::ezy_core::model::SceneEntry {
+        ezy::SceneEntry {
             name: "skid",
             info: || &Skid::INFO,
             new: || ::std::boxed::Box::new(<Skid as ::core::default::Default>::default()),
         },
-        ::ezy_core::model::SceneEntry {
+        ezy::SceneEntry {
             name: "ridden",
             info: || &Ridden::INFO,
             new: || ::std::boxed::Box::new(
@@ -72,6 +73,7 @@ pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {
 };
 #[doc(hidden)]
 pub mod modes_of_skid {
+    use super::ezy;
     ///Driven, with a rear wheel on ice that holds and slides by turns.
     ///
     ///Cost of the accelerations and multipliers: 56 mul, 30 add, 1 div, 3 sin–cos.
@@ -123,97 +125,97 @@ pub mod modes_of_skid {
     }
     impl SlidesLeft {
         /// What is known of the scene when it is compiled.
-        pub const INFO: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+        pub const INFO: ezy::SceneInfo = ezy::SceneInfo {
             model: "EzyRoller",
             name: "skid",
             documentation: "Driven, with a rear wheel on ice that holds and slides by turns.",
             bodies: &["seat", "bar"],
             coordinates: &[
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "seat.x",
                     velocity_name: "seat.vx",
                     unit: "m",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "seat.x",
                         latex: "x_{\\mathrm{seat}}",
                         mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "seat.vx",
                         latex: "\\dot{x}_{\\mathrm{seat}}",
                         mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "seat.y",
                     velocity_name: "seat.vy",
                     unit: "m",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "seat.y",
                         latex: "y_{\\mathrm{seat}}",
                         mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "seat.vy",
                         latex: "\\dot{y}_{\\mathrm{seat}}",
                         mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "seat.phi",
                     velocity_name: "seat.omega",
                     unit: "rad",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "seat.phi",
                         latex: "\\varphi_{\\mathrm{seat}}",
                         mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "seat.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
                         mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "bar.x",
                     velocity_name: "bar.vx",
                     unit: "m",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "bar.x",
                         latex: "x_{\\mathrm{bar}}",
                         mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "bar.vx",
                         latex: "\\dot{x}_{\\mathrm{bar}}",
                         mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "bar.y",
                     velocity_name: "bar.vy",
                     unit: "m",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "bar.y",
                         latex: "y_{\\mathrm{bar}}",
                         mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "bar.vy",
                         latex: "\\dot{y}_{\\mathrm{bar}}",
                         mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "bar.phi",
                     velocity_name: "bar.omega",
                     unit: "rad",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "bar.phi",
                         latex: "\\varphi_{\\mathrm{bar}}",
                         mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "bar.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
                         mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
@@ -221,48 +223,48 @@ pub mod modes_of_skid {
                 },
             ],
             points: &[
-                ::ezy_core::model::PointInfo {
+                ezy::PointInfo {
                     name: "A",
                     body: ::core::option::Option::Some(0usize),
                     position: ::core::option::Option::Some([
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "seat.x - a*cos(seat.phi)",
                             latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                             mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                         },
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "seat.y - a*sin(seat.phi)",
                             latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                             mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                         },
                     ]),
                 },
-                ::ezy_core::model::PointInfo {
+                ezy::PointInfo {
                     name: "C",
                     body: ::core::option::Option::Some(1usize),
                     position: ::core::option::Option::Some([
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "bar.x + c*cos(bar.phi)",
                             latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                             mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                         },
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "bar.y + c*sin(bar.phi)",
                             latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                             mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                         },
                     ]),
                 },
-                ::ezy_core::model::PointInfo {
+                ezy::PointInfo {
                     name: "B",
                     body: ::core::option::Option::Some(0usize),
                     position: ::core::option::Option::Some([
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "seat.x + b*cos(seat.phi)",
                             latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                             mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                         },
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "seat.y + b*sin(seat.phi)",
                             latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                             mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
@@ -271,46 +273,46 @@ pub mod modes_of_skid {
                 },
             ],
             rows: &[
-                ::ezy_core::model::RowInfo {
+                ezy::RowInfo {
                     name: "B.x",
                     kind: "hinge",
                     multiplier_unit: "N",
-                    constraint: ::ezy_core::model::Formula {
+                    constraint: ezy::Formula {
                         text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
                         latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    convective_term: ::ezy_core::model::Formula {
+                    convective_term: ezy::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
                         latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
-                ::ezy_core::model::RowInfo {
+                ezy::RowInfo {
                     name: "B.y",
                     kind: "hinge",
                     multiplier_unit: "N",
-                    constraint: ::ezy_core::model::Formula {
+                    constraint: ezy::Formula {
                         text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
                         latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    convective_term: ::ezy_core::model::Formula {
+                    convective_term: ezy::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
                         latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
-                ::ezy_core::model::RowInfo {
+                ezy::RowInfo {
                     name: "front",
                     kind: "skate",
                     multiplier_unit: "N",
-                    constraint: ::ezy_core::model::Formula {
+                    constraint: ezy::Formula {
                         text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
                         latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    convective_term: ::ezy_core::model::Formula {
+                    convective_term: ezy::Formula {
                         text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
                         latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
@@ -319,144 +321,144 @@ pub mod modes_of_skid {
             ],
             n_position_rows: 2usize,
             parameters: &[
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "a",
                     unit: "m",
                     default: 0.2f64,
                     default_text: "0.2",
                     documentation: "rear wheel A, behind the seat's centre of mass",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "a",
                         latex: "a",
                         mathml: "<mi>a</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "b",
                     unit: "m",
                     default: 0.6f64,
                     default_text: "0.6",
                     documentation: "hinge B, ahead of the seat's centre of mass",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "b",
                         latex: "b",
                         mathml: "<mi>b</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "c",
                     unit: "m",
                     default: 0.1f64,
                     default_text: "0.1",
                     documentation: "front wheel C, beyond the bar's centre of mass",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "c",
                         latex: "c",
                         mathml: "<mi>c</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "d",
                     unit: "m",
                     default: 0.1f64,
                     default_text: "0.1",
                     documentation: "bar's centre of mass, beyond the hinge",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "d",
                         latex: "d",
                         mathml: "<mi>d</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "m1",
                     unit: "kg",
                     default: 46f64,
                     default_text: "46.0",
                     documentation: "mass of seat and rider",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "m1",
                         latex: "m_{1}",
                         mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "i1",
                     unit: "kg*m^2",
                     default: 10f64,
                     default_text: "10.0",
                     documentation: "moment of inertia of seat and rider",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "i1",
                         latex: "i_{1}",
                         mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "m2",
                     unit: "kg",
                     default: 1f64,
                     default_text: "1.0",
                     documentation: "mass of the bar",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "m2",
                         latex: "m_{2}",
                         mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "i2",
                     unit: "kg*m^2",
                     default: 0.005f64,
                     default_text: "0.005",
                     documentation: "moment of inertia of the bar",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "i2",
                         latex: "i_{2}",
                         mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "m0",
                     unit: "N*m",
                     default: 2f64,
                     default_text: "2.0",
                     documentation: "largest torque",
                     effect: ::core::option::Option::Some("pump"),
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "m0",
                         latex: "m_{0}",
                         mathml: "<msub><mi>m</mi><mtext>0</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "omega",
                     unit: "rad/s",
                     default: 3.141592653589793f64,
                     default_text: "pi",
                     documentation: "angular frequency of the torque",
                     effect: ::core::option::Option::Some("pump"),
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "omega",
                         latex: "\\omega",
                         mathml: "<mi>ω</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "hold",
                     unit: "N",
                     default: 4f64,
                     default_text: "4.0",
                     documentation: "largest side force",
                     effect: ::core::option::Option::Some("ice"),
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "hold",
                         latex: "\\mathrm{hold}",
                         mathml: "<mi>hold</mi>",
@@ -469,18 +471,18 @@ pub mod modes_of_skid {
             grip: ::core::option::Option::None,
             stop: ::core::option::Option::None,
             effects: &[
-                ::ezy_core::model::EffectInfo {
+                ezy::EffectInfo {
                     name: "pump",
                     documentation: "The rider swings the bar: a torque between seat and bar.",
                 },
-                ::ezy_core::model::EffectInfo {
+                ezy::EffectInfo {
                     name: "ice",
                     documentation: "The rear wheel on ice: it holds sideways up to a force and slides beyond it, with that force as friction.",
                 },
             ],
             until_s: 20f64,
             n_constants: 35usize,
-            jacobian: ::ezy_core::model::SparsityPattern {
+            jacobian: ezy::SparsityPattern {
                 starts: &[0usize, 4usize, 8usize, 11usize],
                 columns: &[
                     0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize,
@@ -488,159 +490,159 @@ pub mod modes_of_skid {
                 ],
             },
             jacobian_entries: &[
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "1",
                     latex: "1",
                     mathml: "<mrow><mn>1</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-b*sin(seat.phi)",
                     latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-1",
                     latex: "-1",
                     mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-d*sin(bar.phi)",
                     latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "1",
                     latex: "1",
                     mathml: "<mrow><mn>1</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "b*cos(seat.phi)",
                     latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-1",
                     latex: "-1",
                     mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "d*cos(bar.phi)",
                     latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-sin(bar.phi)",
                     latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "cos(bar.phi)",
                     latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "c",
                     latex: "c",
                     mathml: "<mrow><mi>c</mi></mrow>",
                 },
             ],
             mass_entries: &[
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "m1",
                     latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "m1",
                     latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "i1",
                     latex: "i_{1}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "m2",
                     latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "m2",
                     latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "i2",
                     latex: "i_{2}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
                 },
             ],
             force_entries: &[
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "hold*sin(seat.phi)",
                     latex: "\\mathrm{hold} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mi>hold</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-hold*cos(seat.phi)",
                     latex: "-\\mathrm{hold} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mo>−</mo><mi>hold</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "hold*a + m0*cos(omega*t)",
                     latex: "\\mathrm{hold} \\, a + m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
                     mathml: "<mrow><mi>hold</mi><mspace width=\"0.17em\"/><mi>a</mi><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "0",
                     latex: "0",
                     mathml: "<mrow><mn>0</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "0",
                     latex: "0",
                     mathml: "<mrow><mn>0</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-m0*cos(omega*t)",
                     latex: "-m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
                     mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
             ],
-            potential_energy: ::ezy_core::model::Formula {
+            potential_energy: ezy::Formula {
                 text: "0",
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
             abbreviations: &[],
             elimination: &[
-                ::ezy_core::model::EliminationStep {
+                ezy::EliminationStep {
                     rows: &[2usize],
                     constant_pivot: true,
                 },
-                ::ezy_core::model::EliminationStep {
+                ezy::EliminationStep {
                     rows: &[0usize, 1usize],
                     constant_pivot: false,
                 },
             ],
-            acceleration_operations: ::ezy_core::model::Operations {
+            acceleration_operations: ezy::Operations {
                 add: 30usize,
                 mul: 56usize,
                 div: 1usize,
                 trig: 3usize,
                 calls: 0usize,
             },
-            correction_operations: ::ezy_core::model::Operations {
+            correction_operations: ezy::Operations {
                 add: 18usize,
                 mul: 34usize,
                 div: 1usize,
                 trig: 2usize,
                 calls: 0usize,
             },
-            series: ::ezy_core::model::SeriesInfo::Analytic {
+            series: ezy::SeriesInfo::Analytic {
                 n_products: 12usize,
-                operations: ::ezy_core::model::Operations {
+                operations: ezy::Operations {
                     add: 46usize,
                     mul: 79usize,
                     div: 0usize,
@@ -652,11 +654,10 @@ pub mod modes_of_skid {
         };
     }
     #[automatically_derived]
-    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
-    for self::SlidesLeft {
+    impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         fn constants(&self, parameters: &[T], c: &mut [T]) {
-            let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
-            let c = ::ezy_core::kernel::array_mut::<35usize, T>(c);
+            let parameters = ezy::array::<11usize, T>(parameters);
+            let c = ezy::array_mut::<35usize, T>(c);
             let k1 = T::from_f64(1f64);
             let parameter_m1 = parameters[4usize];
             let parameter_i1 = parameters[5usize];
@@ -748,8 +749,8 @@ pub mod modes_of_skid {
             c[34usize] = k55;
         }
         fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+            let c = ezy::array::<35usize, T>(c);
+            let out = ezy::array_mut::<6usize, T>(m);
             out[0usize] = c[26usize];
             out[1usize] = c[26usize];
             out[2usize] = c[27usize];
@@ -758,9 +759,9 @@ pub mod modes_of_skid {
             out[5usize] = c[29usize];
         }
         fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let out = ezy::array_mut::<2usize, T>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -779,10 +780,10 @@ pub mod modes_of_skid {
             out[1usize] = sum_23;
         }
         fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let v = ::ezy_core::kernel::array::<6usize, T>(v);
-            let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let v = ezy::array::<6usize, T>(v);
+            let out = ezy::array_mut::<3usize, T>(out);
             let seat_vx = v[0usize];
             let bar_vx = v[3usize];
             let difference_4 = seat_vx - bar_vx;
@@ -809,9 +810,9 @@ pub mod modes_of_skid {
             out[2usize] = sum_33;
         }
         fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let out = ezy::array_mut::<11usize, T>(out);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
             let product_4 = c[12usize] * sin_seat_phi;
@@ -837,10 +838,10 @@ pub mod modes_of_skid {
             out[10usize] = c[30usize];
         }
         fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let v = ::ezy_core::kernel::array::<6usize, T>(v);
-            let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let v = ezy::array::<6usize, T>(v);
+            let out = ezy::array_mut::<3usize, T>(out);
             let seat_omega = v[2usize];
             let product_3 = c[12usize] * seat_omega;
             let product_4 = seat_omega * product_3;
@@ -868,10 +869,10 @@ pub mod modes_of_skid {
             out[2usize] = value_30;
         }
         fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let v = ::ezy_core::kernel::array::<6usize, T>(v);
-            let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let v = ezy::array::<6usize, T>(v);
+            let out = ezy::array_mut::<6usize, T>(out);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
             let product_4 = c[24usize] * sin_seat_phi;
@@ -898,12 +899,12 @@ pub mod modes_of_skid {
             v: &[T],
             a: &mut [T],
             lambda: &mut [T],
-        ) -> ::ezy_core::model::Pivots {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let v = ::ezy_core::kernel::array::<6usize, T>(v);
-            let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
-            let lambda = ::ezy_core::kernel::array_mut::<3usize, T>(lambda);
+        ) -> ezy::Pivots {
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let v = ezy::array::<6usize, T>(v);
+            let a = ezy::array_mut::<6usize, T>(a);
+            let lambda = ezy::array_mut::<3usize, T>(lambda);
             let product_4 = c[1usize] * t;
             let cos_4 = T::cos(product_4);
             let force_seat_phi = T::fused(c[0usize], cos_4, c[2usize]);
@@ -991,7 +992,7 @@ pub mod modes_of_skid {
             lambda[0usize] = lambda_B_x;
             lambda[1usize] = value_123;
             lambda[2usize] = value_124;
-            ::ezy_core::model::Pivots::new()
+            ezy::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_74, c[23usize]))
         }
@@ -1003,11 +1004,11 @@ pub mod modes_of_skid {
             q: &[T],
             residual: &[T],
             delta: &mut [T],
-        ) -> ::ezy_core::model::Pivots {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let residual = ::ezy_core::kernel::array::<3usize, T>(residual);
-            let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+        ) -> ezy::Pivots {
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let residual = ezy::array::<3usize, T>(residual);
+            let delta = ezy::array_mut::<6usize, T>(delta);
             let right_side_front = residual[2usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -1061,152 +1062,15 @@ pub mod modes_of_skid {
             delta[3usize] = product_63;
             delta[4usize] = product_66;
             delta[5usize] = value_77;
-            ::ezy_core::model::Pivots::new()
+            ezy::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_35, c[23usize]))
         }
     }
     #[automatically_derived]
-    impl ::ezy_core::model::Scene for SlidesLeft {
-        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-            static INFO: ::ezy_core::model::SceneInfo = SlidesLeft::INFO;
-            &INFO
-        }
-        fn parameter(&self, index: usize) -> f64 {
-            match index {
-                0usize => self.a,
-                1usize => self.b,
-                2usize => self.c,
-                3usize => self.d,
-                4usize => self.m1,
-                5usize => self.i1,
-                6usize => self.m2,
-                7usize => self.i2,
-                8usize => self.m0,
-                9usize => self.omega,
-                10usize => self.hold,
-                _ => f64::NAN,
-            }
-        }
-        fn set_parameter(&mut self, index: usize, value: f64) {
-            match index {
-                0usize => self.a = value,
-                1usize => self.b = value,
-                2usize => self.c = value,
-                3usize => self.d = value,
-                4usize => self.m1 = value,
-                5usize => self.i1 = value,
-                6usize => self.m2 = value,
-                7usize => self.i2 = value,
-                8usize => self.m0 = value,
-                9usize => self.omega = value,
-                10usize => self.hold = value,
-                _ => {}
-            }
-        }
-        fn power(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            lambda: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-            let lambda = ::ezy_core::kernel::array::<3usize, f64>(lambda);
-            let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
-            let seat_omega = v[2usize];
-            let bar_omega = v[5usize];
-            let difference_4 = seat_omega - bar_omega;
-            let product_7 = c[1usize] * t;
-            let cos_7 = f64::cos(product_7);
-            let product_9 = difference_4 * cos_7;
-            let product_11 = product_9 * c[0usize];
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_15 = seat_vx * sin_seat_phi;
-            let seat_vy = v[1usize];
-            let product_18 = seat_vy * cos_seat_phi;
-            let difference_19 = product_15 - product_18;
-            let product_21 = difference_19 * c[24usize];
-            let product_23 = seat_omega * c[2usize];
-            let sum_24 = product_21 + product_23;
-            out[0usize] = product_11;
-            out[1usize] = sum_24;
-        }
-        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
-            let seat_x = q[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[31usize] * cos_seat_phi;
-            let difference_7 = seat_x - product_6;
-            let seat_y = q[1usize];
-            let product_10 = c[31usize] * sin_seat_phi;
-            let difference_11 = seat_y - product_10;
-            let bar_x = q[3usize];
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_16 = c[30usize] * cos_bar_phi;
-            let sum_17 = bar_x + product_16;
-            let bar_y = q[4usize];
-            let product_20 = c[30usize] * sin_bar_phi;
-            let sum_21 = bar_y + product_20;
-            let product_23 = cos_seat_phi * c[12usize];
-            let sum_24 = seat_x + product_23;
-            let product_25 = sin_seat_phi * c[12usize];
-            let sum_26 = seat_y + product_25;
-            out[0usize] = difference_7;
-            out[1usize] = difference_11;
-            out[2usize] = sum_17;
-            out[3usize] = sum_21;
-            out[4usize] = sum_24;
-            out[5usize] = sum_26;
-        }
-        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-            let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
-        }
-        fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-            let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
-            let seat_omega = v[2usize];
-            let product_4 = c[31usize] * seat_omega;
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_9 = seat_vx * sin_seat_phi;
-            let sum_10 = product_4 + product_9;
-            let seat_vy = v[1usize];
-            let product_13 = seat_vy * cos_seat_phi;
-            let difference_14 = product_13 - sum_10;
-            out[0usize] = c[24usize];
-            out[1usize] = difference_14;
-        }
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-            0f64
-        }
-        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            start.give_position(0usize, 0f64);
-            start.give_position(1usize, 0f64);
-            start.give_position(2usize, 0f64);
-            start.give_position(5usize, c[32usize]);
-        }
-        fn slope_places(
-            &self,
-        ) -> ::core::option::Option<::ezy_core::model::SlopePlaces> {
-            ::core::option::Option::Some(::ezy_core::model::SlopePlaces {
+    impl ezy::Derived for SlidesLeft {
+        fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
+            ::core::option::Option::Some(ezy::SlopePlaces {
                 by_q: ::std::vec![
                     (0usize, 2usize), (1usize, 2usize), (2usize, 2usize), (3usize,
                     5usize), (4usize, 5usize), (5usize, 5usize), (6usize, 2usize),
@@ -1230,13 +1094,13 @@ pub mod modes_of_skid {
             by_q: &mut [f64],
             by_v: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-            let a = ::ezy_core::kernel::array::<6usize, f64>(a);
-            let lambda = ::ezy_core::kernel::array::<3usize, f64>(lambda);
-            let by_q = ::ezy_core::kernel::array_mut::<11usize, f64>(by_q);
-            let by_v = ::ezy_core::kernel::array_mut::<7usize, f64>(by_v);
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let v = ezy::array::<6usize, f64>(v);
+            let a = ezy::array::<6usize, f64>(a);
+            let lambda = ezy::array::<3usize, f64>(lambda);
+            let by_q = ezy::array_mut::<11usize, f64>(by_q);
+            let by_v = ezy::array_mut::<7usize, f64>(by_v);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
             let product_4 = c[24usize] * cos_seat_phi;
@@ -1319,19 +1183,155 @@ pub mod modes_of_skid {
             by_v[5usize] = product_68;
             by_v[6usize] = sum_71;
         }
-        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+        fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let v = ezy::array::<6usize, f64>(v);
+            let out = ezy::array_mut::<2usize, f64>(out);
+            let seat_omega = v[2usize];
+            let product_4 = c[31usize] * seat_omega;
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_9 = seat_vx * sin_seat_phi;
+            let sum_10 = product_4 + product_9;
+            let seat_vy = v[1usize];
+            let product_13 = seat_vy * cos_seat_phi;
+            let difference_14 = product_13 - sum_10;
+            out[0usize] = c[24usize];
+            out[1usize] = difference_14;
+        }
+        fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
             ::core::option::Option::Some(self)
         }
-        fn precise(
-            &self,
-        ) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+        fn precise(&self) -> ::core::option::Option<&dyn ezy::PreciseScene> {
             ::core::option::Option::Some(self)
         }
     }
     #[automatically_derived]
-    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for SlidesLeft {
-        fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-            ::ezy_core::model::SeriesSize {
+    impl ezy::Scene for SlidesLeft {
+        fn info(&self) -> &'static ezy::SceneInfo {
+            static INFO: ezy::SceneInfo = SlidesLeft::INFO;
+            &INFO
+        }
+        fn parameter(&self, index: usize) -> f64 {
+            match index {
+                0usize => self.a,
+                1usize => self.b,
+                2usize => self.c,
+                3usize => self.d,
+                4usize => self.m1,
+                5usize => self.i1,
+                6usize => self.m2,
+                7usize => self.i2,
+                8usize => self.m0,
+                9usize => self.omega,
+                10usize => self.hold,
+                _ => f64::NAN,
+            }
+        }
+        fn set_parameter(&mut self, index: usize, value: f64) {
+            match index {
+                0usize => self.a = value,
+                1usize => self.b = value,
+                2usize => self.c = value,
+                3usize => self.d = value,
+                4usize => self.m1 = value,
+                5usize => self.i1 = value,
+                6usize => self.m2 = value,
+                7usize => self.i2 = value,
+                8usize => self.m0 = value,
+                9usize => self.omega = value,
+                10usize => self.hold = value,
+                _ => {}
+            }
+        }
+        fn power(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            lambda: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let v = ezy::array::<6usize, f64>(v);
+            let lambda = ezy::array::<3usize, f64>(lambda);
+            let out = ezy::array_mut::<2usize, f64>(out);
+            let seat_omega = v[2usize];
+            let bar_omega = v[5usize];
+            let difference_4 = seat_omega - bar_omega;
+            let product_7 = c[1usize] * t;
+            let cos_7 = f64::cos(product_7);
+            let product_9 = difference_4 * cos_7;
+            let product_11 = product_9 * c[0usize];
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_15 = seat_vx * sin_seat_phi;
+            let seat_vy = v[1usize];
+            let product_18 = seat_vy * cos_seat_phi;
+            let difference_19 = product_15 - product_18;
+            let product_21 = difference_19 * c[24usize];
+            let product_23 = seat_omega * c[2usize];
+            let sum_24 = product_21 + product_23;
+            out[0usize] = product_11;
+            out[1usize] = sum_24;
+        }
+        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let out = ezy::array_mut::<6usize, f64>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_6 = c[31usize] * cos_seat_phi;
+            let difference_7 = seat_x - product_6;
+            let seat_y = q[1usize];
+            let product_10 = c[31usize] * sin_seat_phi;
+            let difference_11 = seat_y - product_10;
+            let bar_x = q[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_16 = c[30usize] * cos_bar_phi;
+            let sum_17 = bar_x + product_16;
+            let bar_y = q[4usize];
+            let product_20 = c[30usize] * sin_bar_phi;
+            let sum_21 = bar_y + product_20;
+            let product_23 = cos_seat_phi * c[12usize];
+            let sum_24 = seat_x + product_23;
+            let product_25 = sin_seat_phi * c[12usize];
+            let sum_26 = seat_y + product_25;
+            out[0usize] = difference_7;
+            out[1usize] = difference_11;
+            out[2usize] = sum_17;
+            out[3usize] = sum_21;
+            out[4usize] = sum_24;
+            out[5usize] = sum_26;
+        }
+        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let v = ezy::array::<6usize, f64>(v);
+            let out = ezy::array_mut::<0usize, f64>(out);
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            0f64
+        }
+        fn start(&self, c: &[f64], start: &mut ezy::Start) {
+            let c = ezy::array::<35usize, f64>(c);
+            start.give_position(0usize, 0f64);
+            start.give_position(1usize, 0f64);
+            start.give_position(2usize, 0f64);
+            start.give_position(5usize, c[32usize]);
+        }
+    }
+    #[automatically_derived]
+    impl<T: ezy::Scalar> ezy::Series<T> for SlidesLeft {
+        fn series_size(&self) -> ezy::SeriesSize {
+            ezy::SeriesSize {
                 n_coordinates: 6usize,
                 n_rows: 3usize,
                 n_products: 16usize,
@@ -1339,15 +1339,10 @@ pub mod modes_of_skid {
                 n_kept: 6usize,
             }
         }
-        fn begin(
-            &self,
-            c: &[T],
-            t: T,
-            store: &mut ::ezy_core::model::SeriesStore<T>,
-        ) -> ::ezy_core::model::Pivots {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
-            let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+        fn begin(&self, c: &[T], t: T, store: &mut ezy::SeriesStore<T>) -> ezy::Pivots {
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::row::<6usize, T>(&store.q, 0);
+            let v = ezy::row::<6usize, T>(&store.q, 1);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
             let bar_phi = q[5usize];
@@ -1402,7 +1397,7 @@ pub mod modes_of_skid {
             let value_172 = -product_164;
             let value_173 = -product_166;
             let value_174 = -product_165;
-            let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
+            let target = ezy::array_mut::<8usize, T>(&mut store.base);
             target[0usize] = cos_seat_phi;
             target[1usize] = sin_seat_phi;
             target[2usize] = cos_bar_phi;
@@ -1411,37 +1406,28 @@ pub mod modes_of_skid {
             target[5usize] = difference_81;
             target[6usize] = difference_79;
             target[7usize] = sum_74;
-            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            let target = ezy::array_mut::<6usize, T>(&mut store.force);
             target[0usize] = product_43;
             target[1usize] = value_168;
             target[2usize] = sum_52;
             target[3usize] = T::from_f64(0f64);
             target[4usize] = T::from_f64(0f64);
             target[5usize] = value_169;
-            let target = ::ezy_core::kernel::row_mut::<
-                6usize,
-                T,
-            >(&mut store.kept, 0usize);
+            let target = ezy::row_mut::<6usize, T>(&mut store.kept, 0usize);
             target[0usize] = product_43;
             target[1usize] = product_44;
             target[2usize] = sum_52;
             target[3usize] = product_50;
             target[4usize] = sin_48;
             target[5usize] = cos_48;
-            let target = ::ezy_core::kernel::row_mut::<
-                6usize,
-                T,
-            >(&mut store.kept, 1usize);
+            let target = ezy::row_mut::<6usize, T>(&mut store.kept, 1usize);
             target[0usize] = product_163;
             target[1usize] = value_172;
             target[2usize] = value_173;
             target[3usize] = value_173;
             target[4usize] = product_167;
             target[5usize] = value_174;
-            let target = ::ezy_core::kernel::row_mut::<
-                16usize,
-                T,
-            >(&mut store.left, 1usize);
+            let target = ezy::row_mut::<16usize, T>(&mut store.left, 1usize);
             target[0usize] = product_159;
             target[1usize] = value_170;
             target[2usize] = product_161;
@@ -1454,10 +1440,7 @@ pub mod modes_of_skid {
             target[9usize] = bar_omega;
             target[10usize] = product_161;
             target[11usize] = value_171;
-            let target = ::ezy_core::kernel::row_mut::<
-                16usize,
-                T,
-            >(&mut store.right, 1usize);
+            let target = ezy::row_mut::<16usize, T>(&mut store.right, 1usize);
             target[0usize] = T::from_f64(0f64);
             target[1usize] = T::from_f64(0f64);
             target[2usize] = T::from_f64(0f64);
@@ -1470,24 +1453,19 @@ pub mod modes_of_skid {
             target[9usize] = value_171;
             target[10usize] = bar_vx;
             target[11usize] = bar_vy;
-            let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
+            let target = ezy::array_mut::<3usize, T>(&mut store.row);
             target[0usize] = sum_32;
             target[1usize] = sum_35;
             target[2usize] = product_41;
-            ::ezy_core::model::Pivots::new()
+            ezy::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_113, c[23usize]))
         }
         #[inline(always)]
-        fn right_side(
-            &self,
-            c: &[T],
-            k: usize,
-            store: &mut ::ezy_core::model::SeriesStore<T>,
-        ) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let kept_0 = ::ezy_core::kernel::row::<6usize, T>(&store.kept, k + 0usize);
-            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+        fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+            let c = ezy::array::<35usize, T>(c);
+            let kept_0 = ezy::row::<6usize, T>(&store.kept, k + 0usize);
+            let sums = ezy::array::<16usize, T>(&store.sums);
             let kept_0 = kept_0[0usize];
             let kept_1 = kept_0[1usize];
             let kept_2 = kept_0[2usize];
@@ -1531,29 +1509,24 @@ pub mod modes_of_skid {
             let value_47 = -convolved_3;
             let value_48 = -sum_21;
             let value_49 = -product_41;
-            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            let target = ezy::array_mut::<6usize, T>(&mut store.force);
             target[0usize] = kept_0;
             target[1usize] = value_46;
             target[2usize] = difference_10;
             target[3usize] = convolved_2;
             target[4usize] = value_47;
             target[5usize] = value_48;
-            let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
+            let target = ezy::array_mut::<3usize, T>(&mut store.row);
             target[0usize] = product_33;
             target[1usize] = value_49;
             target[2usize] = product_45;
         }
         #[inline(always)]
-        fn solve(
-            &self,
-            c: &[T],
-            k: usize,
-            store: &mut ::ezy_core::model::SeriesStore<T>,
-        ) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
-            let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
-            let row = ::ezy_core::kernel::array::<3usize, T>(&store.row);
+        fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+            let c = ezy::array::<35usize, T>(c);
+            let base = ezy::array::<8usize, T>(&store.base);
+            let force = ezy::array::<6usize, T>(&store.force);
+            let row = ezy::array::<3usize, T>(&store.row);
             let force_0 = force[0usize];
             let base_4 = base[4usize];
             let base_5 = base[5usize];
@@ -1616,37 +1589,26 @@ pub mod modes_of_skid {
             let product_85 = force_5 * c[25usize];
             let difference_87 = T::fused(-c[18usize], difference_72, product_85);
             let difference_89 = T::fused(-c[20usize], lambda_front, difference_87);
-            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+            let target = ezy::array_mut::<6usize, T>(&mut store.a);
             target[0usize] = product_54;
             target[1usize] = product_61;
             target[2usize] = sum_68;
             target[3usize] = product_79;
             target[4usize] = product_83;
             target[5usize] = difference_89;
-            let target = ::ezy_core::kernel::row_mut::<
-                3usize,
-                T,
-            >(&mut store.lambda, k + 0usize);
+            let target = ezy::row_mut::<3usize, T>(&mut store.lambda, k + 0usize);
             target[0usize] = lambda_B_x;
             target[1usize] = lambda_B_y;
             target[2usize] = lambda_front;
         }
         #[inline(always)]
-        fn finish(
-            &self,
-            c: &[T],
-            k: usize,
-            store: &mut ::ezy_core::model::SeriesStore<T>,
-        ) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
-            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
-            let kept_1 = ::ezy_core::kernel::row::<6usize, T>(&store.kept, k + 1usize);
-            let lambda_0 = ::ezy_core::kernel::row::<
-                3usize,
-                T,
-            >(&store.lambda, k + 0usize);
-            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+        fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+            let c = ezy::array::<35usize, T>(c);
+            let a = ezy::array::<6usize, T>(&store.a);
+            let base = ezy::array::<8usize, T>(&store.base);
+            let kept_1 = ezy::row::<6usize, T>(&store.kept, k + 1usize);
+            let lambda_0 = ezy::row::<3usize, T>(&store.lambda, k + 0usize);
+            let sums = ezy::array::<16usize, T>(&store.sums);
             let a_0 = a[0usize];
             let inverse_order_next = T::from_f64(1f64)
                 / T::from_f64((k + 1usize) as f64);
@@ -1701,20 +1663,14 @@ pub mod modes_of_skid {
             let value_58 = -product_47;
             let value_59 = -product_53;
             let value_60 = -product_52;
-            let target = ::ezy_core::kernel::row_mut::<
-                6usize,
-                T,
-            >(&mut store.kept, k + 2usize);
+            let target = ezy::row_mut::<6usize, T>(&mut store.kept, k + 2usize);
             target[0usize] = product_46;
             target[1usize] = value_58;
             target[2usize] = value_59;
             target[3usize] = value_59;
             target[4usize] = product_55;
             target[5usize] = value_60;
-            let target = ::ezy_core::kernel::row_mut::<
-                16usize,
-                T,
-            >(&mut store.left, k + 2usize);
+            let target = ezy::row_mut::<16usize, T>(&mut store.left, k + 2usize);
             target[0usize] = sum_22;
             target[1usize] = value_56;
             target[2usize] = sum_34;
@@ -1727,20 +1683,14 @@ pub mod modes_of_skid {
             target[9usize] = product_42;
             target[10usize] = sum_34;
             target[11usize] = value_57;
-            let target = ::ezy_core::kernel::row_mut::<
-                6usize,
-                T,
-            >(&mut store.q, k + 2usize);
+            let target = ezy::row_mut::<6usize, T>(&mut store.q, k + 2usize);
             target[0usize] = product_4;
             target[1usize] = product_6;
             target[2usize] = product_8;
             target[3usize] = product_10;
             target[4usize] = product_12;
             target[5usize] = product_14;
-            let target = ::ezy_core::kernel::row_mut::<
-                16usize,
-                T,
-            >(&mut store.right, k + 2usize);
+            let target = ezy::row_mut::<16usize, T>(&mut store.right, k + 2usize);
             target[0usize] = lambda_0;
             target[1usize] = lambda_1;
             target[2usize] = lambda_2;
@@ -1806,97 +1756,97 @@ pub mod modes_of_skid {
     }
     impl SlidesRight {
         /// What is known of the scene when it is compiled.
-        pub const INFO: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+        pub const INFO: ezy::SceneInfo = ezy::SceneInfo {
             model: "EzyRoller",
             name: "skid",
             documentation: "Driven, with a rear wheel on ice that holds and slides by turns.",
             bodies: &["seat", "bar"],
             coordinates: &[
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "seat.x",
                     velocity_name: "seat.vx",
                     unit: "m",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "seat.x",
                         latex: "x_{\\mathrm{seat}}",
                         mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "seat.vx",
                         latex: "\\dot{x}_{\\mathrm{seat}}",
                         mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "seat.y",
                     velocity_name: "seat.vy",
                     unit: "m",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "seat.y",
                         latex: "y_{\\mathrm{seat}}",
                         mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "seat.vy",
                         latex: "\\dot{y}_{\\mathrm{seat}}",
                         mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "seat.phi",
                     velocity_name: "seat.omega",
                     unit: "rad",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "seat.phi",
                         latex: "\\varphi_{\\mathrm{seat}}",
                         mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "seat.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
                         mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "bar.x",
                     velocity_name: "bar.vx",
                     unit: "m",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "bar.x",
                         latex: "x_{\\mathrm{bar}}",
                         mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "bar.vx",
                         latex: "\\dot{x}_{\\mathrm{bar}}",
                         mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "bar.y",
                     velocity_name: "bar.vy",
                     unit: "m",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "bar.y",
                         latex: "y_{\\mathrm{bar}}",
                         mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "bar.vy",
                         latex: "\\dot{y}_{\\mathrm{bar}}",
                         mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: "bar.phi",
                     velocity_name: "bar.omega",
                     unit: "rad",
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "bar.phi",
                         latex: "\\varphi_{\\mathrm{bar}}",
                         mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
                     },
-                    velocity_symbol: ::ezy_core::model::Formula {
+                    velocity_symbol: ezy::Formula {
                         text: "bar.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
                         mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
@@ -1904,48 +1854,48 @@ pub mod modes_of_skid {
                 },
             ],
             points: &[
-                ::ezy_core::model::PointInfo {
+                ezy::PointInfo {
                     name: "A",
                     body: ::core::option::Option::Some(0usize),
                     position: ::core::option::Option::Some([
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "seat.x - a*cos(seat.phi)",
                             latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                             mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                         },
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "seat.y - a*sin(seat.phi)",
                             latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                             mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                         },
                     ]),
                 },
-                ::ezy_core::model::PointInfo {
+                ezy::PointInfo {
                     name: "C",
                     body: ::core::option::Option::Some(1usize),
                     position: ::core::option::Option::Some([
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "bar.x + c*cos(bar.phi)",
                             latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                             mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                         },
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "bar.y + c*sin(bar.phi)",
                             latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                             mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                         },
                     ]),
                 },
-                ::ezy_core::model::PointInfo {
+                ezy::PointInfo {
                     name: "B",
                     body: ::core::option::Option::Some(0usize),
                     position: ::core::option::Option::Some([
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "seat.x + b*cos(seat.phi)",
                             latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                             mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                         },
-                        ::ezy_core::model::Formula {
+                        ezy::Formula {
                             text: "seat.y + b*sin(seat.phi)",
                             latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                             mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
@@ -1954,46 +1904,46 @@ pub mod modes_of_skid {
                 },
             ],
             rows: &[
-                ::ezy_core::model::RowInfo {
+                ezy::RowInfo {
                     name: "B.x",
                     kind: "hinge",
                     multiplier_unit: "N",
-                    constraint: ::ezy_core::model::Formula {
+                    constraint: ezy::Formula {
                         text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
                         latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    convective_term: ::ezy_core::model::Formula {
+                    convective_term: ezy::Formula {
                         text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
                         latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
-                ::ezy_core::model::RowInfo {
+                ezy::RowInfo {
                     name: "B.y",
                     kind: "hinge",
                     multiplier_unit: "N",
-                    constraint: ::ezy_core::model::Formula {
+                    constraint: ezy::Formula {
                         text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
                         latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    convective_term: ::ezy_core::model::Formula {
+                    convective_term: ezy::Formula {
                         text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
                         latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 },
-                ::ezy_core::model::RowInfo {
+                ezy::RowInfo {
                     name: "front",
                     kind: "skate",
                     multiplier_unit: "N",
-                    constraint: ::ezy_core::model::Formula {
+                    constraint: ezy::Formula {
                         text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
                         latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    convective_term: ::ezy_core::model::Formula {
+                    convective_term: ezy::Formula {
                         text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
                         latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
@@ -2002,144 +1952,144 @@ pub mod modes_of_skid {
             ],
             n_position_rows: 2usize,
             parameters: &[
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "a",
                     unit: "m",
                     default: 0.2f64,
                     default_text: "0.2",
                     documentation: "rear wheel A, behind the seat's centre of mass",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "a",
                         latex: "a",
                         mathml: "<mi>a</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "b",
                     unit: "m",
                     default: 0.6f64,
                     default_text: "0.6",
                     documentation: "hinge B, ahead of the seat's centre of mass",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "b",
                         latex: "b",
                         mathml: "<mi>b</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "c",
                     unit: "m",
                     default: 0.1f64,
                     default_text: "0.1",
                     documentation: "front wheel C, beyond the bar's centre of mass",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "c",
                         latex: "c",
                         mathml: "<mi>c</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "d",
                     unit: "m",
                     default: 0.1f64,
                     default_text: "0.1",
                     documentation: "bar's centre of mass, beyond the hinge",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "d",
                         latex: "d",
                         mathml: "<mi>d</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "m1",
                     unit: "kg",
                     default: 46f64,
                     default_text: "46.0",
                     documentation: "mass of seat and rider",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "m1",
                         latex: "m_{1}",
                         mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "i1",
                     unit: "kg*m^2",
                     default: 10f64,
                     default_text: "10.0",
                     documentation: "moment of inertia of seat and rider",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "i1",
                         latex: "i_{1}",
                         mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "m2",
                     unit: "kg",
                     default: 1f64,
                     default_text: "1.0",
                     documentation: "mass of the bar",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "m2",
                         latex: "m_{2}",
                         mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "i2",
                     unit: "kg*m^2",
                     default: 0.005f64,
                     default_text: "0.005",
                     documentation: "moment of inertia of the bar",
                     effect: ::core::option::Option::None,
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "i2",
                         latex: "i_{2}",
                         mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "m0",
                     unit: "N*m",
                     default: 2f64,
                     default_text: "2.0",
                     documentation: "largest torque",
                     effect: ::core::option::Option::Some("pump"),
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "m0",
                         latex: "m_{0}",
                         mathml: "<msub><mi>m</mi><mtext>0</mtext></msub>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "omega",
                     unit: "rad/s",
                     default: 3.141592653589793f64,
                     default_text: "pi",
                     documentation: "angular frequency of the torque",
                     effect: ::core::option::Option::Some("pump"),
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "omega",
                         latex: "\\omega",
                         mathml: "<mi>ω</mi>",
                     },
                 },
-                ::ezy_core::model::ParameterInfo {
+                ezy::ParameterInfo {
                     name: "hold",
                     unit: "N",
                     default: 4f64,
                     default_text: "4.0",
                     documentation: "largest side force",
                     effect: ::core::option::Option::Some("ice"),
-                    symbol: ::ezy_core::model::Formula {
+                    symbol: ezy::Formula {
                         text: "hold",
                         latex: "\\mathrm{hold}",
                         mathml: "<mi>hold</mi>",
@@ -2152,18 +2102,18 @@ pub mod modes_of_skid {
             grip: ::core::option::Option::None,
             stop: ::core::option::Option::None,
             effects: &[
-                ::ezy_core::model::EffectInfo {
+                ezy::EffectInfo {
                     name: "pump",
                     documentation: "The rider swings the bar: a torque between seat and bar.",
                 },
-                ::ezy_core::model::EffectInfo {
+                ezy::EffectInfo {
                     name: "ice",
                     documentation: "The rear wheel on ice: it holds sideways up to a force and slides beyond it, with that force as friction.",
                 },
             ],
             until_s: 20f64,
             n_constants: 35usize,
-            jacobian: ::ezy_core::model::SparsityPattern {
+            jacobian: ezy::SparsityPattern {
                 starts: &[0usize, 4usize, 8usize, 11usize],
                 columns: &[
                     0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize,
@@ -2171,159 +2121,159 @@ pub mod modes_of_skid {
                 ],
             },
             jacobian_entries: &[
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "1",
                     latex: "1",
                     mathml: "<mrow><mn>1</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-b*sin(seat.phi)",
                     latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-1",
                     latex: "-1",
                     mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-d*sin(bar.phi)",
                     latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "1",
                     latex: "1",
                     mathml: "<mrow><mn>1</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "b*cos(seat.phi)",
                     latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-1",
                     latex: "-1",
                     mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "d*cos(bar.phi)",
                     latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-sin(bar.phi)",
                     latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "cos(bar.phi)",
                     latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "c",
                     latex: "c",
                     mathml: "<mrow><mi>c</mi></mrow>",
                 },
             ],
             mass_entries: &[
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "m1",
                     latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "m1",
                     latex: "m_{1}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "i1",
                     latex: "i_{1}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "m2",
                     latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "m2",
                     latex: "m_{2}",
                     mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "i2",
                     latex: "i_{2}",
                     mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
                 },
             ],
             force_entries: &[
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-hold*sin(seat.phi)",
                     latex: "-\\mathrm{hold} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mo>−</mo><mi>hold</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "hold*cos(seat.phi)",
                     latex: "\\mathrm{hold} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mi>hold</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-hold*a + m0*cos(omega*t)",
                     latex: "-\\mathrm{hold} \\, a + m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
                     mathml: "<mrow><mo>−</mo><mi>hold</mi><mspace width=\"0.17em\"/><mi>a</mi><mo>+</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "0",
                     latex: "0",
                     mathml: "<mrow><mn>0</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "0",
                     latex: "0",
                     mathml: "<mrow><mn>0</mn></mrow>",
                 },
-                ::ezy_core::model::Formula {
+                ezy::Formula {
                     text: "-m0*cos(omega*t)",
                     latex: "-m_{0} \\, \\cos\\left(\\omega \\, t\\right)",
                     mathml: "<mrow><mo>−</mo><msub><mi>m</mi><mtext>0</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>ω</mi><mspace width=\"0.17em\"/><mi>t</mi><mo>)</mo></mrow></mrow></mrow>",
                 },
             ],
-            potential_energy: ::ezy_core::model::Formula {
+            potential_energy: ezy::Formula {
                 text: "0",
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
             abbreviations: &[],
             elimination: &[
-                ::ezy_core::model::EliminationStep {
+                ezy::EliminationStep {
                     rows: &[2usize],
                     constant_pivot: true,
                 },
-                ::ezy_core::model::EliminationStep {
+                ezy::EliminationStep {
                     rows: &[0usize, 1usize],
                     constant_pivot: false,
                 },
             ],
-            acceleration_operations: ::ezy_core::model::Operations {
+            acceleration_operations: ezy::Operations {
                 add: 30usize,
                 mul: 56usize,
                 div: 1usize,
                 trig: 3usize,
                 calls: 0usize,
             },
-            correction_operations: ::ezy_core::model::Operations {
+            correction_operations: ezy::Operations {
                 add: 18usize,
                 mul: 34usize,
                 div: 1usize,
                 trig: 2usize,
                 calls: 0usize,
             },
-            series: ::ezy_core::model::SeriesInfo::Analytic {
+            series: ezy::SeriesInfo::Analytic {
                 n_products: 12usize,
-                operations: ::ezy_core::model::Operations {
+                operations: ezy::Operations {
                     add: 46usize,
                     mul: 79usize,
                     div: 0usize,
@@ -2335,11 +2285,10 @@ pub mod modes_of_skid {
         };
     }
     #[automatically_derived]
-    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
-    for self::SlidesRight {
+    impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesRight {
         fn constants(&self, parameters: &[T], c: &mut [T]) {
-            let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
-            let c = ::ezy_core::kernel::array_mut::<35usize, T>(c);
+            let parameters = ezy::array::<11usize, T>(parameters);
+            let c = ezy::array_mut::<35usize, T>(c);
             let k1 = T::from_f64(1f64);
             let parameter_m1 = parameters[4usize];
             let parameter_i1 = parameters[5usize];
@@ -2431,8 +2380,8 @@ pub mod modes_of_skid {
             c[34usize] = k55;
         }
         fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+            let c = ezy::array::<35usize, T>(c);
+            let out = ezy::array_mut::<6usize, T>(m);
             out[0usize] = c[26usize];
             out[1usize] = c[26usize];
             out[2usize] = c[27usize];
@@ -2441,9 +2390,9 @@ pub mod modes_of_skid {
             out[5usize] = c[29usize];
         }
         fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let out = ezy::array_mut::<2usize, T>(out);
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -2462,10 +2411,10 @@ pub mod modes_of_skid {
             out[1usize] = sum_23;
         }
         fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let v = ::ezy_core::kernel::array::<6usize, T>(v);
-            let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let v = ezy::array::<6usize, T>(v);
+            let out = ezy::array_mut::<3usize, T>(out);
             let seat_vx = v[0usize];
             let bar_vx = v[3usize];
             let difference_4 = seat_vx - bar_vx;
@@ -2492,9 +2441,9 @@ pub mod modes_of_skid {
             out[2usize] = sum_33;
         }
         fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let out = ezy::array_mut::<11usize, T>(out);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
             let product_4 = c[12usize] * sin_seat_phi;
@@ -2520,10 +2469,10 @@ pub mod modes_of_skid {
             out[10usize] = c[30usize];
         }
         fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let v = ::ezy_core::kernel::array::<6usize, T>(v);
-            let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let v = ezy::array::<6usize, T>(v);
+            let out = ezy::array_mut::<3usize, T>(out);
             let seat_omega = v[2usize];
             let product_3 = c[12usize] * seat_omega;
             let product_4 = seat_omega * product_3;
@@ -2551,10 +2500,10 @@ pub mod modes_of_skid {
             out[2usize] = value_30;
         }
         fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let v = ::ezy_core::kernel::array::<6usize, T>(v);
-            let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let v = ezy::array::<6usize, T>(v);
+            let out = ezy::array_mut::<6usize, T>(out);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
             let product_4 = c[24usize] * sin_seat_phi;
@@ -2581,12 +2530,12 @@ pub mod modes_of_skid {
             v: &[T],
             a: &mut [T],
             lambda: &mut [T],
-        ) -> ::ezy_core::model::Pivots {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let v = ::ezy_core::kernel::array::<6usize, T>(v);
-            let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
-            let lambda = ::ezy_core::kernel::array_mut::<3usize, T>(lambda);
+        ) -> ezy::Pivots {
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let v = ezy::array::<6usize, T>(v);
+            let a = ezy::array_mut::<6usize, T>(a);
+            let lambda = ezy::array_mut::<3usize, T>(lambda);
             let product_4 = c[1usize] * t;
             let cos_4 = T::cos(product_4);
             let force_seat_phi = T::fused(c[0usize], cos_4, -c[2usize]);
@@ -2666,7 +2615,7 @@ pub mod modes_of_skid {
             lambda[0usize] = lambda_B_x;
             lambda[1usize] = lambda_B_y;
             lambda[2usize] = lambda_front;
-            ::ezy_core::model::Pivots::new()
+            ezy::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_74, c[23usize]))
         }
@@ -2678,11 +2627,11 @@ pub mod modes_of_skid {
             q: &[T],
             residual: &[T],
             delta: &mut [T],
-        ) -> ::ezy_core::model::Pivots {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::array::<6usize, T>(q);
-            let residual = ::ezy_core::kernel::array::<3usize, T>(residual);
-            let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+        ) -> ezy::Pivots {
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::array::<6usize, T>(q);
+            let residual = ezy::array::<3usize, T>(residual);
+            let delta = ezy::array_mut::<6usize, T>(delta);
             let right_side_front = residual[2usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -2736,152 +2685,15 @@ pub mod modes_of_skid {
             delta[3usize] = product_63;
             delta[4usize] = product_66;
             delta[5usize] = value_77;
-            ::ezy_core::model::Pivots::new()
+            ezy::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_35, c[23usize]))
         }
     }
     #[automatically_derived]
-    impl ::ezy_core::model::Scene for SlidesRight {
-        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-            static INFO: ::ezy_core::model::SceneInfo = SlidesRight::INFO;
-            &INFO
-        }
-        fn parameter(&self, index: usize) -> f64 {
-            match index {
-                0usize => self.a,
-                1usize => self.b,
-                2usize => self.c,
-                3usize => self.d,
-                4usize => self.m1,
-                5usize => self.i1,
-                6usize => self.m2,
-                7usize => self.i2,
-                8usize => self.m0,
-                9usize => self.omega,
-                10usize => self.hold,
-                _ => f64::NAN,
-            }
-        }
-        fn set_parameter(&mut self, index: usize, value: f64) {
-            match index {
-                0usize => self.a = value,
-                1usize => self.b = value,
-                2usize => self.c = value,
-                3usize => self.d = value,
-                4usize => self.m1 = value,
-                5usize => self.i1 = value,
-                6usize => self.m2 = value,
-                7usize => self.i2 = value,
-                8usize => self.m0 = value,
-                9usize => self.omega = value,
-                10usize => self.hold = value,
-                _ => {}
-            }
-        }
-        fn power(
-            &self,
-            c: &[f64],
-            t: f64,
-            q: &[f64],
-            v: &[f64],
-            lambda: &[f64],
-            out: &mut [f64],
-        ) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-            let lambda = ::ezy_core::kernel::array::<3usize, f64>(lambda);
-            let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
-            let seat_omega = v[2usize];
-            let bar_omega = v[5usize];
-            let difference_4 = seat_omega - bar_omega;
-            let product_7 = c[1usize] * t;
-            let cos_7 = f64::cos(product_7);
-            let product_9 = difference_4 * cos_7;
-            let product_11 = product_9 * c[0usize];
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_15 = seat_vx * sin_seat_phi;
-            let seat_vy = v[1usize];
-            let product_18 = seat_vy * cos_seat_phi;
-            let difference_19 = product_18 - product_15;
-            let product_21 = difference_19 * c[24usize];
-            let product_23 = seat_omega * c[2usize];
-            let difference_24 = product_21 - product_23;
-            out[0usize] = product_11;
-            out[1usize] = difference_24;
-        }
-        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
-            let seat_x = q[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[31usize] * cos_seat_phi;
-            let difference_7 = seat_x - product_6;
-            let seat_y = q[1usize];
-            let product_10 = c[31usize] * sin_seat_phi;
-            let difference_11 = seat_y - product_10;
-            let bar_x = q[3usize];
-            let bar_phi = q[5usize];
-            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_16 = c[30usize] * cos_bar_phi;
-            let sum_17 = bar_x + product_16;
-            let bar_y = q[4usize];
-            let product_20 = c[30usize] * sin_bar_phi;
-            let sum_21 = bar_y + product_20;
-            let product_23 = cos_seat_phi * c[12usize];
-            let sum_24 = seat_x + product_23;
-            let product_25 = sin_seat_phi * c[12usize];
-            let sum_26 = seat_y + product_25;
-            out[0usize] = difference_7;
-            out[1usize] = difference_11;
-            out[2usize] = sum_17;
-            out[3usize] = sum_21;
-            out[4usize] = sum_24;
-            out[5usize] = sum_26;
-        }
-        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-            let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
-        }
-        fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-            let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
-            let seat_omega = v[2usize];
-            let product_4 = c[31usize] * seat_omega;
-            let seat_vx = v[0usize];
-            let seat_phi = q[2usize];
-            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_9 = seat_vx * sin_seat_phi;
-            let sum_10 = product_4 + product_9;
-            let seat_vy = v[1usize];
-            let product_13 = seat_vy * cos_seat_phi;
-            let difference_14 = product_13 - sum_10;
-            out[0usize] = c[24usize];
-            out[1usize] = difference_14;
-        }
-        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-            0f64
-        }
-        fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            start.give_position(0usize, 0f64);
-            start.give_position(1usize, 0f64);
-            start.give_position(2usize, 0f64);
-            start.give_position(5usize, c[32usize]);
-        }
-        fn slope_places(
-            &self,
-        ) -> ::core::option::Option<::ezy_core::model::SlopePlaces> {
-            ::core::option::Option::Some(::ezy_core::model::SlopePlaces {
+    impl ezy::Derived for SlidesRight {
+        fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
+            ::core::option::Option::Some(ezy::SlopePlaces {
                 by_q: ::std::vec![
                     (0usize, 2usize), (1usize, 2usize), (2usize, 2usize), (3usize,
                     5usize), (4usize, 5usize), (5usize, 5usize), (6usize, 2usize),
@@ -2905,13 +2717,13 @@ pub mod modes_of_skid {
             by_q: &mut [f64],
             by_v: &mut [f64],
         ) {
-            let c = ::ezy_core::kernel::array::<35usize, f64>(c);
-            let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-            let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-            let a = ::ezy_core::kernel::array::<6usize, f64>(a);
-            let lambda = ::ezy_core::kernel::array::<3usize, f64>(lambda);
-            let by_q = ::ezy_core::kernel::array_mut::<11usize, f64>(by_q);
-            let by_v = ::ezy_core::kernel::array_mut::<7usize, f64>(by_v);
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let v = ezy::array::<6usize, f64>(v);
+            let a = ezy::array::<6usize, f64>(a);
+            let lambda = ezy::array::<3usize, f64>(lambda);
+            let by_q = ezy::array_mut::<11usize, f64>(by_q);
+            let by_v = ezy::array_mut::<7usize, f64>(by_v);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
             let product_4 = c[24usize] * cos_seat_phi;
@@ -2996,19 +2808,155 @@ pub mod modes_of_skid {
             by_v[5usize] = product_68;
             by_v[6usize] = sum_71;
         }
-        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+        fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let v = ezy::array::<6usize, f64>(v);
+            let out = ezy::array_mut::<2usize, f64>(out);
+            let seat_omega = v[2usize];
+            let product_4 = c[31usize] * seat_omega;
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_9 = seat_vx * sin_seat_phi;
+            let sum_10 = product_4 + product_9;
+            let seat_vy = v[1usize];
+            let product_13 = seat_vy * cos_seat_phi;
+            let difference_14 = product_13 - sum_10;
+            out[0usize] = c[24usize];
+            out[1usize] = difference_14;
+        }
+        fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
             ::core::option::Option::Some(self)
         }
-        fn precise(
-            &self,
-        ) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+        fn precise(&self) -> ::core::option::Option<&dyn ezy::PreciseScene> {
             ::core::option::Option::Some(self)
         }
     }
     #[automatically_derived]
-    impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for SlidesRight {
-        fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-            ::ezy_core::model::SeriesSize {
+    impl ezy::Scene for SlidesRight {
+        fn info(&self) -> &'static ezy::SceneInfo {
+            static INFO: ezy::SceneInfo = SlidesRight::INFO;
+            &INFO
+        }
+        fn parameter(&self, index: usize) -> f64 {
+            match index {
+                0usize => self.a,
+                1usize => self.b,
+                2usize => self.c,
+                3usize => self.d,
+                4usize => self.m1,
+                5usize => self.i1,
+                6usize => self.m2,
+                7usize => self.i2,
+                8usize => self.m0,
+                9usize => self.omega,
+                10usize => self.hold,
+                _ => f64::NAN,
+            }
+        }
+        fn set_parameter(&mut self, index: usize, value: f64) {
+            match index {
+                0usize => self.a = value,
+                1usize => self.b = value,
+                2usize => self.c = value,
+                3usize => self.d = value,
+                4usize => self.m1 = value,
+                5usize => self.i1 = value,
+                6usize => self.m2 = value,
+                7usize => self.i2 = value,
+                8usize => self.m0 = value,
+                9usize => self.omega = value,
+                10usize => self.hold = value,
+                _ => {}
+            }
+        }
+        fn power(
+            &self,
+            c: &[f64],
+            t: f64,
+            q: &[f64],
+            v: &[f64],
+            lambda: &[f64],
+            out: &mut [f64],
+        ) {
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let v = ezy::array::<6usize, f64>(v);
+            let lambda = ezy::array::<3usize, f64>(lambda);
+            let out = ezy::array_mut::<2usize, f64>(out);
+            let seat_omega = v[2usize];
+            let bar_omega = v[5usize];
+            let difference_4 = seat_omega - bar_omega;
+            let product_7 = c[1usize] * t;
+            let cos_7 = f64::cos(product_7);
+            let product_9 = difference_4 * cos_7;
+            let product_11 = product_9 * c[0usize];
+            let seat_vx = v[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_15 = seat_vx * sin_seat_phi;
+            let seat_vy = v[1usize];
+            let product_18 = seat_vy * cos_seat_phi;
+            let difference_19 = product_18 - product_15;
+            let product_21 = difference_19 * c[24usize];
+            let product_23 = seat_omega * c[2usize];
+            let difference_24 = product_21 - product_23;
+            out[0usize] = product_11;
+            out[1usize] = difference_24;
+        }
+        fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let out = ezy::array_mut::<6usize, f64>(out);
+            let seat_x = q[0usize];
+            let seat_phi = q[2usize];
+            let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+            let product_6 = c[31usize] * cos_seat_phi;
+            let difference_7 = seat_x - product_6;
+            let seat_y = q[1usize];
+            let product_10 = c[31usize] * sin_seat_phi;
+            let difference_11 = seat_y - product_10;
+            let bar_x = q[3usize];
+            let bar_phi = q[5usize];
+            let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
+            let product_16 = c[30usize] * cos_bar_phi;
+            let sum_17 = bar_x + product_16;
+            let bar_y = q[4usize];
+            let product_20 = c[30usize] * sin_bar_phi;
+            let sum_21 = bar_y + product_20;
+            let product_23 = cos_seat_phi * c[12usize];
+            let sum_24 = seat_x + product_23;
+            let product_25 = sin_seat_phi * c[12usize];
+            let sum_26 = seat_y + product_25;
+            out[0usize] = difference_7;
+            out[1usize] = difference_11;
+            out[2usize] = sum_17;
+            out[3usize] = sum_21;
+            out[4usize] = sum_24;
+            out[5usize] = sum_26;
+        }
+        fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+            let c = ezy::array::<35usize, f64>(c);
+            let q = ezy::array::<6usize, f64>(q);
+            let v = ezy::array::<6usize, f64>(v);
+            let out = ezy::array_mut::<0usize, f64>(out);
+        }
+        fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
+            0f64
+        }
+        fn start(&self, c: &[f64], start: &mut ezy::Start) {
+            let c = ezy::array::<35usize, f64>(c);
+            start.give_position(0usize, 0f64);
+            start.give_position(1usize, 0f64);
+            start.give_position(2usize, 0f64);
+            start.give_position(5usize, c[32usize]);
+        }
+    }
+    #[automatically_derived]
+    impl<T: ezy::Scalar> ezy::Series<T> for SlidesRight {
+        fn series_size(&self) -> ezy::SeriesSize {
+            ezy::SeriesSize {
                 n_coordinates: 6usize,
                 n_rows: 3usize,
                 n_products: 16usize,
@@ -3016,15 +2964,10 @@ pub mod modes_of_skid {
                 n_kept: 6usize,
             }
         }
-        fn begin(
-            &self,
-            c: &[T],
-            t: T,
-            store: &mut ::ezy_core::model::SeriesStore<T>,
-        ) -> ::ezy_core::model::Pivots {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
-            let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+        fn begin(&self, c: &[T], t: T, store: &mut ezy::SeriesStore<T>) -> ezy::Pivots {
+            let c = ezy::array::<35usize, T>(c);
+            let q = ezy::row::<6usize, T>(&store.q, 0);
+            let v = ezy::row::<6usize, T>(&store.q, 1);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
             let bar_phi = q[5usize];
@@ -3079,7 +3022,7 @@ pub mod modes_of_skid {
             let value_172 = -product_164;
             let value_173 = -product_166;
             let value_174 = -product_165;
-            let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
+            let target = ezy::array_mut::<8usize, T>(&mut store.base);
             target[0usize] = cos_seat_phi;
             target[1usize] = sin_seat_phi;
             target[2usize] = cos_bar_phi;
@@ -3088,37 +3031,28 @@ pub mod modes_of_skid {
             target[5usize] = difference_81;
             target[6usize] = difference_79;
             target[7usize] = sum_74;
-            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            let target = ezy::array_mut::<6usize, T>(&mut store.force);
             target[0usize] = value_168;
             target[1usize] = product_44;
             target[2usize] = difference_52;
             target[3usize] = T::from_f64(0f64);
             target[4usize] = T::from_f64(0f64);
             target[5usize] = value_169;
-            let target = ::ezy_core::kernel::row_mut::<
-                6usize,
-                T,
-            >(&mut store.kept, 0usize);
+            let target = ezy::row_mut::<6usize, T>(&mut store.kept, 0usize);
             target[0usize] = product_43;
             target[1usize] = product_44;
             target[2usize] = difference_52;
             target[3usize] = product_50;
             target[4usize] = sin_48;
             target[5usize] = cos_48;
-            let target = ::ezy_core::kernel::row_mut::<
-                6usize,
-                T,
-            >(&mut store.kept, 1usize);
+            let target = ezy::row_mut::<6usize, T>(&mut store.kept, 1usize);
             target[0usize] = product_163;
             target[1usize] = value_172;
             target[2usize] = value_173;
             target[3usize] = value_173;
             target[4usize] = product_167;
             target[5usize] = value_174;
-            let target = ::ezy_core::kernel::row_mut::<
-                16usize,
-                T,
-            >(&mut store.left, 1usize);
+            let target = ezy::row_mut::<16usize, T>(&mut store.left, 1usize);
             target[0usize] = product_159;
             target[1usize] = value_170;
             target[2usize] = product_161;
@@ -3131,10 +3065,7 @@ pub mod modes_of_skid {
             target[9usize] = bar_omega;
             target[10usize] = product_161;
             target[11usize] = value_171;
-            let target = ::ezy_core::kernel::row_mut::<
-                16usize,
-                T,
-            >(&mut store.right, 1usize);
+            let target = ezy::row_mut::<16usize, T>(&mut store.right, 1usize);
             target[0usize] = T::from_f64(0f64);
             target[1usize] = T::from_f64(0f64);
             target[2usize] = T::from_f64(0f64);
@@ -3147,24 +3078,19 @@ pub mod modes_of_skid {
             target[9usize] = value_171;
             target[10usize] = bar_vx;
             target[11usize] = bar_vy;
-            let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
+            let target = ezy::array_mut::<3usize, T>(&mut store.row);
             target[0usize] = sum_32;
             target[1usize] = sum_35;
             target[2usize] = product_41;
-            ::ezy_core::model::Pivots::new()
+            ezy::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_113, c[23usize]))
         }
         #[inline(always)]
-        fn right_side(
-            &self,
-            c: &[T],
-            k: usize,
-            store: &mut ::ezy_core::model::SeriesStore<T>,
-        ) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let kept_0 = ::ezy_core::kernel::row::<6usize, T>(&store.kept, k + 0usize);
-            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+        fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+            let c = ezy::array::<35usize, T>(c);
+            let kept_0 = ezy::row::<6usize, T>(&store.kept, k + 0usize);
+            let sums = ezy::array::<16usize, T>(&store.sums);
             let kept_0 = kept_0[0usize];
             let kept_1 = kept_0[1usize];
             let kept_2 = kept_0[2usize];
@@ -3208,29 +3134,24 @@ pub mod modes_of_skid {
             let value_47 = -convolved_3;
             let value_48 = -sum_21;
             let value_49 = -product_41;
-            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+            let target = ezy::array_mut::<6usize, T>(&mut store.force);
             target[0usize] = value_46;
             target[1usize] = kept_1;
             target[2usize] = difference_10;
             target[3usize] = convolved_2;
             target[4usize] = value_47;
             target[5usize] = value_48;
-            let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
+            let target = ezy::array_mut::<3usize, T>(&mut store.row);
             target[0usize] = product_33;
             target[1usize] = value_49;
             target[2usize] = product_45;
         }
         #[inline(always)]
-        fn solve(
-            &self,
-            c: &[T],
-            k: usize,
-            store: &mut ::ezy_core::model::SeriesStore<T>,
-        ) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
-            let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
-            let row = ::ezy_core::kernel::array::<3usize, T>(&store.row);
+        fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+            let c = ezy::array::<35usize, T>(c);
+            let base = ezy::array::<8usize, T>(&store.base);
+            let force = ezy::array::<6usize, T>(&store.force);
+            let row = ezy::array::<3usize, T>(&store.row);
             let force_0 = force[0usize];
             let base_4 = base[4usize];
             let base_5 = base[5usize];
@@ -3293,37 +3214,26 @@ pub mod modes_of_skid {
             let product_85 = force_5 * c[25usize];
             let difference_87 = T::fused(-c[18usize], difference_72, product_85);
             let difference_89 = T::fused(-c[20usize], lambda_front, difference_87);
-            let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+            let target = ezy::array_mut::<6usize, T>(&mut store.a);
             target[0usize] = product_54;
             target[1usize] = product_61;
             target[2usize] = sum_68;
             target[3usize] = product_79;
             target[4usize] = product_83;
             target[5usize] = difference_89;
-            let target = ::ezy_core::kernel::row_mut::<
-                3usize,
-                T,
-            >(&mut store.lambda, k + 0usize);
+            let target = ezy::row_mut::<3usize, T>(&mut store.lambda, k + 0usize);
             target[0usize] = lambda_B_x;
             target[1usize] = lambda_B_y;
             target[2usize] = lambda_front;
         }
         #[inline(always)]
-        fn finish(
-            &self,
-            c: &[T],
-            k: usize,
-            store: &mut ::ezy_core::model::SeriesStore<T>,
-        ) {
-            let c = ::ezy_core::kernel::array::<35usize, T>(c);
-            let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
-            let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
-            let kept_1 = ::ezy_core::kernel::row::<6usize, T>(&store.kept, k + 1usize);
-            let lambda_0 = ::ezy_core::kernel::row::<
-                3usize,
-                T,
-            >(&store.lambda, k + 0usize);
-            let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+        fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+            let c = ezy::array::<35usize, T>(c);
+            let a = ezy::array::<6usize, T>(&store.a);
+            let base = ezy::array::<8usize, T>(&store.base);
+            let kept_1 = ezy::row::<6usize, T>(&store.kept, k + 1usize);
+            let lambda_0 = ezy::row::<3usize, T>(&store.lambda, k + 0usize);
+            let sums = ezy::array::<16usize, T>(&store.sums);
             let a_0 = a[0usize];
             let inverse_order_next = T::from_f64(1f64)
                 / T::from_f64((k + 1usize) as f64);
@@ -3378,20 +3288,14 @@ pub mod modes_of_skid {
             let value_58 = -product_47;
             let value_59 = -product_53;
             let value_60 = -product_52;
-            let target = ::ezy_core::kernel::row_mut::<
-                6usize,
-                T,
-            >(&mut store.kept, k + 2usize);
+            let target = ezy::row_mut::<6usize, T>(&mut store.kept, k + 2usize);
             target[0usize] = product_46;
             target[1usize] = value_58;
             target[2usize] = value_59;
             target[3usize] = value_59;
             target[4usize] = product_55;
             target[5usize] = value_60;
-            let target = ::ezy_core::kernel::row_mut::<
-                16usize,
-                T,
-            >(&mut store.left, k + 2usize);
+            let target = ezy::row_mut::<16usize, T>(&mut store.left, k + 2usize);
             target[0usize] = sum_22;
             target[1usize] = value_56;
             target[2usize] = sum_34;
@@ -3404,20 +3308,14 @@ pub mod modes_of_skid {
             target[9usize] = product_42;
             target[10usize] = sum_34;
             target[11usize] = value_57;
-            let target = ::ezy_core::kernel::row_mut::<
-                6usize,
-                T,
-            >(&mut store.q, k + 2usize);
+            let target = ezy::row_mut::<6usize, T>(&mut store.q, k + 2usize);
             target[0usize] = product_4;
             target[1usize] = product_6;
             target[2usize] = product_8;
             target[3usize] = product_10;
             target[4usize] = product_12;
             target[5usize] = product_14;
-            let target = ::ezy_core::kernel::row_mut::<
-                16usize,
-                T,
-            >(&mut store.right, k + 2usize);
+            let target = ezy::row_mut::<16usize, T>(&mut store.right, k + 2usize);
             target[0usize] = lambda_0;
             target[1usize] = lambda_1;
             target[2usize] = lambda_2;

@@ -1,8 +1,8 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Drift {
+impl<T: ezy::Scalar> ezy::Equations<T> for self::Drift {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
-        let parameters = ::ezy_core::kernel::array::<13usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<40usize, T>(c);
+        let parameters = ezy::array::<13usize, T>(parameters);
+        let c = ezy::array_mut::<40usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -105,8 +105,8 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         c[39usize] = k61;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        let c = ezy::array::<40usize, T>(c);
+        let out = ezy::array_mut::<6usize, T>(m);
         out[0usize] = c[30usize];
         out[1usize] = c[30usize];
         out[2usize] = c[31usize];
@@ -115,9 +115,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[5usize] = c[33usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let c = ezy::array::<40usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -136,10 +136,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+        let c = ezy::array::<40usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<3usize, T>(out);
         let seat_vx = v[0usize];
         let bar_vx = v[3usize];
         let difference_4 = seat_vx - bar_vx;
@@ -166,9 +166,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[2usize] = sum_33;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
+        let c = ezy::array::<40usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<11usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let product_4 = c[16usize] * sin_seat_phi;
@@ -194,10 +194,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[10usize] = c[34usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+        let c = ezy::array::<40usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<3usize, T>(out);
         let seat_omega = v[2usize];
         let product_3 = c[16usize] * seat_omega;
         let product_4 = seat_omega * product_3;
@@ -225,10 +225,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         out[2usize] = value_30;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let c = ezy::array::<40usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<6usize, T>(out);
         let seat_omega = v[2usize];
         let seat_vx = v[0usize];
         let seat_phi = q[2usize];
@@ -275,12 +275,12 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
-        let lambda = ::ezy_core::kernel::array_mut::<3usize, T>(lambda);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<40usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let a = ezy::array_mut::<6usize, T>(a);
+        let lambda = ezy::array_mut::<3usize, T>(lambda);
         let seat_omega = v[2usize];
         let seat_vx = v[0usize];
         let seat_phi = q[2usize];
@@ -383,7 +383,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         lambda[0usize] = lambda_B_x;
         lambda[1usize] = lambda_B_y;
         lambda[2usize] = lambda_front;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[26usize], c[27usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_112, c[28usize]))
     }
@@ -395,11 +395,11 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let residual = ::ezy_core::kernel::array::<3usize, T>(residual);
-        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<40usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let residual = ezy::array::<3usize, T>(residual);
+        let delta = ezy::array_mut::<6usize, T>(delta);
         let right_side_front = residual[2usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -453,7 +453,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Dr
         delta[3usize] = product_63;
         delta[4usize] = product_66;
         delta[5usize] = value_77;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[26usize], c[27usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_35, c[28usize]))
     }

@@ -1,7 +1,7 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
-    fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-        ::ezy_core::model::SeriesSize {
+impl<T: ezy::Scalar> ezy::Series<T> for Drift {
+    fn series_size(&self) -> ezy::SeriesSize {
+        ezy::SeriesSize {
             n_coordinates: 6usize,
             n_rows: 3usize,
             n_products: 24usize,
@@ -9,15 +9,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
             n_kept: 5usize,
         }
     }
-    fn begin(
-        &self,
-        c: &[T],
-        t: T,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
-        let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+    fn begin(&self, c: &[T], t: T, store: &mut ezy::SeriesStore<T>) -> ezy::Pivots {
+        let c = ezy::array::<40usize, T>(c);
+        let q = ezy::row::<6usize, T>(&store.q, 0);
+        let v = ezy::row::<6usize, T>(&store.q, 1);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let bar_phi = q[5usize];
@@ -93,7 +88,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         let value_207 = -product_200;
         let value_208 = -product_202;
         let value_209 = -product_201;
-        let target = ::ezy_core::kernel::array_mut::<16usize, T>(&mut store.base);
+        let target = ezy::array_mut::<16usize, T>(&mut store.base);
         target[0usize] = cos_seat_phi;
         target[1usize] = seat_vy;
         target[2usize] = sin_seat_phi;
@@ -110,26 +105,26 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[13usize] = difference_113;
         target[14usize] = difference_111;
         target[15usize] = sum_106;
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+        let target = ezy::array_mut::<6usize, T>(&mut store.force);
         target[0usize] = difference_66;
         target[1usize] = value_204;
         target[2usize] = sum_84;
         target[3usize] = T::from_f64(0f64);
         target[4usize] = T::from_f64(0f64);
         target[5usize] = value_205;
-        let target = ::ezy_core::kernel::row_mut::<5usize, T>(&mut store.kept, 0usize);
+        let target = ezy::row_mut::<5usize, T>(&mut store.kept, 0usize);
         target[0usize] = cos_seat_phi;
         target[1usize] = sin_seat_phi;
         target[2usize] = product_80;
         target[3usize] = sin_78;
         target[4usize] = cos_78;
-        let target = ::ezy_core::kernel::row_mut::<5usize, T>(&mut store.kept, 1usize);
+        let target = ezy::row_mut::<5usize, T>(&mut store.kept, 1usize);
         target[0usize] = value_206;
         target[1usize] = product_197;
         target[2usize] = value_208;
         target[3usize] = product_203;
         target[4usize] = value_209;
-        let target = ::ezy_core::kernel::row_mut::<24usize, T>(&mut store.left, 1usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.left, 1usize);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
@@ -154,7 +149,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[21usize] = product_199;
         target[22usize] = value_207;
         target[23usize] = T::from_f64(0f64);
-        let target = ::ezy_core::kernel::row_mut::<24usize, T>(&mut store.right, 1usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.right, 1usize);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
@@ -179,7 +174,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[21usize] = bar_vx;
         target[22usize] = bar_vy;
         target[23usize] = T::from_f64(0f64);
-        let target = ::ezy_core::kernel::row_mut::<24usize, T>(&mut store.right, 2usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.right, 2usize);
         target[0usize] = difference_62;
         target[1usize] = value_59;
         target[2usize] = difference_52;
@@ -192,26 +187,21 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[9usize] = value_59;
         target[10usize] = difference_62;
         target[23usize] = difference_52;
-        let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
+        let target = ezy::array_mut::<3usize, T>(&mut store.row);
         target[0usize] = sum_32;
         target[1usize] = sum_35;
         target[2usize] = product_41;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[26usize], c[27usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_145, c[28usize]))
     }
     #[inline(always)]
-    fn right_side(
-        &self,
-        c: &[T],
-        k: usize,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let base = ::ezy_core::kernel::array::<16usize, T>(&store.base);
-        let kept_0 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 0usize);
-        let q_1 = ::ezy_core::kernel::row::<6usize, T>(&store.q, k + 1usize);
-        let sums = ::ezy_core::kernel::array::<24usize, T>(&store.sums);
+    fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<40usize, T>(c);
+        let base = ezy::array::<16usize, T>(&store.base);
+        let kept_0 = ezy::row::<5usize, T>(&store.kept, k + 0usize);
+        let q_1 = ezy::row::<6usize, T>(&store.q, k + 1usize);
+        let sums = ezy::array::<24usize, T>(&store.sums);
         let convolved_0 = sums[0usize];
         let convolved_1 = sums[1usize];
         let inverse_order = T::from_f64(1f64) / T::from_f64((k + 0usize) as f64);
@@ -334,17 +324,14 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         let value_149 = -convolved_14;
         let value_150 = -sum_112;
         let value_151 = -product_131;
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+        let target = ezy::array_mut::<6usize, T>(&mut store.force);
         target[0usize] = difference_78;
         target[1usize] = value_148;
         target[2usize] = difference_102;
         target[3usize] = convolved_13;
         target[4usize] = value_149;
         target[5usize] = value_150;
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.left, k + 0usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.left, k + 0usize);
         target[0usize] = kept_1;
         target[1usize] = product_137;
         target[2usize] = product_138;
@@ -357,10 +344,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[9usize] = product_58;
         target[10usize] = kept_0;
         target[23usize] = difference_35;
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.left, k + 1usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.left, k + 1usize);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
@@ -373,10 +357,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[9usize] = T::from_f64(0f64);
         target[10usize] = T::from_f64(0f64);
         target[23usize] = T::from_f64(0f64);
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.right, k + 2usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.right, k + 2usize);
         target[0usize] = difference_70;
         target[1usize] = product_58;
         target[2usize] = difference_35;
@@ -389,17 +370,17 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[9usize] = product_58;
         target[10usize] = difference_70;
         target[23usize] = difference_35;
-        let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
+        let target = ezy::array_mut::<3usize, T>(&mut store.row);
         target[0usize] = product_123;
         target[1usize] = value_151;
         target[2usize] = product_135;
     }
     #[inline(always)]
-    fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let base = ::ezy_core::kernel::array::<16usize, T>(&store.base);
-        let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
-        let row = ::ezy_core::kernel::array::<3usize, T>(&store.row);
+    fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<40usize, T>(c);
+        let base = ezy::array::<16usize, T>(&store.base);
+        let force = ezy::array::<6usize, T>(&store.force);
+        let row = ezy::array::<3usize, T>(&store.row);
         let force_0 = force[0usize];
         let base_12 = base[12usize];
         let base_13 = base[13usize];
@@ -462,29 +443,26 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         let product_85 = force_5 * c[29usize];
         let difference_87 = T::fused(-c[23usize], difference_72, product_85);
         let difference_89 = T::fused(-c[25usize], lambda_front, difference_87);
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+        let target = ezy::array_mut::<6usize, T>(&mut store.a);
         target[0usize] = product_54;
         target[1usize] = product_61;
         target[2usize] = sum_68;
         target[3usize] = product_79;
         target[4usize] = product_83;
         target[5usize] = difference_89;
-        let target = ::ezy_core::kernel::row_mut::<
-            3usize,
-            T,
-        >(&mut store.lambda, k + 0usize);
+        let target = ezy::row_mut::<3usize, T>(&mut store.lambda, k + 0usize);
         target[0usize] = lambda_B_x;
         target[1usize] = lambda_B_y;
         target[2usize] = lambda_front;
     }
     #[inline(always)]
-    fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<40usize, T>(c);
-        let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
-        let base = ::ezy_core::kernel::array::<16usize, T>(&store.base);
-        let kept_1 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 1usize);
-        let lambda_0 = ::ezy_core::kernel::row::<3usize, T>(&store.lambda, k + 0usize);
-        let sums = ::ezy_core::kernel::array::<24usize, T>(&store.sums);
+    fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<40usize, T>(c);
+        let a = ezy::array::<6usize, T>(&store.a);
+        let base = ezy::array::<16usize, T>(&store.base);
+        let kept_1 = ezy::row::<5usize, T>(&store.kept, k + 1usize);
+        let lambda_0 = ezy::row::<3usize, T>(&store.lambda, k + 0usize);
+        let sums = ezy::array::<24usize, T>(&store.sums);
         let a_0 = a[0usize];
         let inverse_order_next = T::from_f64(1f64) / T::from_f64((k + 1usize) as f64);
         let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2usize) as f64);
@@ -534,19 +512,13 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         let value_54 = -sum_39;
         let value_55 = -product_50;
         let value_56 = -product_49;
-        let target = ::ezy_core::kernel::row_mut::<
-            5usize,
-            T,
-        >(&mut store.kept, k + 2usize);
+        let target = ezy::row_mut::<5usize, T>(&mut store.kept, k + 2usize);
         target[0usize] = value_53;
         target[1usize] = sum_22;
         target[2usize] = value_55;
         target[3usize] = product_52;
         target[4usize] = value_56;
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.left, k + 2usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.left, k + 2usize);
         target[11usize] = sum_22;
         target[12usize] = value_53;
         target[13usize] = sum_34;
@@ -559,17 +531,14 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Drift {
         target[20usize] = product_42;
         target[21usize] = sum_34;
         target[22usize] = value_54;
-        let target = ::ezy_core::kernel::row_mut::<6usize, T>(&mut store.q, k + 2usize);
+        let target = ezy::row_mut::<6usize, T>(&mut store.q, k + 2usize);
         target[0usize] = product_4;
         target[1usize] = product_6;
         target[2usize] = product_8;
         target[3usize] = product_10;
         target[4usize] = product_12;
         target[5usize] = product_14;
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.right, k + 2usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.right, k + 2usize);
         target[11usize] = lambda_0;
         target[12usize] = lambda_1;
         target[13usize] = lambda_2;

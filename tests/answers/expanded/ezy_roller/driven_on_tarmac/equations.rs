@@ -1,9 +1,8 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
-for self::DrivenOnTarmac {
+impl<T: ezy::Scalar> ezy::Equations<T> for self::DrivenOnTarmac {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
-        let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<41usize, T>(c);
+        let parameters = ezy::array::<11usize, T>(parameters);
+        let c = ezy::array_mut::<41usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -115,8 +114,8 @@ for self::DrivenOnTarmac {
         c[40usize] = k69;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        let c = ezy::array::<41usize, T>(c);
+        let out = ezy::array_mut::<6usize, T>(m);
         out[0usize] = c[31usize];
         out[1usize] = c[31usize];
         out[2usize] = c[32usize];
@@ -125,9 +124,9 @@ for self::DrivenOnTarmac {
         out[5usize] = c[34usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -146,10 +145,10 @@ for self::DrivenOnTarmac {
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<4usize, T>(out);
         let seat_vx = v[0usize];
         let seat_omega = v[2usize];
         let product_5 = c[16usize] * seat_omega;
@@ -180,9 +179,9 @@ for self::DrivenOnTarmac {
         out[3usize] = sum_39;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<14usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let product_4 = c[16usize] * sin_seat_phi;
@@ -213,10 +212,10 @@ for self::DrivenOnTarmac {
         out[13usize] = c[36usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<4usize, T>(out);
         let seat_omega = v[2usize];
         let product_3 = c[16usize] * seat_omega;
         let product_4 = seat_omega * product_3;
@@ -251,10 +250,10 @@ for self::DrivenOnTarmac {
         out[3usize] = value_37;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<6usize, T>(out);
         let seat_vx = v[0usize];
         let product_3 = c[0usize] * seat_vx;
         let seat_omega = v[2usize];
@@ -291,12 +290,12 @@ for self::DrivenOnTarmac {
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
-        let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let a = ezy::array_mut::<6usize, T>(a);
+        let lambda = ezy::array_mut::<4usize, T>(lambda);
         let seat_vx = v[0usize];
         let product_3 = c[0usize] * seat_vx;
         let seat_omega = v[2usize];
@@ -402,7 +401,7 @@ for self::DrivenOnTarmac {
         lambda[1usize] = lambda_B_y;
         lambda[2usize] = lambda_rear;
         lambda[3usize] = lambda_front;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[25usize], c[26usize]))
             .see(&[3usize], T::least_ratio(c[27usize], c[28usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_109, c[29usize]))
@@ -415,11 +414,11 @@ for self::DrivenOnTarmac {
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
-        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let residual = ezy::array::<4usize, T>(residual);
+        let delta = ezy::array_mut::<6usize, T>(delta);
         let right_side_rear = residual[2usize];
         let right_side_front = residual[3usize];
         let seat_phi = q[2usize];
@@ -481,7 +480,7 @@ for self::DrivenOnTarmac {
         delta[3usize] = product_81;
         delta[4usize] = product_84;
         delta[5usize] = value_96;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[25usize], c[26usize]))
             .see(&[3usize], T::least_ratio(c[27usize], c[28usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_42, c[29usize]))

@@ -1,7 +1,7 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTarmac {
-    fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-        ::ezy_core::model::SeriesSize {
+impl<T: ezy::Scalar> ezy::Series<T> for DrivenOnTarmac {
+    fn series_size(&self) -> ezy::SeriesSize {
+        ezy::SeriesSize {
             n_coordinates: 6usize,
             n_rows: 4usize,
             n_products: 24usize,
@@ -9,15 +9,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
             n_kept: 5usize,
         }
     }
-    fn begin(
-        &self,
-        c: &[T],
-        t: T,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
-        let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+    fn begin(&self, c: &[T], t: T, store: &mut ezy::SeriesStore<T>) -> ezy::Pivots {
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::row::<6usize, T>(&store.q, 0);
+        let v = ezy::row::<6usize, T>(&store.q, 1);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let bar_phi = q[5usize];
@@ -81,7 +76,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         let value_211 = -product_204;
         let value_212 = -product_206;
         let value_213 = -product_205;
-        let target = ::ezy_core::kernel::array_mut::<11usize, T>(&mut store.base);
+        let target = ezy::array_mut::<11usize, T>(&mut store.base);
         target[0usize] = sin_seat_phi;
         target[1usize] = product_51;
         target[2usize] = cos_seat_phi;
@@ -93,26 +88,26 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         target[8usize] = difference_112;
         target[9usize] = sum_110;
         target[10usize] = sum_105;
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+        let target = ezy::array_mut::<6usize, T>(&mut store.force);
         target[0usize] = value_208;
         target[1usize] = difference_56;
         target[2usize] = sum_70;
         target[3usize] = T::from_f64(0f64);
         target[4usize] = T::from_f64(0f64);
         target[5usize] = value_209;
-        let target = ::ezy_core::kernel::row_mut::<5usize, T>(&mut store.kept, 0usize);
+        let target = ezy::row_mut::<5usize, T>(&mut store.kept, 0usize);
         target[0usize] = sin_seat_phi;
         target[1usize] = cos_seat_phi;
         target[2usize] = product_69;
         target[3usize] = sin_67;
         target[4usize] = cos_67;
-        let target = ::ezy_core::kernel::row_mut::<5usize, T>(&mut store.kept, 1usize);
+        let target = ezy::row_mut::<5usize, T>(&mut store.kept, 1usize);
         target[0usize] = product_201;
         target[1usize] = value_210;
         target[2usize] = value_212;
         target[3usize] = product_207;
         target[4usize] = value_213;
-        let target = ::ezy_core::kernel::row_mut::<24usize, T>(&mut store.left, 1usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.left, 1usize);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = product_201;
         target[2usize] = T::from_f64(0f64);
@@ -133,7 +128,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         target[17usize] = value_210;
         target[18usize] = product_203;
         target[19usize] = value_211;
-        let target = ::ezy_core::kernel::row_mut::<24usize, T>(&mut store.right, 1usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.right, 1usize);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
@@ -154,33 +149,28 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         target[17usize] = seat_vy;
         target[18usize] = bar_vx;
         target[19usize] = bar_vy;
-        let target = ::ezy_core::kernel::row_mut::<24usize, T>(&mut store.right, 2usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.right, 2usize);
         target[0usize] = product_51;
         target[2usize] = product_51;
         target[4usize] = seat_vy;
         target[5usize] = seat_vx;
-        let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+        let target = ezy::array_mut::<4usize, T>(&mut store.row);
         target[0usize] = sum_32;
         target[1usize] = sum_35;
         target[2usize] = product_41;
         target[3usize] = product_47;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[25usize], c[26usize]))
             .see(&[3usize], T::least_ratio(c[27usize], c[28usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_143, c[29usize]))
     }
     #[inline(always)]
-    fn right_side(
-        &self,
-        c: &[T],
-        k: usize,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
-        let kept_0 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 0usize);
-        let q_1 = ::ezy_core::kernel::row::<6usize, T>(&store.q, k + 1usize);
-        let sums = ::ezy_core::kernel::array::<24usize, T>(&store.sums);
+    fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<41usize, T>(c);
+        let base = ezy::array::<11usize, T>(&store.base);
+        let kept_0 = ezy::row::<5usize, T>(&store.kept, k + 0usize);
+        let q_1 = ezy::row::<6usize, T>(&store.q, k + 1usize);
+        let sums = ezy::array::<24usize, T>(&store.sums);
         let order_next = T::from_f64((k + 1usize) as f64);
         let q_0_next = q_1[0usize];
         let product_3 = order_next * q_0_next;
@@ -263,49 +253,40 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         let value_97 = -convolved_9;
         let value_98 = -sum_69;
         let value_99 = -product_88;
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+        let target = ezy::array_mut::<6usize, T>(&mut store.force);
         target[0usize] = difference_21;
         target[1usize] = difference_34;
         target[2usize] = difference_60;
         target[3usize] = convolved_8;
         target[4usize] = value_97;
         target[5usize] = value_98;
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.left, k + 0usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.left, k + 0usize);
         target[0usize] = kept_0;
         target[2usize] = kept_1;
         target[4usize] = kept_1;
         target[5usize] = kept_0;
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.left, k + 1usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.left, k + 1usize);
         target[0usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
         target[4usize] = T::from_f64(0f64);
         target[5usize] = T::from_f64(0f64);
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.right, k + 2usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.right, k + 2usize);
         target[0usize] = product_9;
         target[2usize] = product_9;
         target[4usize] = product_30;
         target[5usize] = product_3;
-        let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+        let target = ezy::array_mut::<4usize, T>(&mut store.row);
         target[0usize] = product_80;
         target[1usize] = value_99;
         target[2usize] = product_92;
         target[3usize] = product_96;
     }
     #[inline(always)]
-    fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
-        let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
-        let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);
+    fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<41usize, T>(c);
+        let base = ezy::array::<11usize, T>(&store.base);
+        let force = ezy::array::<6usize, T>(&store.force);
+        let row = ezy::array::<4usize, T>(&store.row);
         let force_0 = force[0usize];
         let base_7 = base[7usize];
         let base_8 = base[8usize];
@@ -380,30 +361,27 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         let product_107 = force_5 * c[30usize];
         let difference_109 = T::fused(-c[22usize], difference_94, product_107);
         let difference_111 = T::fused(-c[24usize], lambda_front, difference_109);
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+        let target = ezy::array_mut::<6usize, T>(&mut store.a);
         target[0usize] = product_80;
         target[1usize] = product_84;
         target[2usize] = sum_90;
         target[3usize] = product_101;
         target[4usize] = product_105;
         target[5usize] = difference_111;
-        let target = ::ezy_core::kernel::row_mut::<
-            4usize,
-            T,
-        >(&mut store.lambda, k + 0usize);
+        let target = ezy::row_mut::<4usize, T>(&mut store.lambda, k + 0usize);
         target[0usize] = lambda_B_x;
         target[1usize] = lambda_B_y;
         target[2usize] = lambda_rear;
         target[3usize] = lambda_front;
     }
     #[inline(always)]
-    fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
-        let base = ::ezy_core::kernel::array::<11usize, T>(&store.base);
-        let kept_1 = ::ezy_core::kernel::row::<5usize, T>(&store.kept, k + 1usize);
-        let lambda_0 = ::ezy_core::kernel::row::<4usize, T>(&store.lambda, k + 0usize);
-        let sums = ::ezy_core::kernel::array::<24usize, T>(&store.sums);
+    fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<41usize, T>(c);
+        let a = ezy::array::<6usize, T>(&store.a);
+        let base = ezy::array::<11usize, T>(&store.base);
+        let kept_1 = ezy::row::<5usize, T>(&store.kept, k + 1usize);
+        let lambda_0 = ezy::row::<4usize, T>(&store.lambda, k + 0usize);
+        let sums = ezy::array::<24usize, T>(&store.sums);
         let a_0 = a[0usize];
         let inverse_order_next = T::from_f64(1f64) / T::from_f64((k + 1usize) as f64);
         let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2usize) as f64);
@@ -456,19 +434,13 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         let value_57 = -sum_40;
         let value_58 = -product_53;
         let value_59 = -product_52;
-        let target = ::ezy_core::kernel::row_mut::<
-            5usize,
-            T,
-        >(&mut store.kept, k + 2usize);
+        let target = ezy::row_mut::<5usize, T>(&mut store.kept, k + 2usize);
         target[0usize] = sum_22;
         target[1usize] = value_56;
         target[2usize] = value_58;
         target[3usize] = product_55;
         target[4usize] = value_59;
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.left, k + 2usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.left, k + 2usize);
         target[1usize] = sum_22;
         target[3usize] = value_56;
         target[6usize] = sum_22;
@@ -485,17 +457,14 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for DrivenOnTar
         target[17usize] = value_56;
         target[18usize] = sum_35;
         target[19usize] = value_57;
-        let target = ::ezy_core::kernel::row_mut::<6usize, T>(&mut store.q, k + 2usize);
+        let target = ezy::row_mut::<6usize, T>(&mut store.q, k + 2usize);
         target[0usize] = product_4;
         target[1usize] = product_6;
         target[2usize] = product_8;
         target[3usize] = product_10;
         target[4usize] = product_12;
         target[5usize] = product_14;
-        let target = ::ezy_core::kernel::row_mut::<
-            24usize,
-            T,
-        >(&mut store.right, k + 2usize);
+        let target = ezy::row_mut::<24usize, T>(&mut store.right, k + 2usize);
         target[1usize] = lambda_2;
         target[3usize] = lambda_2;
         target[6usize] = lambda_0;

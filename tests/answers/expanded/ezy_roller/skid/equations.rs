@@ -1,8 +1,8 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Skid {
+impl<T: ezy::Scalar> ezy::Equations<T> for self::Skid {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
-        let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<41usize, T>(c);
+        let parameters = ezy::array::<11usize, T>(parameters);
+        let c = ezy::array_mut::<41usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -116,8 +116,8 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         c[40usize] = parameter_hold;
     }
     fn mass_matrix(&self, c: &[T], m: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(m);
+        let c = ezy::array::<41usize, T>(c);
+        let out = ezy::array_mut::<6usize, T>(m);
         out[0usize] = c[31usize];
         out[1usize] = c[31usize];
         out[2usize] = c[32usize];
@@ -126,9 +126,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         out[5usize] = c[34usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -147,10 +147,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<4usize, T>(out);
         let seat_vx = v[0usize];
         let bar_vx = v[3usize];
         let difference_4 = seat_vx - bar_vx;
@@ -181,9 +181,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         out[3usize] = difference_39;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<14usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let product_4 = c[11usize] * sin_seat_phi;
@@ -214,10 +214,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         out[13usize] = value_20;
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<4usize, T>(out);
         let seat_omega = v[2usize];
         let product_3 = c[11usize] * seat_omega;
         let product_4 = seat_omega * product_3;
@@ -252,10 +252,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         out[3usize] = value_37;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<6usize, T>(out);
         let product_4 = c[1usize] * t;
         let cos_4 = T::cos(product_4);
         let product_6 = c[28usize] * cos_4;
@@ -276,12 +276,12 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
-        let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let a = ezy::array_mut::<6usize, T>(a);
+        let lambda = ezy::array_mut::<4usize, T>(lambda);
         let bar_vx = v[3usize];
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
@@ -385,7 +385,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         lambda[1usize] = value_140;
         lambda[2usize] = value_141;
         lambda[3usize] = value_142;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[23usize], c[24usize]))
             .see(&[3usize], T::least_ratio(c[25usize], c[26usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_80, c[27usize]))
@@ -398,11 +398,11 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
-        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let residual = ezy::array::<4usize, T>(residual);
+        let delta = ezy::array_mut::<6usize, T>(delta);
         let right_side_front = residual[2usize];
         let right_side_rear_on_ice = residual[3usize];
         let seat_phi = q[2usize];
@@ -468,7 +468,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         delta[3usize] = product_81;
         delta[4usize] = product_84;
         delta[5usize] = value_96;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[23usize], c[24usize]))
             .see(&[3usize], T::least_ratio(c[25usize], c[26usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_42, c[27usize]))

@@ -1,7 +1,7 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
-    fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-        ::ezy_core::model::SeriesSize {
+impl<T: ezy::Scalar> ezy::Series<T> for Skid {
+    fn series_size(&self) -> ezy::SeriesSize {
+        ezy::SeriesSize {
             n_coordinates: 6usize,
             n_rows: 4usize,
             n_products: 16usize,
@@ -9,15 +9,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
             n_kept: 3usize,
         }
     }
-    fn begin(
-        &self,
-        c: &[T],
-        t: T,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
-        let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+    fn begin(&self, c: &[T], t: T, store: &mut ezy::SeriesStore<T>) -> ezy::Pivots {
+        let c = ezy::array::<41usize, T>(c);
+        let q = ezy::row::<6usize, T>(&store.q, 0);
+        let v = ezy::row::<6usize, T>(&store.q, 1);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let bar_phi = q[5usize];
@@ -70,7 +65,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         let value_193 = -product_187;
         let value_194 = -product_189;
         let value_195 = -product_188;
-        let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
+        let target = ezy::array_mut::<8usize, T>(&mut store.base);
         target[0usize] = cos_seat_phi;
         target[1usize] = sin_seat_phi;
         target[2usize] = cos_bar_phi;
@@ -79,22 +74,22 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         target[5usize] = difference_95;
         target[6usize] = sum_93;
         target[7usize] = sum_88;
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+        let target = ezy::array_mut::<6usize, T>(&mut store.force);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = product_53;
         target[3usize] = T::from_f64(0f64);
         target[4usize] = T::from_f64(0f64);
         target[5usize] = value_191;
-        let target = ::ezy_core::kernel::row_mut::<3usize, T>(&mut store.kept, 0usize);
+        let target = ezy::row_mut::<3usize, T>(&mut store.kept, 0usize);
         target[0usize] = product_53;
         target[1usize] = sin_51;
         target[2usize] = cos_51;
-        let target = ::ezy_core::kernel::row_mut::<3usize, T>(&mut store.kept, 1usize);
+        let target = ezy::row_mut::<3usize, T>(&mut store.kept, 1usize);
         target[0usize] = value_194;
         target[1usize] = product_190;
         target[2usize] = value_195;
-        let target = ::ezy_core::kernel::row_mut::<16usize, T>(&mut store.left, 1usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.left, 1usize);
         target[0usize] = product_184;
         target[1usize] = value_192;
         target[2usize] = product_184;
@@ -111,7 +106,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         target[13usize] = value_193;
         target[14usize] = product_184;
         target[15usize] = value_192;
-        let target = ::ezy_core::kernel::row_mut::<16usize, T>(&mut store.right, 1usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.right, 1usize);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
@@ -128,26 +123,21 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         target[13usize] = bar_vy;
         target[14usize] = seat_vx;
         target[15usize] = seat_vy;
-        let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+        let target = ezy::array_mut::<4usize, T>(&mut store.row);
         target[0usize] = sum_32;
         target[1usize] = sum_35;
         target[2usize] = product_41;
         target[3usize] = product_47;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[23usize], c[24usize]))
             .see(&[3usize], T::least_ratio(c[25usize], c[26usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_126, c[27usize]))
     }
     #[inline(always)]
-    fn right_side(
-        &self,
-        c: &[T],
-        k: usize,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let kept_0 = ::ezy_core::kernel::row::<3usize, T>(&store.kept, k + 0usize);
-        let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+    fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<41usize, T>(c);
+        let kept_0 = ezy::row::<3usize, T>(&store.kept, k + 0usize);
+        let sums = ezy::array::<16usize, T>(&store.sums);
         let convolved_0 = sums[0usize];
         let convolved_1 = sums[1usize];
         let kept_0 = kept_0[0usize];
@@ -193,25 +183,25 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         let value_50 = -convolved_5;
         let value_51 = -sum_20;
         let value_52 = -product_40;
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+        let target = ezy::array_mut::<6usize, T>(&mut store.force);
         target[0usize] = convolved_0;
         target[1usize] = value_49;
         target[2usize] = difference_11;
         target[3usize] = convolved_4;
         target[4usize] = value_50;
         target[5usize] = value_51;
-        let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+        let target = ezy::array_mut::<4usize, T>(&mut store.row);
         target[0usize] = product_32;
         target[1usize] = value_52;
         target[2usize] = product_44;
         target[3usize] = product_48;
     }
     #[inline(always)]
-    fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
-        let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
-        let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);
+    fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<41usize, T>(c);
+        let base = ezy::array::<8usize, T>(&store.base);
+        let force = ezy::array::<6usize, T>(&store.force);
+        let row = ezy::array::<4usize, T>(&store.row);
         let force_0 = force[0usize];
         let base_4 = base[4usize];
         let base_5 = base[5usize];
@@ -290,30 +280,27 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         let product_107 = force_5 * c[30usize];
         let difference_109 = T::fused(-c[20usize], difference_94, product_107);
         let difference_111 = T::fused(-c[22usize], lambda_front, difference_109);
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+        let target = ezy::array_mut::<6usize, T>(&mut store.a);
         target[0usize] = product_80;
         target[1usize] = product_84;
         target[2usize] = sum_90;
         target[3usize] = product_101;
         target[4usize] = product_105;
         target[5usize] = difference_111;
-        let target = ::ezy_core::kernel::row_mut::<
-            4usize,
-            T,
-        >(&mut store.lambda, k + 0usize);
+        let target = ezy::row_mut::<4usize, T>(&mut store.lambda, k + 0usize);
         target[0usize] = lambda_B_x;
         target[1usize] = lambda_B_y;
         target[2usize] = lambda_front;
         target[3usize] = lambda_rear_on_ice;
     }
     #[inline(always)]
-    fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<41usize, T>(c);
-        let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
-        let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
-        let kept_1 = ::ezy_core::kernel::row::<3usize, T>(&store.kept, k + 1usize);
-        let lambda_0 = ::ezy_core::kernel::row::<4usize, T>(&store.lambda, k + 0usize);
-        let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+    fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<41usize, T>(c);
+        let a = ezy::array::<6usize, T>(&store.a);
+        let base = ezy::array::<8usize, T>(&store.base);
+        let kept_1 = ezy::row::<3usize, T>(&store.kept, k + 1usize);
+        let lambda_0 = ezy::row::<4usize, T>(&store.lambda, k + 0usize);
+        let sums = ezy::array::<16usize, T>(&store.sums);
         let a_0 = a[0usize];
         let inverse_order_next = T::from_f64(1f64) / T::from_f64((k + 1usize) as f64);
         let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2usize) as f64);
@@ -366,17 +353,11 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         let value_57 = -sum_40;
         let value_58 = -product_53;
         let value_59 = -product_52;
-        let target = ::ezy_core::kernel::row_mut::<
-            3usize,
-            T,
-        >(&mut store.kept, k + 2usize);
+        let target = ezy::row_mut::<3usize, T>(&mut store.kept, k + 2usize);
         target[0usize] = value_58;
         target[1usize] = product_55;
         target[2usize] = value_59;
-        let target = ::ezy_core::kernel::row_mut::<
-            16usize,
-            T,
-        >(&mut store.left, k + 2usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.left, k + 2usize);
         target[0usize] = sum_22;
         target[1usize] = value_56;
         target[2usize] = sum_22;
@@ -393,17 +374,14 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Skid {
         target[13usize] = value_57;
         target[14usize] = sum_22;
         target[15usize] = value_56;
-        let target = ::ezy_core::kernel::row_mut::<6usize, T>(&mut store.q, k + 2usize);
+        let target = ezy::row_mut::<6usize, T>(&mut store.q, k + 2usize);
         target[0usize] = product_4;
         target[1usize] = product_6;
         target[2usize] = product_8;
         target[3usize] = product_10;
         target[4usize] = product_12;
         target[5usize] = product_14;
-        let target = ::ezy_core::kernel::row_mut::<
-            16usize,
-            T,
-        >(&mut store.right, k + 2usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.right, k + 2usize);
         target[0usize] = lambda_3;
         target[1usize] = lambda_3;
         target[2usize] = lambda_0;

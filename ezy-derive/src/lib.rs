@@ -21,6 +21,10 @@ mod units;
 mod words;
 
 /// Turns a model file into equations of motion.
+///
+/// For `ezy_core::model!` alone, which writes `$crate` before the model: the path of `ezy-core`, whatever its name is where the
+/// model stands.
+#[doc(hidden)]
 #[proc_macro]
 pub fn model(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     pipeline::expand(input.into()).into()

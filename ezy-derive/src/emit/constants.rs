@@ -37,8 +37,8 @@ impl Constants<'_> {
         let (n_parameters, n_fixed) = (self.parameters.len(), n_inputs + pool.coefficients().len());
         quote! {
             fn constants(&self, parameters: &[T], c: &mut [T]) {
-                let parameters = ::ezy_core::kernel::array::<#n_parameters, T>(parameters);
-                let c = ::ezy_core::kernel::array_mut::<#n_fixed, T>(c);
+                let parameters = ezy::array::<#n_parameters, T>(parameters);
+                let c = ezy::array_mut::<#n_fixed, T>(c);
                 #(#temporaries)*
                 #(#writes)*
             }

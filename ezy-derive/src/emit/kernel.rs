@@ -53,7 +53,7 @@ impl Numbers {
         let path = match (self, function.path()) {
             (Self::F64, Path::OfKernel(name)) => {
                 let name = ident(name);
-                quote!(::ezy_core::kernel::#name)
+                quote!(ezy::#name)
             }
             (_, Path::OfNumber(name) | Path::OfKernel(name)) => {
                 let (number, name) = (self.name(), ident(name));

@@ -8,7 +8,7 @@ use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::{Program, Value};
 use crate::symbolic::{SumId, Symbol};
 
-/// A pivot vanishes below this fraction of the diagonal that it started from; `ezy_core::model::PIVOT_TOLERANCE`.
+/// A pivot vanishes below this fraction of the diagonal that it started from; `ezy_core::__private::PIVOT_TOLERANCE`.
 const PIVOT_TOLERANCE: f64 = 1e-10;
 
 /// A program that ends in a solution.

@@ -269,6 +269,7 @@ impl<'a> Resolver<'a> {
             context.warn_unused_parameters(&choice, &scene_items);
         }
         let model = Model {
+            core: ast.core.clone(),
             visibility: ast.visibility.clone(),
             name: ast.name.clone(),
             documentation: ast.documentation.clone(),

@@ -3,7 +3,7 @@
 //!
 //! At every order k the equations of motion are `[M G₀ᵀ; G₀ 0] [a_k; λ_k] = [f_k; r_k]`. What is emitted are four
 //! programs: values and factors at the start of a step, the right side of an order, its solution, and what follows from
-//! it. `ezy_core::model::Series` says how they are called.
+//! it. `ezy_core::__private::Series` says how they are called.
 
 mod level;
 mod lowered;

@@ -50,7 +50,7 @@ pub fn rows(model: &Model, diag: &mut Diagnostics) {
             }
         }
         if diag.n_errors() == n_errors {
-            overfixed::start(model, scene, &equations, diag);
+            overfixed::start(model, scene, &mut equations, diag);
         }
     }
 }
@@ -121,7 +121,8 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
 }
 
 fn moves_with_velocity(algebra: &mut Algebra, symbols: &Symbols, entry: SumId) -> bool {
-    (0..symbols.n_coordinates()).any(|i| !algebra.diff(entry, symbols.velocity_at(i)).is_zero())
+    let mut velocities = algebra.symbols_of(entry).into_iter().filter(|&symbol| symbols.velocity_of(symbol).is_some());
+    velocities.any(|velocity| !algebra.diff(entry, velocity).is_zero())
 }
 
 /// Rows that are combinations of earlier ones, with the rows they combine.

@@ -94,7 +94,7 @@ impl<'m> Templates<'m> {
         let inputs: Vec<InputId> =
             (0..model.inputs.len()).map(InputId).filter(|id| called(model.inputs[id.0].effect)).collect();
         let mut symbols = Symbols::new(model, &inputs);
-        let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
+        let mut writer = Writer::new(model, &mut algebra, &symbols);
         let masses = model.arrays.iter().map(|array| {
             let (mass, inertia) = (writer.write(&array.mass), writer.write(&array.inertia));
             [mass, mass, inertia]

@@ -10,6 +10,7 @@
 mod at_zero;
 pub mod call;
 pub mod coefficient;
+mod dependence;
 pub mod diff;
 pub mod evaluate;
 mod fingerprint;

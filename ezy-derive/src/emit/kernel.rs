@@ -174,7 +174,7 @@ impl Writer<'_> {
         if self.names.contains_key(&id) {
             return TokenStream::new();
         }
-        let find = |wanted: &Node| self.live.iter().copied().find(|&other| self.program.node(other) == wanted);
+        let find = |wanted: &Node| self.program.find(wanted).filter(|other| self.live.binary_search(other).is_ok());
         let (sin, cos) = (find(&Node::Sin(angle)), find(&Node::Cos(angle)));
         let (number, argument) = (self.numbers.name(), self.operand(angle));
         let label = match self.program.node(angle) {

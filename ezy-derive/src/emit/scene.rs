@@ -114,7 +114,7 @@ fn methods(
     let power: Vec<SumId> = equations.power.iter().map(|&(_, power)| power).collect();
     let outputs: Vec<SumId> = equations.outputs.iter().map(|&(_, value)| value).collect();
     let other = |symbol: Symbol| {
-        let i = residuals.iter().position(|&residual| residual == symbol).unwrap_or_default();
+        let i = residuals.binary_search(&symbol).unwrap_or_default();
         quote!(residual[#i])
     };
     let multiplier = |symbol: Symbol| {

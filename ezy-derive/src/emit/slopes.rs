@@ -13,9 +13,9 @@ pub fn source(
     acceleration: &dyn Fn(usize) -> TokenStream,
     multiplier: &dyn Fn(usize) -> TokenStream,
 ) -> TokenStream {
-    match slopes.reads.iter().find(|(other, _)| *other == symbol) {
-        Some((_, Read::Acceleration(i))) => acceleration(*i),
-        Some((_, Read::Multiplier(row))) => multiplier(*row),
+    match slopes.read(symbol) {
+        Some(Read::Acceleration(i)) => acceleration(i),
+        Some(Read::Multiplier(row)) => multiplier(row),
         None => quote!(f64::NAN),
     }
 }

@@ -15,7 +15,7 @@ const MOST_TERMS: usize = 20_000;
 /// The derivatives of R that are not zero.
 #[derive(Debug)]
 pub struct Slopes {
-    /// What they read besides time, coordinates, velocities and inputs.
+    /// What they read besides time, coordinates, velocities and inputs; ascending by symbol.
     pub reads: Vec<(Symbol, Read)>,
     pub by_q: Vec<Slope>,
     pub by_v: Vec<Slope>,
@@ -75,6 +75,11 @@ impl Slopes {
             }
         }
         Some(slopes)
+    }
+
+    /// What a symbol stands for, if it is none of time, coordinates, velocities and inputs.
+    pub fn read(&self, symbol: Symbol) -> Option<Read> {
+        self.reads.binary_search_by_key(&symbol, |&(other, _)| other).ok().map(|place| self.reads[place].1)
     }
 
     /// All values, those by coordinates first.

@@ -14,7 +14,7 @@ mod dependence;
 pub mod diff;
 pub mod evaluate;
 mod fingerprint;
-mod interner;
+pub mod interner;
 pub mod lower;
 pub mod plan;
 pub mod print;

@@ -19,7 +19,7 @@ impl Symbol {
 }
 
 /// Index of a sum: equal sums have equal ids.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SumId(pub u32);
 
 /// Index of an atom.

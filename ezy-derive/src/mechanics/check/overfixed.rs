@@ -27,7 +27,10 @@ pub fn start(model: &Model, scene: &Scene, equations: &mut Equations, diag: &mut
         let all_given = columns.clone().all(|column| state.q[column].is_some());
         let (value, level) = match constraints.position.get(i) {
             Some(&c) if all_given => (algebra.evaluate(c, &state), "position"),
-            None if all_given && columns.all(|column| state.v[column].is_some()) && state.knows(&algebra.symbols_of(constraints.velocity[i])) => {
+            None if all_given
+                && columns.all(|column| state.v[column].is_some())
+                && state.knows(&algebra.symbols_of(constraints.velocity[i])) =>
+            {
                 (algebra.evaluate(constraints.velocity[i], &state), "velocity")
             }
             _ => continue,

@@ -178,10 +178,14 @@ fn forces<'m>(model: &'m Model, writer: &mut Writer<'_>, scene: &Scene) -> Vec<F
 
 /// The bodies whose coordinates or velocities some of the sums read.
 fn slots(writer: &mut Writer<'_>, sums: &[SumId]) -> Vec<BodyId> {
-    let mut reads = |symbol| sums.iter().any(|&sum| !writer.algebra.diff(sum, symbol).is_zero());
-    let symbols = writer.symbols;
-    let mut read = |body: &BodyId| {
+    let (algebra, symbols) = (&mut writer.algebra, writer.symbols);
+    let body_of = |symbol| symbols.coordinate_of(symbol).or(symbols.velocity_of(symbol)).map(|i| BodyId(i / 3));
+    let mut bodies: Vec<BodyId> = sums.iter().flat_map(|&sum| algebra.symbols_of(sum)).filter_map(body_of).collect();
+    bodies.sort_unstable();
+    bodies.dedup();
+    let mut reads = |symbol| sums.iter().any(|&sum| !algebra.diff(sum, symbol).is_zero());
+    bodies.retain(|body| {
         (3 * body.0..3 * body.0 + 3).any(|i| reads(symbols.coordinate_at(i)) || reads(symbols.velocity_at(i)))
-    };
-    (0..writer.model.bodies.len()).map(BodyId).filter(|body| read(body)).collect()
+    });
+    bodies
 }

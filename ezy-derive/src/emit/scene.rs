@@ -301,8 +301,9 @@ impl Emitter<'_> {
         other: &dyn Fn(Symbol) -> TokenStream,
     ) -> Method {
         let Body { statements, outputs } = self.lowered(numbers, sums, other);
-        let indices = 0..outputs.len();
-        let body = quote!(#statements #(out[#indices] = #outputs;)*);
+        let writes = outputs.iter().enumerate().map(|(i, output)| quote!(out[#i] = #output;));
+        let writes = kernel::sequence(writes);
+        let body = quote!(#statements #writes);
         Method { numbers, name, reads, target, n_outputs: sums.len(), body }
     }
 
@@ -325,15 +326,18 @@ impl Emitter<'_> {
             let give = give(given.rate, given.near);
             quote!(start.#give(#i, #value);)
         });
-        quote!(#statements #(#gives)*)
+        let gives = kernel::sequence(gives);
+        quote!(#statements #gives)
     }
 
     fn slopes(&mut self, slopes: &Slopes) -> TokenStream {
         let other = |symbol: Symbol| slopes::source(slopes, symbol, &|i| quote!(a[#i]), &|row| quote!(lambda[#row]));
         let Body { statements, outputs } = self.lowered(Numbers::F64, &slopes.values(), &other);
         let (by_q, by_v) = outputs.split_at(slopes.by_q.len());
-        let (places_q, places_v) = (0..by_q.len(), 0..by_v.len());
-        quote!(#statements #(by_q[#places_q] = #by_q;)* #(by_v[#places_v] = #by_v;)*)
+        let by_q = by_q.iter().enumerate().map(|(i, slope)| quote!(by_q[#i] = #slope;));
+        let by_v = by_v.iter().enumerate().map(|(i, slope)| quote!(by_v[#i] = #slope;));
+        let writes = kernel::sequence(by_q.chain(by_v));
+        quote!(#statements #writes)
     }
 
     /// Writes a solution into the named slices and returns what its pivots are.
@@ -349,10 +353,12 @@ impl Emitter<'_> {
             let name = argument(name);
             (0..length).map(move |i| quote!(#name[#i]))
         });
+        let writes = targets.zip(solution).map(|(target, value)| quote!(#target = #value;));
+        let writes = kernel::sequence(writes);
         let seen = kernel::pivots_seen(&solver.pivots, pivots);
         quote! {
             #statements
-            #(#targets = #solution;)*
+            #writes
             ::ezy_core::model::Pivots::new()#(#seen)*
         }
     }

@@ -207,14 +207,15 @@ impl Writer<'_> {
             .into_iter()
             .map(|(array, (n, writes))| {
                 let field = Ident::new(array.name, Span::call_site());
+                let writes = kernel::sequence(writes);
                 match array.ahead.map(order) {
                     None => quote! {
                         let target = ezy::array_mut::<#n, T>(&mut store.#field);
-                        #(#writes)*
+                        #writes
                     },
                     Some(order) => quote! {
                         let target = ezy::row_mut::<#n, T>(&mut store.#field, #order);
-                        #(#writes)*
+                        #writes
                     },
                 }
             })

@@ -31,12 +31,13 @@ pub fn body(of: &Straight, n_fixed: usize, signature: &Signature, kernel: &Kerne
             // a straight line adds nothing up
             Put::Total | Put::Coordinate(_) | Put::Group(_) => value.clone(),
         });
-        let puts: Vec<TokenStream> = puts.collect();
+        // a value is no statement
+        let puts = if matches!(signature.writes, Writes::Value) { puts.collect() } else { kernel::sequence(puts) };
         let seen = matches!(signature.writes, Writes::Solution(_)).then(|| {
             let seen = kernel::pivots_seen(&kernel.pivots, pivots);
             quote!(ezy::Pivots::new()#(#seen)*)
         });
-        quote!(#statements #(#puts)* #seen)
+        quote!(#statements #puts #seen)
     });
     let opening = opening(of, n_fixed, signature, kernel);
     quote!(#opening #(#passes)*)

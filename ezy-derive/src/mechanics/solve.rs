@@ -23,7 +23,7 @@ pub struct Solver {
     pub order: Vec<(Vec<usize>, bool)>,
 }
 
-/// Symbols of the residuals that the correction reads.
+/// Symbols of the residuals that the correction reads, ascending.
 pub struct Correction {
     pub solver: Solver,
     pub residuals: Vec<Symbol>,
@@ -93,15 +93,18 @@ fn named_force(equations: &mut Equations, i: usize) -> NamedForce {
 /// −Gᵀ λ
 fn reactions(equations: &mut Equations, multipliers: &[Symbol]) -> Vec<SumId> {
     let (algebra, constraints) = (&mut equations.algebra, &equations.constraints);
-    (0..equations.mass.len())
-        .map(|i| {
+    let mut columns: Vec<Vec<(usize, SumId)>> = vec![Vec::new(); equations.mass.len()];
+    for (row, entries) in constraints.jacobian.iter().enumerate() {
+        entries.iter().for_each(|&(column, g)| columns[column].push((row, g)));
+    }
+    columns
+        .into_iter()
+        .map(|column| {
             let mut parts = Vec::new();
-            for (row, entries) in constraints.jacobian.iter().enumerate() {
-                for &(_, g) in entries.iter().filter(|(column, _)| *column == i) {
-                    let lambda = algebra.symbol(multipliers[row]);
-                    let product = algebra.mul(g, lambda);
-                    parts.push(algebra.neg(product));
-                }
+            for (row, g) in column {
+                let lambda = algebra.symbol(multipliers[row]);
+                let product = algebra.mul(g, lambda);
+                parts.push(algebra.neg(product));
             }
             algebra.total(&parts)
         })
@@ -181,10 +184,23 @@ impl Elimination {
             lowering.program.set_name(value, &name_of(step.symbol));
             lowering.bind(step.symbol, value);
         }
-        let matrix = reduced.matrix.iter().map(|row| row.iter().map(|&a| lowering.lower(a)).collect()).collect();
+        let mut matrix = Vec::new();
+        for row in &reduced.matrix {
+            let mut values = Vec::new();
+            for (place, &(j, entry)) in row.iter().enumerate() {
+                if place < j {
+                    lowering.lower(SumId::ZERO);
+                }
+                values.push((j, lowering.lower(entry)));
+            }
+            if row.len() < reduced.rest.len() {
+                lowering.lower(SumId::ZERO);
+            }
+            matrix.push(values);
+        }
         let right_side = reduced.right_side.iter().map(|&r| lowering.lower(r)).collect();
-        let system = System { program: &mut lowering.program, matrix, right_side };
-        let Solved { solution: found, pivots } = system.solve(blocks.clone());
+        let system = System::new(&mut lowering.program, matrix, right_side);
+        let Solved { solution: found, pivots } = system.solve(blocks);
 
         let zero = lowering.program.literal(0.0);
         let mut multipliers = vec![zero; reduced.multipliers.len()];
@@ -206,10 +222,9 @@ impl Elimination {
             watched.push((vec![step.row], pivot, threshold));
             order.push((vec![step.row], true));
         }
-        for (block, pivot) in &pivots {
-            let i = blocks.iter().position(|other| other == block).unwrap_or(0);
-            let rows: Vec<usize> = block.iter().map(|&i| reduced.rest[i]).collect();
-            watched.push((rows.clone(), *pivot, lowering.lower(thresholds.moving[i])));
+        for (i, pivot) in pivots {
+            let rows: Vec<usize> = blocks[i].iter().map(|&i| reduced.rest[i]).collect();
+            watched.push((rows.clone(), pivot, lowering.lower(thresholds.moving[i])));
             order.push((rows, false));
         }
         Written { solution, multipliers, pivots: watched, order }

@@ -9,15 +9,18 @@ impl Algebra {
         if let Some(&known) = self.derivatives.get(&(a, x)) {
             return known;
         }
-        let derivative = self.diff_terms(a, x);
+        let dependence = self.dependence(a);
+        let Some(places) = dependence.get(&x) else { return SumId::ZERO };
+        let derivative = self.diff_terms(a, places, x);
         self.derivatives.insert((a, x), derivative);
         derivative
     }
 
-    fn diff_terms(&mut self, a: SumId, x: Symbol) -> SumId {
-        let terms = self.terms(a).clone();
+    /// Of the terms that hold x.
+    fn diff_terms(&mut self, a: SumId, places: &[usize], x: Symbol) -> SumId {
         let mut parts = Vec::new();
-        for (monomial, k) in terms {
+        for &place in places {
+            let (monomial, k) = self.terms(a)[place];
             let factors = self.monomial(monomial).clone();
             for (i, &(atom, n)) in factors.iter().enumerate() {
                 let inner = self.diff_atom(atom, x);

@@ -20,6 +20,15 @@ impl<T: Clone + Eq + std::hash::Hash> Interner<T> {
         &self.values[id as usize]
     }
 
+    /// All values, in order of first appearance.
+    pub fn values(&self) -> &[T] {
+        &self.values
+    }
+
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
     pub fn intern(&mut self, value: T) -> u32 {
         if let Some(&id) = self.ids.get(&value) {
             return id;

@@ -82,6 +82,11 @@ impl Program {
         &self.nodes[id.0]
     }
 
+    /// The node of an operation, if the program has it.
+    pub fn find(&self, node: &Node) -> Option<NodeId> {
+        self.ids.get(node).copied()
+    }
+
     /// Name for a temporary, if it was given one.
     pub fn name(&self, id: NodeId) -> Option<&str> {
         self.names.get(&id).map(String::as_str)
@@ -170,15 +175,22 @@ impl Program {
 
     /// Turns signed outputs into plain ones: swaps a subtraction that nothing else uses, else negates.
     pub fn settle_signs(&mut self) {
+        let mut uses = self.uses();
         for i in 0..self.outputs.len() {
             let output = self.outputs[i];
             if !output.negative {
                 continue;
             }
-            if self.is_zero(output) || self.flip(output.node) {
+            if self.is_zero(output) || self.flip(output.node, &uses) {
                 self.outputs[i].negative = false;
             } else {
                 let node = self.intern(Node::Neg(output.node));
+                uses.resize(self.nodes.len(), 0);
+                // the output reads the negative instead; a negative that nothing read before reads the node in its place
+                if uses[node.0] > 0 {
+                    uses[output.node.0] -= 1;
+                }
+                uses[node.0] += 1;
                 self.outputs[i] = Value { node, negative: false };
             }
         }
@@ -241,8 +253,8 @@ impl Program {
     }
 
     /// Changes the sign of a node in place where that costs nothing and nothing else sees it.
-    fn flip(&mut self, id: NodeId) -> bool {
-        if self.uses()[id.0] != 1 {
+    fn flip(&mut self, id: NodeId, uses: &[usize]) -> bool {
+        if uses[id.0] != 1 {
             return false;
         }
         match *self.node(id) {
@@ -250,8 +262,8 @@ impl Program {
                 self.nodes[id.0] = Node::Sub(b, a);
                 true
             }
-            Node::Mul(a, b) => self.flip(b) || self.flip(a),
-            Node::Div(a, _) => self.flip(a),
+            Node::Mul(a, b) => self.flip(b, uses) || self.flip(a, uses),
+            Node::Div(a, _) => self.flip(a, uses),
             _ => false,
         }
     }

@@ -1,6 +1,7 @@
 //! Rows that repeat others once the model is assembled with its declared parameters: two hinges between the same two
 //! bodies, say, which fit only if their distances agree. A warning: with other parameters the rows may be independent.
 
+use super::basis::Row;
 use super::{RandomState, dependent_rows};
 use crate::diag::{Diagnostics, equations as message};
 use crate::mechanics::Equations;
@@ -70,43 +71,49 @@ fn assemble<'a>(equations: &'a Equations, defaults: &'a [f64], seed: u64) -> Opt
         if !largest.is_finite() {
             return None;
         }
-        let jacobian: Vec<Vec<f64>> = (constraints.jacobian[..residual.len()].iter())
-            .map(|entries| {
-                let mut row = vec![0.0; state.q.len()];
-                for &(column, entry) in entries {
-                    row[column] = equations.algebra.evaluate(entry, &state);
-                }
-                row
-            })
-            .collect();
-        let multipliers = solve_normal(&jacobian, residual);
+        let value = |entry| equations.algebra.evaluate(entry, &state);
+        let row = |entries: &Vec<(usize, _)>| entries.iter().map(|&(column, entry)| (column, value(entry))).collect();
+        let jacobian: Vec<Row> = constraints.jacobian[..residual.len()].iter().map(row).collect();
+        let multipliers = solve_normal(&jacobian, residual, state.q.len());
         for (row, multiplier) in jacobian.iter().zip(&multipliers) {
-            state.q.iter_mut().zip(row).for_each(|(q, entry)| *q -= entry * multiplier);
+            row.iter().for_each(|(&column, entry)| state.q[column] -= entry * multiplier);
         }
     }
     None
 }
 
 /// x with (J Jᵀ + damping) x = r.
-fn solve_normal(jacobian: &[Vec<f64>], mut right_side: Vec<f64>) -> Vec<f64> {
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-    let mut matrix: Vec<Vec<f64>> = jacobian.iter().map(|a| jacobian.iter().map(|b| dot(a, b)).collect()).collect();
-    let n = matrix.len();
-    for (i, row) in matrix.iter_mut().enumerate() {
-        row[i] += DAMPING * row[i].max(f64::MIN_POSITIVE);
+fn solve_normal(jacobian: &[Row], mut right_side: Vec<f64>, n_columns: usize) -> Vec<f64> {
+    let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n_columns];
+    for (i, row) in jacobian.iter().enumerate() {
+        row.iter().for_each(|(&column, &x)| columns[column].push((i, x)));
+    }
+    // the upper triangle, by rows
+    let mut matrix: Vec<Row> = Vec::new();
+    for (i, row) in jacobian.iter().enumerate() {
+        let mut products = Row::new();
+        for (&column, x) in row {
+            let later = columns[column].iter().filter(|(j, _)| *j >= i);
+            later.for_each(|(j, y)| *products.entry(*j).or_insert(0.0) += x * y);
+        }
+        let diagonal = products.entry(i).or_insert(0.0);
+        *diagonal += DAMPING * diagonal.max(f64::MIN_POSITIVE);
+        matrix.push(products);
     }
     // positive definite: no pivoting
+    let n = matrix.len();
     for k in 0..n {
-        let pivot = matrix[k].clone();
-        for i in k + 1..n {
-            let factor = matrix[i][k] / pivot[k];
-            matrix[i].iter_mut().zip(&pivot).for_each(|(x, y)| *x -= factor * y);
-            right_side[i] -= factor * right_side[k];
+        let coupled: Vec<(usize, f64)> = matrix[k].iter().map(|(&j, &x)| (j, x)).collect();
+        let (pivot, of_pivot) = (coupled[0].1, right_side[k]);
+        for (place, &(i, x)) in coupled.iter().enumerate().skip(1) {
+            let factor = x / pivot;
+            coupled[place..].iter().for_each(|&(j, y)| *matrix[i].entry(j).or_insert(0.0) -= factor * y);
+            right_side[i] -= factor * of_pivot;
         }
     }
     for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| matrix[k][j] * right_side[j]).sum();
-        right_side[k] = (right_side[k] - known) / matrix[k][k];
+        let known: f64 = matrix[k].range(k + 1..).map(|(&j, x)| x * right_side[j]).sum();
+        right_side[k] = (right_side[k] - known) / matrix[k][&k];
     }
     right_side
 }

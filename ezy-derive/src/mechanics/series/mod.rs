@@ -18,6 +18,7 @@ use crate::mechanics::constraints::Constraints;
 use crate::mechanics::scene::Equations;
 use crate::mechanics::solve::Elimination;
 use crate::mechanics::symbols::Symbols;
+use crate::symbolic::interner::Interner;
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::{Count, Node, NodeId, Program, Value};
 use crate::symbolic::{Algebra, SumId};
@@ -65,11 +66,11 @@ pub struct Step<'e> {
     source: Source,
     symbols: &'e mut Symbols,
     slots: Slots,
-    products: Vec<Product>,
+    products: Interner<Product>,
     /// Values at the start that are read later.
-    base: Vec<NodeId>,
+    base: Interner<NodeId>,
     /// Values whose coefficients are read later.
-    kept: Vec<NodeId>,
+    kept: Interner<NodeId>,
     /// Whether q of an order is found outside, for all items together.
     of_item: bool,
 }
@@ -151,12 +152,12 @@ impl Step<'_> {
 
     /// Place of a product among all.
     fn product(&mut self, product: Product) -> usize {
-        place(&mut self.products, product)
+        self.products.intern(product) as usize
     }
 
     /// Place of a value among those whose coefficients are kept.
     fn keep(&mut self, id: NodeId) -> usize {
-        place(&mut self.kept, id)
+        self.kept.intern(id) as usize
     }
 
     /// The value at the start of the step, in a program of later orders.
@@ -166,7 +167,7 @@ impl Step<'_> {
             Node::Constant(_) | Node::Literal(_) => return program.leaf(node.clone()),
             Node::Input(symbol) if self.source.level(id) == Level::Fixed => *symbol,
             _ => {
-                let i = place(&mut self.base, id);
+                let i = self.base.intern(id) as usize;
                 self.slots.symbol(self.symbols, Slot::Base(i))
             }
         };
@@ -204,12 +205,4 @@ impl Step<'_> {
             _ => program.literal(1.0),
         }
     }
-}
-
-fn place<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
-    let found = list.iter().position(|other| *other == item);
-    found.unwrap_or_else(|| {
-        list.push(item);
-        list.len() - 1
-    })
 }

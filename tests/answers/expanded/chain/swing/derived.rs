@@ -1,17 +1,5 @@
 #[automatically_derived]
 impl ezy::Derived for Swing {
-    fn count(&self, index: usize) -> usize {
-        match index {
-            0usize => self.n,
-            _ => 0,
-        }
-    }
-    fn set_count(&mut self, index: usize, value: usize) {
-        match index {
-            0usize => self.n = value,
-            _ => {}
-        }
-    }
     fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
         let first_link: i64 = 0;
         let n_q = ezy::Scene::info(self).n_coordinates();
@@ -87,7 +75,9 @@ impl ezy::Derived for Swing {
         by_v: &mut [f64],
     ) {
         let first_link: i64 = 0;
-        let (mut place, mut place_q, mut place_v) = (0, 0, 0);
+        let mut place_q = 0;
+        let mut place_v = 0;
+        let mut place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let multiplier_0 = lambda[place + 0usize];
@@ -195,7 +185,6 @@ impl ezy::Derived for Swing {
         }
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
-            place += 0usize;
         }
     }
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {

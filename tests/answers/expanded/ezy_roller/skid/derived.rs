@@ -1,5 +1,23 @@
 #[automatically_derived]
 impl ezy::Derived for Skid {
+    fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let c = ezy::array::<41usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let v = ezy::array::<6usize, f64>(v);
+        let out = ezy::array_mut::<2usize, f64>(out);
+        let seat_omega = v[2usize];
+        let product_4 = c[36usize] * seat_omega;
+        let seat_vx = v[0usize];
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
+        let product_9 = seat_vx * sin_seat_phi;
+        let sum_10 = product_4 + product_9;
+        let seat_vy = v[1usize];
+        let product_13 = seat_vy * cos_seat_phi;
+        let difference_14 = product_13 - sum_10;
+        out[0usize] = c[40usize];
+        out[1usize] = difference_14;
+    }
     fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
         ::core::option::Option::Some(ezy::SlopePlaces {
             by_q: ::std::vec![
@@ -134,24 +152,6 @@ impl ezy::Derived for Skid {
         by_v[7usize] = product_83;
         by_v[8usize] = product_84;
         by_v[9usize] = sum_87;
-    }
-    fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let c = ezy::array::<41usize, f64>(c);
-        let q = ezy::array::<6usize, f64>(q);
-        let v = ezy::array::<6usize, f64>(v);
-        let out = ezy::array_mut::<2usize, f64>(out);
-        let seat_omega = v[2usize];
-        let product_4 = c[36usize] * seat_omega;
-        let seat_vx = v[0usize];
-        let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-        let product_9 = seat_vx * sin_seat_phi;
-        let sum_10 = product_4 + product_9;
-        let seat_vy = v[1usize];
-        let product_13 = seat_vy * cos_seat_phi;
-        let difference_14 = product_13 - sum_10;
-        out[0usize] = c[40usize];
-        out[1usize] = difference_14;
     }
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)

@@ -61,7 +61,7 @@ fn check(source: &str, known: &[(&str, &[&str])]) {
 fn read(folder: &Path, module: &Module, texts: &mut BTreeMap<Module, String>) {
     for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
         let name = entry.file_stem().unwrap().to_str().unwrap().to_owned();
-        let inside = [module.as_slice(), &[name.clone()]].concat();
+        let inside = [module.as_slice(), std::slice::from_ref(&name)].concat();
         if entry.is_dir() {
             read(&entry, &inside, texts);
         } else if entry.extension().is_some_and(|extension| extension == "rs") {

@@ -37,15 +37,22 @@ pub fn description(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> To
     }
 }
 
-/// The methods that hand out the description of a run, and its counts.
+/// The method that hands out the description of a run.
 pub fn access(model: &Model) -> TokenStream {
     let counts: Vec<&Ident> = model.counts.iter().map(|count| &count.name).collect();
-    let places: Vec<usize> = (0..counts.len()).collect();
     quote! {
         fn info(&self) -> &'static ezy::SceneInfo {
             static KNOWN: ezy::Known = ezy::Known::new();
             KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
         }
+    }
+}
+
+/// The methods that hand out the counts, and take them.
+pub fn access_to_counts(model: &Model) -> TokenStream {
+    let counts: Vec<&Ident> = model.counts.iter().map(|count| &count.name).collect();
+    let places: Vec<usize> = (0..counts.len()).collect();
+    quote! {
         fn count(&self, index: usize) -> usize {
             match index { #(#places => self.#counts,)* _ => 0 }
         }

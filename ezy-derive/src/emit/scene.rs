@@ -17,6 +17,7 @@ use crate::model::{Model, Parameter, Scene};
 pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let type_name = scene_type(&derived.scene);
     let Described { inherent, access, page } = describe(model, derived, &type_name);
+    let access_to_counts = model.is_repeated().then(|| repeated::access_to_counts(model));
     let structure = structure(model, derived, &type_name, &page);
     let (parameters, coefficients) = (derived.parameters(), &derived.algebra().coefficients);
     let constants = Constants { model, parameters, coefficients }.method(&derived.constants, derived.inputs().len());
@@ -51,6 +52,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
 
         #[automatically_derived]
         impl ezy::Derived for #type_name {
+            #access_to_counts
             #of_derived
             #access_to_series
             #modes

@@ -1,5 +1,17 @@
 #[automatically_derived]
 impl ezy::Derived for Swing {
+    fn count(&self, index: usize) -> usize {
+        match index {
+            0usize => self.n,
+            _ => 0,
+        }
+    }
+    fn set_count(&mut self, index: usize, value: usize) {
+        match index {
+            0usize => self.n = value,
+            _ => {}
+        }
+    }
     fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
         let first_link: i64 = 0;
         let n_q = ezy::Scene::info(self).n_coordinates();

@@ -4,18 +4,6 @@ impl ezy::Scene for Swing {
         static KNOWN: ezy::Known = ezy::Known::new();
         KNOWN.info(&Self::FIXED, &[self.n], |layout| self.describe(layout))
     }
-    fn count(&self, index: usize) -> usize {
-        match index {
-            0usize => self.n,
-            _ => 0,
-        }
-    }
-    fn set_count(&mut self, index: usize, value: usize) {
-        match index {
-            0usize => self.n = value,
-            _ => {}
-        }
-    }
     fn parameter(&self, index: usize) -> f64 {
         match index {
             0usize => self.l,

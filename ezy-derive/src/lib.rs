@@ -6,6 +6,8 @@ mod faulty;
 mod function;
 #[cfg(test)]
 mod fuzz;
+#[cfg(test)]
+mod growth;
 mod mechanics;
 mod model;
 mod parse;
@@ -15,6 +17,7 @@ mod random;
 mod symbolic;
 mod units;
 mod words;
+mod work;
 
 /// Turns a model file into equations of motion.
 #[proc_macro]

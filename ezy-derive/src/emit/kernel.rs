@@ -9,6 +9,7 @@ use crate::function::Path;
 use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::symbolic::program::{Node, NodeId, Program};
 use crate::symbolic::{Function, Symbol};
+use crate::work;
 
 /// The numbers that a kernel computes with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -264,6 +265,7 @@ impl Writer<'_> {
     }
 
     fn statement(&mut self, id: NodeId) -> TokenStream {
+        work::count(1);
         let value = match self.program.node(id) {
             Node::Constant(_) | Node::Literal(_) => return TokenStream::new(),
             Node::Input(symbol) => match self.symbols.meaning(*symbol) {

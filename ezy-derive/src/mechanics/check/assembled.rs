@@ -9,6 +9,7 @@ use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::model::Model;
 use crate::symbolic::Symbol;
 use crate::symbolic::evaluate::Point;
+use crate::work;
 
 /// Assemblies that are tried, from different guesses: what all of them say is no accident of one position.
 const SEEDS: [u64; 3] = [11, 12, 13];
@@ -107,6 +108,7 @@ fn solve_normal(jacobian: &[Row], mut right_side: Vec<f64>, n_columns: usize) ->
         let (pivot, of_pivot) = (coupled[0].1, right_side[k]);
         for (place, &(i, x)) in coupled.iter().enumerate().skip(1) {
             let factor = x / pivot;
+            work::count(coupled.len() - place);
             coupled[place..].iter().for_each(|&(j, y)| *matrix[i].entry(j).or_insert(0.0) -= factor * y);
             right_side[i] -= factor * of_pivot;
         }

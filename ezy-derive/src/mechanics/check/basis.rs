@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::work;
+
 /// A row by column; columns that are not there hold zero.
 pub type Row = BTreeMap<usize, f64>;
 
@@ -47,6 +49,7 @@ impl Basis {
             if factor == 0.0 {
                 continue;
             }
+            work::count(of.row.len());
             for (&column, &x) in &of.row {
                 *row.entry(column).or_insert(0.0) -= factor * x;
                 // what rounding leaves in a column that was dealt with stays
@@ -84,6 +87,7 @@ impl Basis {
             // its own pivot, and what rounding left in those before it
             let is_later = |column: &usize| self.by_column.get(column).is_none_or(|&other| other > place);
             for (&column, x) in of.row.iter().filter(|(column, _)| is_later(column)) {
+                work::count(space[column].len());
                 for (&free, y) in &space[column] {
                     *combination.entry(free).or_insert(0.0) -= x / of.pivot * y;
                 }

@@ -394,11 +394,12 @@ impl Writer<'_> {
 /// Arguments of kernels, which temporaries must not shadow.
 const RESERVED: [&str; 11] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed"];
 
-/// What takes note of each pivot, from pivots and thresholds in turns.
-pub fn pivots_seen(rows: &[Vec<usize>], pivots: &[TokenStream]) -> Vec<TokenStream> {
-    let of_pivot = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
+/// The value that takes note of each pivot, from pivots and thresholds in turns; without an elimination all have vanished.
+pub fn pivots(rows: Option<&[Vec<usize>]>, pivots: &[TokenStream]) -> TokenStream {
+    let Some(rows) = rows else { return quote!(::ezy_core::model::Pivots::ALL_VANISHED) };
+    let seen = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
         let (pivot, threshold) = (&pair[0], &pair[1]);
         quote!(.see(&[#(#rows),*], T::least_ratio(#pivot, #threshold)))
     });
-    of_pivot.collect()
+    quote!(::ezy_core::model::Pivots::new()#(#seen)*)
 }

@@ -12,6 +12,8 @@ mod series;
 mod slopes;
 mod templates;
 
+#[cfg(test)]
+pub use kernel::LONGEST_WHOLE;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 

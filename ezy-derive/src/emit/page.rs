@@ -21,7 +21,8 @@ pub struct Summary {
     type_name: String,
     effects: Vec<String>,
     freedom: [usize; 2],
-    operations: usize,
+    /// `None` without an elimination.
+    operations: Option<usize>,
 }
 
 impl Summary {
@@ -32,7 +33,7 @@ impl Summary {
             type_name,
             effects: scene.effects.iter().map(|effect| model.effects[effect.0].name.to_string()).collect(),
             freedom: freedom(equations),
-            operations: count.add + count.mul + count.div,
+            operations: emitted.accelerations.is_written().then_some(count.add + count.mul + count.div),
         }
     }
 }
@@ -43,7 +44,8 @@ pub fn model(model: &Model, scenes: &[Summary]) -> TokenStream {
         let [positions, velocities] = scene.freedom;
         let effects = scene.effects.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let name = format!("[`{}`]({})", scene.name, scene.type_name);
-        vec![name, effects, positions.to_string(), velocities.to_string(), scene.operations.to_string()]
+        let operations = scene.operations.map_or_else(|| "sparse solver".to_owned(), |n| n.to_string());
+        vec![name, effects, positions.to_string(), velocities.to_string(), operations]
     });
     let heads = ["scene", "effects", "freedom of positions", "of velocities", "operations"];
     let mut page = Page::default();
@@ -57,6 +59,9 @@ pub fn model(model: &Model, scenes: &[Summary]) -> TokenStream {
     page.attribute()
 }
 
+/// Said of a scene without elimination.
+pub const SOLVED_SPARSE: &str = "Many rows meet in one body: the sparse backend solves the equations of motion.";
+
 /// The page of a scene: parameters, rows, equations, sparsity, elimination, costs.
 pub fn scene(model: &Model, equations: &Equations, emitted: &Emitted<'_>) -> TokenStream {
     let [positions, velocities] = freedom(equations);
@@ -68,8 +73,12 @@ pub fn scene(model: &Model, equations: &Equations, emitted: &Emitted<'_>) -> Tok
     equations::write(&mut page, equations, emitted.names);
     page.section("Outputs", tables::outputs(model, equations, emitted.names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
-    page.section("Order of elimination", tables::elimination(equations, &emitted.accelerations.order));
-    page.section("Operations", tables::operations(emitted));
+    if emitted.accelerations.is_written() {
+        page.section("Order of elimination", tables::elimination(equations, &emitted.accelerations.order));
+        page.section("Operations", tables::operations(emitted));
+    } else {
+        page.paragraph(SOLVED_SPARSE.into());
+    }
     page.attribute()
 }
 

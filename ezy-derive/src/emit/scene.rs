@@ -355,11 +355,11 @@ impl Emitter<'_> {
         });
         let writes = targets.zip(solution).map(|(target, value)| quote!(#target = #value;));
         let writes = kernel::sequence(writes);
-        let seen = kernel::pivots_seen(&solver.pivots, pivots);
+        let seen = kernel::pivots(solver.is_written().then_some(&solver.pivots), pivots);
         quote! {
             #statements
             #writes
-            ::ezy_core::model::Pivots::new()#(#seen)*
+            #seen
         }
     }
 }
@@ -387,10 +387,14 @@ fn structure(
     let count = emitted.accelerations.program.count();
     let page = page::scene(model, equations, emitted);
     let title = title(model, scene);
-    let cost = format!(
-        "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
-        count.mul, count.add, count.div, count.trig
-    );
+    let cost = if emitted.accelerations.is_written() {
+        format!(
+            "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
+            count.mul, count.add, count.div, count.trig
+        )
+    } else {
+        page::SOLVED_SPARSE.to_owned()
+    };
     let parameters: Vec<_> = equations.parameters.iter().map(|id| &model.parameters[id.0]).collect();
     let fields = parameters.iter().map(|parameter| field(parameter));
     let defaults = parameters.iter().map(|parameter| {

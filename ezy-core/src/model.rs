@@ -265,7 +265,7 @@ pub struct SceneInfo {
     pub potential_energy: Formula,
     /// What symbols in these formulas stand for, besides coordinates, parameters and inputs.
     pub abbreviations: &'static [Abbreviation],
-    /// Order in which the generated elimination takes the rows.
+    /// Order in which the generated elimination takes the rows; empty without one.
     pub elimination: &'static [EliminationStep],
     /// Operations of [`Equations::accelerations`].
     pub acceleration_operations: Operations,
@@ -280,9 +280,10 @@ pub struct SceneInfo {
 }
 
 impl SceneInfo {
-    /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts.
+    /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts, nor where so
+    /// many rows meet in one body that the sparse solver is faster.
     pub const fn has_elimination(&self) -> bool {
-        self.repeats.is_none()
+        self.repeats.is_none() && (self.rows.is_empty() || !self.elimination.is_empty())
     }
 
     /// The counts, in declared order.

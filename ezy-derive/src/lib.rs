@@ -10,6 +10,8 @@ mod function;
 mod fuzz;
 #[cfg(test)]
 mod golden;
+#[cfg(test)]
+mod growth;
 mod mechanics;
 mod model;
 mod parse;
@@ -19,6 +21,7 @@ mod random;
 mod symbolic;
 mod units;
 mod words;
+mod work;
 
 /// Turns a model file into equations of motion.
 ///

@@ -1,4 +1,4 @@
-//! A model of 200 bodies, each written out, in a dev build with debug information.
+//! Models of many bodies, each written out, in a dev build with debug information.
 
 use std::fmt::Write;
 use std::fs;
@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const N_BODIES: usize = 200;
+const N_CASTERS: usize = 40;
 
-/// The same chain twice: rod by rod, with a generated elimination, and with a count, solved by the sparse solver. Both
-/// fall for a tenth of a second; positions are of order 100 m, errors of both runs of order 1e-9.
+/// A chain twice: rod by rod, with a generated elimination, and with a count, solved by the sparse solver. Positions are of
+/// order 100 m, errors of both runs of order 1e-9. And a cart on casters, each written out and with a count: the sparse
+/// solver does the same for both, so that they differ by rounding.
 fn program() -> String {
     let mut rods = String::new();
     for i in 0..N_BODIES {
@@ -17,29 +19,57 @@ fn program() -> String {
     }
     let shared = "param l: m = 1.0; param m: kg = 1.0; gravity (0, -9.81); start level { at rest; }
         scene swing { start level; until 0.1 s; }";
+    let cart = "param l: m = 0.1; param r: m = 0.5; body cart { mass: 10, inertia: 5 } torque cart: 1;
+        force at cart(0, 0): (2, 0); start rest { at rest; } scene run { start rest; until 0.5 s; }";
+    let mut casters = String::new();
+    for i in 0..N_CASTERS {
+        let _ = writeln!(
+            casters,
+            "body a{i} {{ mass: 1, inertia: 0.1 }} hinge p{i}: cart(0.1*{i}, r) ~ a{i}(l, 0);
+            skate s{i}: at a{i}(-l, 0) along a{i}(1, 0);"
+        );
+    }
     format!(
         "use ezy_core::prelude::*;
-        mod written {{ use ezy_core::prelude::*; model! {{ pub model Chain {{ {shared} {rods} }} }} }}
+        mod written {{ use ezy_core::prelude::*; model! {{ pub model Chain {{ {shared} {rods} }} }}
+            model! {{ pub model Cart {{ {cart} {casters} }} }} }}
         mod counted {{ use ezy_core::prelude::*; model! {{ pub model Chain {{ {shared}
             count n = {N_BODIES};
             body b[n] {{ mass: m, inertia: m*l^2/12 }}
             hinge h0: ground(0, 0) ~ b[0](-l/2, 0);
             for i in 1..n {{ hinge h[i]: b[i-1](l/2, 0) ~ b[i](-l/2, 0); }}
+        }} }}
+        model! {{ pub model Cart {{ {cart}
+            count n = {N_CASTERS};
+            body a[n] {{ mass: 1, inertia: 0.1 }}
+            for i in 0..n {{
+                hinge p[i]: cart(0.1*i, r) ~ a[i](l, 0);
+                skate s[i]: at a[i](-l, 0) along a[i](1, 0);
+            }}
         }} }} }}
-        fn last(scene: &dyn Scene) -> Vec<f64> {{
-            let run = Simulation::new(scene).method(Method::dop853(1e-10)).run().expect(\"the chain falls\");
-            run.last().coordinates.to_vec()
+        fn apart(written: &dyn Scene, counted: &dyn Scene, method: Method) -> f64 {{
+            let last = |scene: &dyn Scene| {{
+                let run = Simulation::new(scene).method(method).run().expect(\"the run ends\");
+                run.last().coordinates.to_vec()
+            }};
+            let (written, counted) = (last(written), last(counted));
+            assert_eq!(written.len(), counted.len());
+            written.iter().zip(&counted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
         }}
         fn main() {{
             assert!(written::chain::Swing::INFO.has_elimination());
-            let (written, counted) =
-                (last(&written::chain::Swing::default()), last(&counted::chain::Swing::default()));
-            assert_eq!(written.len(), {n_q});
-            let apart = written.iter().zip(&counted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            assert!(apart < 1e-7, \"{{apart}} m\");
+            let (chain, counted_chain) = (written::chain::Swing::default(), counted::chain::Swing::default());
+            let of_chain = apart(&chain, &counted_chain, Method::dop853(1e-10));
+            assert!(of_chain < 1e-7, \"{{of_chain}} m\");
+            // so many rows of the cart that there is no elimination
+            assert!(!written::cart::Run::INFO.has_elimination());
+            let (cart, counted_cart) = (written::cart::Run::default(), counted::cart::Run::default());
+            for method in [Method::dop853(1e-9), Method::taylor(1e-9), Method::radau(1e-9)] {{
+                let of_cart = apart(&cart, &counted_cart, method);
+                assert!(of_cart < 1e-12, \"{{of_cart}} m\");
+            }}
         }}
-        ",
-        n_q = 3 * N_BODIES
+        "
     )
 }
 

@@ -48,7 +48,7 @@ fn kernels(info: &SceneInfo) -> [(&'static str, [usize; 6]); 2] {
 fn series(info: &SceneInfo) -> String {
     match info.series {
         SeriesInfo::Analytic { n_products, operations } => {
-            let of = if info.has_elimination() { "" } else { " of one member of each row and force" };
+            let of = if info.repeats.is_none() { "" } else { " of one member of each row and force" };
             let n_operations = operations.arithmetic();
             format!(
                 "Taylor series: {n_products} products of series and {n_operations} operations besides at each order{of}"

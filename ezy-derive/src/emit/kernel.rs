@@ -9,6 +9,7 @@ use crate::function::Path;
 use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::symbolic::program::{Node, NodeId, Program};
 use crate::symbolic::{Function, Symbol};
+use crate::work;
 
 /// The numbers that a kernel computes with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -264,6 +265,7 @@ impl Writer<'_> {
     }
 
     fn statement(&mut self, id: NodeId) -> TokenStream {
+        work::count(1);
         let value = match self.program.node(id) {
             Node::Constant(_) | Node::Literal(_) => return TokenStream::new(),
             Node::Input(symbol) => match self.symbols.meaning(*symbol) {
@@ -392,11 +394,12 @@ impl Writer<'_> {
 /// Arguments of kernels, which temporaries must not shadow.
 const RESERVED: [&str; 11] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed"];
 
-/// What takes note of each pivot, from pivots and thresholds in turns.
-pub fn pivots_seen(rows: &[Vec<usize>], pivots: &[TokenStream]) -> Vec<TokenStream> {
-    let of_pivot = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
+/// The value that takes note of each pivot, from pivots and thresholds in turns; without an elimination all have vanished.
+pub fn pivots(rows: Option<&[Vec<usize>]>, pivots: &[TokenStream]) -> TokenStream {
+    let Some(rows) = rows else { return quote!(ezy::Pivots::ALL_VANISHED) };
+    let seen = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
         let (pivot, threshold) = (&pair[0], &pair[1]);
         quote!(.see(&[#(#rows),*], T::least_ratio(#pivot, #threshold)))
     });
-    of_pivot.collect()
+    quote!(ezy::Pivots::new()#(#seen)*)
 }

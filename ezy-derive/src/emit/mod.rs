@@ -13,6 +13,8 @@ mod straight;
 mod templates;
 mod type_names;
 
+#[cfg(test)]
+pub use kernel::LONGEST_WHOLE;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 

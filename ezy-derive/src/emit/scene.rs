@@ -182,10 +182,13 @@ fn structure(model: &Model, derived: &Derived<'_>, type_name: &Ident, page: &Tok
     let title = title(model, &derived.scene);
     let cost = derived.kernels.get(&Quantity::Accelerations).map(|kernel| {
         let count = kernel.count();
-        let cost = format!(
-            "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
-            count.mul, count.add, count.div, count.trig
-        );
+        let cost = match kernel.pivots {
+            Some(_) => format!(
+                "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
+                count.mul, count.add, count.div, count.trig
+            ),
+            None => page::SOLVED_SPARSE.to_owned(),
+        };
         quote!(#[doc = #cost])
     });
     let parameters: Vec<_> = derived.parameters().iter().map(|id| &model.parameters[id.0]).collect();

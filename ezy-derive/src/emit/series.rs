@@ -20,7 +20,7 @@ pub fn implementation(type_name: &Ident, equations: &Equations, series: &Series,
     let writer = Writer { equations, series, sizes, n_fixed };
     let begin = writer.begin();
     let right_side = writer.method(&series.recurrences.right_side);
-    let solve = writer.method(&series.solution);
+    let solve = series.solution.as_ref().map(|solution| writer.method(&solution.kernel));
     let finish = writer.method(&series.recurrences.finish);
     quote! {
         #[automatically_derived]
@@ -161,7 +161,7 @@ impl Writer<'_> {
             kernel::body(Numbers::Any, &kernel.program, &self.equations.symbols, &|symbol| self.read(symbol));
         let (written, pivots) = outputs.split_at(kernel.targets.len());
         let written = self.written(&kernel.targets, written, &order);
-        let seen = kernel::pivots_seen(&self.series.pivots, pivots);
+        let seen = kernel::pivots(self.series.solution.as_ref().map(|solution| &solution.pivots[..]), pivots);
         let c = self.constants(kernel);
         quote! {
             #c
@@ -169,7 +169,7 @@ impl Writer<'_> {
             let v = ezy::row::<#n_q, T>(&store.q, 1);
             #statements
             #written
-            ezy::Pivots::new()#(#seen)*
+            #seen
         }
     }
 

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use rustc_hash::FxHashMap;
 
 use crate::symbolic::program::{Program, Value};
+use crate::work;
 
 /// Symmetric matrix and right side, as values of a program.
 pub struct System<'a> {
@@ -190,6 +191,7 @@ impl<'b> Queue<'b> {
             let entries = self.blocks[block].iter().flat_map(|&row| &system.matrix[row]);
             let entries = entries.filter(|&(_, &entry)| !system.program.is_zero(entry));
             let mut others: Vec<usize> = entries.map(|(&column, _)| self.block_of[column]).collect();
+            work::count(others.len());
             others.sort_unstable();
             others.dedup();
             let left = others.iter().filter(|&&other| other != block && self.degrees[other].is_some());

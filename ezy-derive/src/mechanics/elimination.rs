@@ -12,6 +12,7 @@ use super::scene::Equations;
 use crate::model::Coordinate;
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
+use crate::work;
 
 /// A row eliminated with a constant pivot.
 #[derive(Debug)]
@@ -65,11 +66,13 @@ impl Reduced {
             let value = algebra.symbol(symbol);
             let inverse = algebra.coefficients.div(Coefficient::ONE, pivot);
             let coupled: Vec<usize> = matrix.rows[row].keys().copied().filter(|i| left.contains(i)).collect();
+            work::count(matrix.rows[row].len());
             for &i in &coupled {
                 let entry = matrix.get(i, row);
                 if entry.is_zero() {
                     continue;
                 }
+                work::count(coupled.len());
                 let factor = algebra.scale(entry, inverse);
                 right_side[i] = subtract_product(algebra, right_side[i], factor, value);
                 for &j in &coupled {

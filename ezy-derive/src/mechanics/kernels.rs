@@ -35,13 +35,13 @@ pub type Kernels<'m> = BTreeMap<Quantity, Kernel<'m>>;
 #[derive(Debug)]
 pub struct Kernel<'m> {
     pub passes: Vec<Pass<'m>>,
-    /// Rows of each watched pivot. Pivots and their thresholds are the last outputs of the program.
-    pub pivots: Vec<Vec<usize>>,
+    /// Of an elimination, rows of each watched pivot. Pivots and their thresholds are the last outputs of the program.
+    pub pivots: Option<Vec<Vec<usize>>>,
 }
 
 impl<'m> Kernel<'m> {
     pub fn of(passes: Vec<Pass<'m>>) -> Self {
-        Self { passes, pivots: Vec::new() }
+        Self { passes, pivots: None }
     }
 
     /// Operations of all passes, each made once.

@@ -11,8 +11,20 @@ use crate::symbolic::{SumId, Symbol};
 /// A pivot vanishes below this fraction of the diagonal that it started from; `ezy_core::__private::PIVOT_TOLERANCE`.
 const PIVOT_TOLERANCE: f64 = 1e-10;
 
+/// Most rows of G that one body may be in for a straight-line elimination. All of them are coupled through it: r rows cost
+/// r³/3 operations, more than the sparse solver takes from about this number on, and minutes of rustc above fifty.
+const MOST_ROWS_OF_A_BODY: usize = 36;
+
+/// Whether an elimination is written: not where it would be longer than what the sparse solver does.
+pub fn is_worth_writing(equations: &Equations) -> bool {
+    let mut n_rows = vec![0; equations.mass.len()];
+    let entries = equations.constraints.jacobian.iter().flatten();
+    entries.for_each(|&(column, _)| n_rows[column] += 1);
+    n_rows.into_iter().all(|n| n <= MOST_ROWS_OF_A_BODY)
+}
+
 /// A program that ends in a solution.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Solver {
     /// Outputs: the solution, then value and threshold of each pivot in the order of `pivots`.
     pub program: Program,
@@ -23,6 +35,13 @@ pub struct Solver {
     pub order: Vec<(Vec<usize>, bool)>,
 }
 
+impl Solver {
+    /// Whether the scene has an elimination ([`is_worth_writing`]); otherwise the program is empty.
+    pub fn is_written(&self) -> bool {
+        self.n_outputs > 0
+    }
+}
+
 /// Symbols of the residuals that the correction reads, ascending.
 pub struct Correction {
     pub solver: Solver,
@@ -31,6 +50,9 @@ pub struct Correction {
 
 /// `M a + Gᵀ λ = F`, `G a = −[h; s]`: outputs a, then λ.
 pub fn accelerations(equations: &mut Equations, constants: &mut ConstantPool) -> Solver {
+    if !is_worth_writing(equations) {
+        return Solver::default();
+    }
     let mut forces = Vec::new();
     for i in 0..equations.force.len() {
         forces.push(named_force(equations, i));
@@ -61,6 +83,9 @@ pub fn accelerations(equations: &mut Equations, constants: &mut ConstantPool) ->
 
 /// `delta = −M⁻¹ Gᵀ ν` with `A ν = residual`: outputs delta.
 pub fn correction(equations: &mut Equations, constants: &mut ConstantPool) -> Correction {
+    if !is_worth_writing(equations) {
+        return Correction { solver: Solver::default(), residuals: Vec::new() };
+    }
     let n_rows = equations.constraints.rows.len();
     let residuals: Vec<Symbol> = (0..n_rows).map(|i| equations.symbols.new_named(format!("residual_{i}"))).collect();
     let right_side = residuals.iter().map(|&symbol| equations.algebra.symbol(symbol)).collect();

@@ -28,6 +28,7 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
             indices: Vec::new(),
             loops: Vec::new(),
             bound: Vec::new(),
+            shared_parameters: Default::default(),
             arrays: Vec::new(),
             slots: Vec::new(),
         },

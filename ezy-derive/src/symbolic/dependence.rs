@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::sum::{Algebra, Atom, SumId, Symbol};
+use crate::work;
 
 /// For each symbol of a sum, the places of the terms that hold it, ascending.
 pub type Dependence = BTreeMap<Symbol, Vec<usize>>;
@@ -14,6 +15,7 @@ impl Algebra {
         if let Some(known) = self.dependences.get(&sum) {
             return Arc::clone(known);
         }
+        work::count(self.terms(sum).len());
         let mut found = Dependence::new();
         for place in 0..self.terms(sum).len() {
             let monomial = self.terms(sum)[place].0;
@@ -34,7 +36,9 @@ impl Algebra {
 
     /// Every symbol of an expression, each once, ascending.
     pub fn symbols_of(&mut self, sum: SumId) -> Vec<Symbol> {
-        self.dependence(sum).keys().copied().collect()
+        let symbols: Vec<Symbol> = self.dependence(sum).keys().copied().collect();
+        work::count(symbols.len());
+        symbols
     }
 
     fn symbols_of_atom(&mut self, atom: Atom) -> Vec<Symbol> {

@@ -2,10 +2,12 @@
 
 use super::sum::{Algebra, Atom, AtomId, Monomial, SumId, Symbol};
 use crate::function::Function;
+use crate::work;
 
 impl Algebra {
     /// ∂a/∂x, with every other symbol held.
     pub fn diff(&mut self, a: SumId, x: Symbol) -> SumId {
+        work::count(1);
         if let Some(&known) = self.derivatives.get(&(a, x)) {
             return known;
         }
@@ -18,6 +20,7 @@ impl Algebra {
 
     /// Of the terms that hold x.
     fn diff_terms(&mut self, a: SumId, places: &[usize], x: Symbol) -> SumId {
+        work::count(places.len());
         let mut parts = Vec::new();
         for &place in places {
             let (monomial, k) = self.terms(a)[place];

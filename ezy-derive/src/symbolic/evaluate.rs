@@ -2,6 +2,7 @@
 
 use super::coefficient::{Coefficient, CoefficientNode};
 use super::sum::{Algebra, Atom, AtomId, SumId, Symbol};
+use crate::work;
 
 /// Where an expression is evaluated.
 pub trait Point {
@@ -11,6 +12,7 @@ pub trait Point {
 
 impl Algebra {
     pub fn evaluate(&self, sum: SumId, at: &impl Point) -> f64 {
+        work::count(self.terms(sum).len());
         self.terms(sum)
             .iter()
             .map(|&(monomial, k)| {

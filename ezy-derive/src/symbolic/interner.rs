@@ -2,6 +2,8 @@
 
 use rustc_hash::FxHashMap;
 
+use crate::work;
+
 /// Values with ids in order of first appearance.
 #[derive(Debug)]
 pub struct Interner<T> {
@@ -30,6 +32,7 @@ impl<T: Clone + Eq + std::hash::Hash> Interner<T> {
     }
 
     pub fn intern(&mut self, value: T) -> u32 {
+        work::count(1);
         if let Some(&id) = self.ids.get(&value) {
             return id;
         }

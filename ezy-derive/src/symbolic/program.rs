@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 
 use super::sum::Symbol;
 use crate::function::Function;
+use crate::work;
 
 /// Index of a node; operands always come before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -204,6 +205,7 @@ impl Program {
 
     /// How often each node is used by live nodes and outputs.
     pub fn uses(&self) -> Vec<usize> {
+        work::count(self.nodes.len());
         let mut uses = vec![0; self.nodes.len()];
         for output in &self.outputs {
             uses[output.node.0] += 1;
@@ -280,6 +282,7 @@ impl Program {
     }
 
     fn intern(&mut self, node: Node) -> NodeId {
+        work::count(1);
         if let Some(&id) = self.ids.get(&node) {
             return id;
         }

@@ -8,6 +8,7 @@ use super::coefficient::{Coefficient, Coefficients};
 use super::dependence::Dependence;
 use super::interner::Interner;
 use crate::function::Function;
+use crate::work;
 
 /// A variable of an expression; what it stands for is known to the caller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -146,6 +147,7 @@ impl Algebra {
 
     /// Adds like terms and sorts.
     pub fn sum(&mut self, mut terms: Terms) -> SumId {
+        work::count(terms.len());
         terms.sort_by_key(|(monomial, _)| *monomial);
         let mut merged: Terms = Vec::with_capacity(terms.len());
         for (monomial, k) in terms {

@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::work;
+
 /// A row by column; columns that are not there hold zero.
 pub type Row = BTreeMap<usize, f64>;
 
@@ -47,11 +49,12 @@ impl Basis {
             if factor == 0.0 {
                 continue;
             }
+            work::count(of.row.len());
             for (&column, &x) in &of.row {
                 *row.entry(column).or_insert(0.0) -= factor * x;
-                // what rounding leaves in a column that was dealt with stays
                 waiting.extend(place(&column).filter(|&other| other > next));
             }
+            row.remove(&of.column);
             factors.push((next, factor));
         }
         let (column, pivot) = largest(&row);
@@ -79,11 +82,10 @@ impl Basis {
     /// Each coordinate of the vectors that every row takes to zero, as a combination of the free ones.
     pub fn null_space(&self, n_columns: usize) -> Vec<Row> {
         let mut space: Vec<Row> = (0..n_columns).map(|column| Row::from([(column, 1.0)])).collect();
-        for (place, of) in self.rows.iter().enumerate().rev() {
+        for of in self.rows.iter().rev() {
             let mut combination = Row::new();
-            // its own pivot, and what rounding left in those before it
-            let is_later = |column: &usize| self.by_column.get(column).is_none_or(|&other| other > place);
-            for (&column, x) in of.row.iter().filter(|(column, _)| is_later(column)) {
+            for (&column, x) in of.row.iter().filter(|(column, _)| **column != of.column) {
+                work::count(space[column].len());
                 for (&free, y) in &space[column] {
                     *combination.entry(free).or_insert(0.0) -= x / of.pivot * y;
                 }

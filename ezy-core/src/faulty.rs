@@ -4,11 +4,11 @@
 /// the faults, so nothing of this ever runs.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! faulty_model {
+macro_rules! __faulty_model {
     ($visibility:vis mod $module:ident { $($scene:ident { $($field:ident: $kind:ty),* })* }) => {
         #[allow(missing_docs, non_snake_case, dead_code, unused_variables, unreachable_code, clippy::all)]
         $visibility mod $module {
-            pub static MODEL: $crate::model::ModelInfo = $crate::model::ModelInfo {
+            pub static MODEL: $crate::__private::ModelInfo = $crate::__private::ModelInfo {
                 name: ::core::stringify!($module),
                 documentation: "",
                 effects: &[],
@@ -21,10 +21,10 @@ macro_rules! faulty_model {
                 }
 
                 impl $scene {
-                    pub const INFO: $crate::model::SceneInfo = ::core::panic!("this model has faults");
+                    pub const INFO: $crate::__private::SceneInfo = ::core::panic!("this model has faults");
                 }
 
-                impl<T: $crate::scalar::Scalar> $crate::model::Equations<T> for $scene {
+                impl<T: $crate::__private::Scalar> $crate::__private::Equations<T> for $scene {
                     fn constants(&self, parameters: &[T], c: &mut [T]) {}
                     fn mass_matrix(&self, c: &[T], m: &mut [T]) {}
                     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {}
@@ -34,15 +34,17 @@ macro_rules! faulty_model {
                     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {}
                 }
 
-                impl $crate::model::Scene for $scene {
-                    fn info(&self) -> &'static $crate::model::SceneInfo {
+                impl $crate::__private::Derived for $scene {}
+
+                impl $crate::__private::Scene for $scene {
+                    fn info(&self) -> &'static $crate::__private::SceneInfo {
                         ::core::unreachable!()
                     }
                     fn parameter(&self, index: usize) -> f64 {
                         f64::NAN
                     }
                     fn set_parameter(&mut self, index: usize, value: f64) {}
-                    fn start(&self, c: &[f64], start: &mut $crate::model::Start) {}
+                    fn start(&self, c: &[f64], start: &mut $crate::__private::Start) {}
                     fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {}
                     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
                         f64::NAN
@@ -59,7 +61,7 @@ macro_rules! faulty_model {
 mod tests {
     use crate::model::Scene;
 
-    crate::faulty_model! { mod trial { Driven { a: f64, n: usize } Coast {} } }
+    crate::__faulty_model! { mod trial { Driven { a: f64, n: usize } Coast {} } }
 
     #[test]
     fn analytic_faulty_model_has_the_types_that_programs_name() {

@@ -9,21 +9,27 @@
 //! `n_p` points, `n_i` inputs, `n_o` outputs, `n_s` events. Kernels panic when a slice has another length; the layers above always
 //! pass the right ones.
 
-mod equations;
+mod derived;
+pub(crate) mod equations;
 mod event;
 mod grip;
-mod pivots;
-mod repeats;
-mod series;
+pub(crate) mod pivots;
+pub(crate) mod repeats;
+pub(crate) mod series;
 mod slopes;
 mod stop;
 
-pub use equations::{Equations, PreciseScene};
+pub use derived::Derived;
+pub use equations::Equations;
+pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind};
 pub use grip::GripInfo;
-pub use pivots::{PIVOT_TOLERANCE, Pivots};
-pub use repeats::{CountInfo, LARGEST_N_MEMBERS, LayoutFault, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
-pub use series::{PRODUCT_GROUP, Series, SeriesInfo, SeriesSize, SeriesStore};
+pub(crate) use pivots::{PIVOT_TOLERANCE, Pivots};
+pub(crate) use repeats::LARGEST_N_MEMBERS;
+pub use repeats::{CountInfo, LayoutFault};
+pub(crate) use repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
+pub use series::SeriesInfo;
+pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
 pub use slopes::SlopePlaces;
 pub use stop::StopInfo;
 
@@ -259,13 +265,13 @@ pub struct SceneInfo {
     pub potential_energy: Formula,
     /// What symbols in these formulas stand for, besides coordinates, parameters and inputs.
     pub abbreviations: &'static [Abbreviation],
-    /// Order in which the generated elimination takes the rows.
+    /// Order in which the generated elimination takes the rows; empty without one.
     pub elimination: &'static [EliminationStep],
     /// Operations of [`Equations::accelerations`].
     pub acceleration_operations: Operations,
     /// Operations of [`Equations::correction`].
     pub correction_operations: Operations,
-    /// Whether there is a Taylor series ([`Scene::series`]).
+    /// Whether there is a Taylor series ([`Derived::series`]).
     pub series: SeriesInfo,
     /// What a scene with counts knows besides; `None` for one whose sizes are known when it is compiled. A scene with
     /// counts has no generated elimination, its formulas are those of [`Repeats::templates`], and the lists of
@@ -274,9 +280,10 @@ pub struct SceneInfo {
 }
 
 impl SceneInfo {
-    /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts.
+    /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts, nor where so
+    /// many rows meet in one body that the sparse solver is faster.
     pub const fn has_elimination(&self) -> bool {
-        self.repeats.is_none()
+        self.repeats.is_none() && (self.rows.is_empty() || !self.elimination.is_empty())
     }
 
     /// The counts, in declared order.
@@ -411,23 +418,13 @@ impl Start {
     }
 }
 
-/// A scene: one selection of rows and effects of a model, with its own equations.
+/// A scene: one selection of constraints and effects of a model, with its own equations.
 ///
-/// Implemented by the types that `model!` generates: what a run in `f64` needs besides the equations.
-pub trait Scene: Equations<f64> {
+/// `model!` generates the types that implement it. A scene written by hand implements [`Equations<f64>`](Equations), this trait,
+/// and [`Derived`] with an empty block: then it runs with `rk4`, `dop853` and the solvers of `linalg`.
+pub trait Scene: Derived {
     /// Names, sizes and equations; for a scene with counts, those of the present counts.
     fn info(&self) -> &'static SceneInfo;
-
-    /// Value of count `index` of [`SceneInfo::counts`]; zero past the last.
-    fn count(&self, index: usize) -> usize {
-        let _ = index;
-        0
-    }
-
-    /// Changes count `index`; the description and all constants are then others.
-    fn set_count(&mut self, index: usize, value: usize) {
-        let _ = (index, value);
-    }
 
     /// Value of parameter `index` of [`SceneInfo::parameters`].
     fn parameter(&self, index: usize) -> f64;
@@ -455,63 +452,6 @@ pub trait Scene: Equations<f64> {
 
     /// Outputs, each in its unit. Writes `n_o`.
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
-
-    /// Where the slopes of the equations of motion stand; `None` for a scene that does not know them. Scenes that `model!`
-    /// generates do.
-    fn slope_places(&self) -> Option<SlopePlaces> {
-        None
-    }
-
-    /// R_q and R_v in the order of [`Scene::slope_places`], for accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`).
-    /// At a kink of a law the slope is the mean of those on both sides.
-    #[expect(clippy::too_many_arguments, reason = "the variables of R and its two derivatives")]
-    fn slopes(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        lambda: &[f64],
-        by_q: &mut [f64],
-        by_v: &mut [f64],
-    ) {
-        let _ = (c, t, q, v, a, lambda, by_q, by_v);
-    }
-
-    /// Values of [`SceneInfo::events`], which pass zero where the event takes place. Writes `n_s`.
-    fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let _ = (c, t, q, v, out);
-    }
-
-    /// What the skate of [`SceneInfo::grip`] holds up to, N, and the velocity across it, to the left of its direction, m/s.
-    /// Writes 2.
-    fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let _ = (c, t, q, v, out);
-    }
-
-    /// For each end of the stop of [`SceneInfo::stop`] the distance to it, negative beyond, and its rate; last the restitution.
-    /// Writes `2 n_ends + 1`.
-    fn stop(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let _ = (c, t, q, v, out);
-    }
-
-    /// What the scene is while it runs, of which it begins as the first: with the skate of [`SceneInfo::grip`] itself, then
-    /// without its row, sliding to the left and to the right; with the stop of [`SceneInfo::stop`] itself, then with a row
-    /// more for each end, which holds the quantity there. Empty where it stays what it is.
-    fn modes(&self) -> Vec<Box<dyn Scene>> {
-        Vec::new()
-    }
-
-    /// The recurrences of its Taylor series; none where a law of the scene is not analytic.
-    fn series(&self) -> Option<&dyn Series<f64>> {
-        None
-    }
-
-    /// The scene in numbers of twice the length, where it has a Taylor series.
-    fn precise(&self) -> Option<&dyn PreciseScene> {
-        None
-    }
 }
 
 /// A scene of a model, for registries.

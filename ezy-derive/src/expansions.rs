@@ -24,7 +24,7 @@ const MODELS: [&str; 4] = [
 const EXAMPLES: [&str; 6] = [
     "ezy_roller/module.",
     "ezy_roller/coast/",
-    "ezy_roller/skid/scene.rs",
+    "ezy_roller/skid/derived.rs",
     "ezy_roller/modes_of_skid/slides_left/equations.rs",
     "chain/module.",
     "chain/swing/",

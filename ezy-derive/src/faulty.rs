@@ -29,7 +29,8 @@ pub fn model(model: &Model) -> TokenStream {
         _ => None,
     });
     let scenes = scenes.map(|scene| quote!(#scene { #(#fields),* }));
-    quote!(::ezy_core::faulty_model! { #visibility mod #module { #(#scenes)* } })
+    let core = &model.core;
+    quote!(#core::__private::faulty_model! { #visibility mod #module { #(#scenes)* } })
 }
 
 fn collect(items: &[Item], fields: &mut Vec<TokenStream>, taken: &mut BTreeSet<String>) {

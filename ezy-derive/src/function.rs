@@ -26,7 +26,7 @@ pub enum Function {
 pub enum Path {
     /// A method of the number.
     OfNumber(&'static str),
-    /// In `ezy_core::kernel` for `f64`, else a method of the number.
+    /// In `ezy_core::__private` for `f64`, else a method of the number.
     OfKernel(&'static str),
 }
 

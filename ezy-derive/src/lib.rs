@@ -10,6 +10,8 @@ mod function;
 mod fuzz;
 #[cfg(test)]
 mod golden;
+#[cfg(test)]
+mod growth;
 mod mechanics;
 mod model;
 mod parse;
@@ -19,8 +21,13 @@ mod random;
 mod symbolic;
 mod units;
 mod words;
+mod work;
 
 /// Turns a model file into equations of motion.
+///
+/// For `ezy_core::model!` alone, which writes `$crate` before the model: the path of `ezy-core`, whatever its name is where the
+/// model stands.
+#[doc(hidden)]
 #[proc_macro]
 pub fn model(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     pipeline::expand(input.into()).into()

@@ -1,7 +1,18 @@
-//! The `ezy` command line.
+//! The `ezy` command line: the commands of every crate with models, and the study.
 
-mod cli;
+use ezy_core::cli::CommandLine;
+use ezy_models::{registry::MODELS, study::command};
+
+const ABOUT: &str = "\
+Simulates planar mechanisms with wheels from equations that are derived when the program is compiled
+
+Without a command, does the EzyRoller study: figures, tables and a page in out/ezyroller/.";
 
 fn main() -> std::process::ExitCode {
-    cli::main()
+    CommandLine::new(MODELS)
+        .about(ABOUT)
+        .version(env!("CARGO_PKG_VERSION"))
+        .command(command::command(), command::run)
+        .default_command("study")
+        .main()
 }

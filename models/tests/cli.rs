@@ -358,10 +358,15 @@ fn invariant_check_passes_on_every_scene() {
 
 #[test]
 fn invariant_help_of_every_command_has_its_usage() {
-    for command in ["list", "show", "run", "check", "study"] {
+    for command in ["list", "show", "run", "check", "accuracy", "study"] {
         let help = output(&[command, "--help"]);
         assert!(help.contains(&format!("Usage: ezy {command}")), "{help}");
     }
+    let help = output(&["run", "--help"]);
+    for part in ["Numbers may be written as", "ezy run ezyroller/coast --step 1e-4 --json", "--inputs torque.csv"] {
+        assert!(help.contains(part), "{part} in {help}");
+    }
+    assert!(output(&["help"]).contains("Without a command, does the EzyRoller study"));
 }
 
 #[test]

@@ -3,10 +3,9 @@
 //! Written by hand as `model!` writes it for a model with a count: descriptions from loops, kernels in loops, no
 //! generated elimination.
 
-use ezy_core::layout::{Known, Layout};
+use ezy_core::__private::{Known, Layout, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 use ezy_core::model::{
-    CountInfo, EffectInfo, Equations, Formula, Operations, Repeats, RowInfo, RowTemplate, Scene, SceneInfo,
-    SlotCoordinate, SparsityPattern, Start, TemplateInfo,
+    CountInfo, Derived, EffectInfo, Equations, Formula, Operations, RowInfo, Scene, SceneInfo, SparsityPattern, Start,
 };
 
 const LENGTH: f64 = 1.0;
@@ -195,12 +194,7 @@ impl Equations<f64> for Chain {
     }
 }
 
-impl Scene for Chain {
-    fn info(&self) -> &'static SceneInfo {
-        static KNOWN: Known = Known::new();
-        KNOWN.info(&FIXED, &[self.n], |layout| self.describe(layout))
-    }
-
+impl Derived for Chain {
     fn count(&self, index: usize) -> usize {
         if index == 0 { self.n } else { 0 }
     }
@@ -209,6 +203,13 @@ impl Scene for Chain {
         if index == 0 {
             self.n = value;
         }
+    }
+}
+
+impl Scene for Chain {
+    fn info(&self) -> &'static SceneInfo {
+        static KNOWN: Known = Known::new();
+        KNOWN.info(&FIXED, &[self.n], |layout| self.describe(layout))
     }
 
     fn parameter(&self, _index: usize) -> f64 {

@@ -1,6 +1,7 @@
 //! A scene that counts what is asked of it.
 
-use ezy_core::model::{Equations, Pivots, Scene, SceneInfo, Start};
+use ezy_core::__private::Pivots;
+use ezy_core::model::{Derived, Equations, Scene, SceneInfo, Start};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Another scene, with counters.
@@ -51,6 +52,12 @@ impl<S: Scene> Equations<f64> for Counted<S> {
     }
 }
 
+impl<S: Scene> Derived for Counted<S> {
+    fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.scene.events(c, t, q, v, out);
+    }
+}
+
 impl<S: Scene> Scene for Counted<S> {
     fn info(&self) -> &'static SceneInfo {
         self.scene.info()
@@ -79,10 +86,6 @@ impl<S: Scene> Scene for Counted<S> {
 
     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
         self.scene.points(c, t, q, out);
-    }
-
-    fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        self.scene.events(c, t, q, v, out);
     }
 
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {

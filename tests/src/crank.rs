@@ -1,7 +1,8 @@
 //! A crank on the ground whose angle is prescribed in time: rows with C_t and C_tt, and no freedom left.
 
 use crate::leaked::{Description, info};
-use ezy_core::model::{EffectInfo, Equations, Pivots, Scene, SceneInfo, Start};
+use ezy_core::__private::Pivots;
+use ezy_core::model::{Derived, EffectInfo, Equations, Scene, SceneInfo, Start};
 
 const RADIUS: f64 = 0.3;
 const MASS: f64 = 2.0;
@@ -96,6 +97,8 @@ impl Equations<f64> for Crank {
         Pivots::default()
     }
 }
+
+impl Derived for Crank {}
 
 impl Scene for Crank {
     fn info(&self) -> &'static SceneInfo {

@@ -4,6 +4,7 @@ use crate::simulate::SetupError;
 
 /// Accuracy cannot be measured.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum AccuracyError {
     /// No run can start like this.
     #[error(transparent)]

@@ -37,7 +37,6 @@ mod point;
 mod precise;
 mod reference;
 mod runs;
-#[cfg(feature = "figures")]
 mod save;
 mod second;
 mod tables;

@@ -23,6 +23,7 @@ pub struct Point {
 
 /// What came of a setting.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub enum PointResult {
     /// Measured.
     Measured(Box<Measured>),

@@ -3,25 +3,36 @@
 use std::path::{Path, PathBuf};
 
 use super::error::AccuracyError;
-use super::figures::Where;
 use super::measured::WorkPrecision;
-use super::page::Pictures;
+#[cfg(feature = "figures")]
+use super::{figures::Where, page::Pictures};
+#[cfg(feature = "figures")]
 use crate::report::figure::{Figure, FigureError};
 
 impl WorkPrecision {
-    /// Writes page, figures and numbers into `directory`, which is made when it is not there, and returns the page's
-    /// path: `index.html`, `work-precision.svg` and `.png`, `work-precision-grid`, `drift`, `energy`, `accuracy.csv`.
+    /// Writes `accuracy.csv` into `directory`, which is made when it is not there. With the feature `figures` also a page and
+    /// its figures: `index.html`, `work-precision.svg` and `.png`, `work-precision-grid`, `drift`, `energy`. Returns the path of
+    /// the page, or of the numbers where there is no page.
     ///
     /// # Errors
-    /// [`AccuracyError::Figure`], [`AccuracyError::Write`].
+    /// [`AccuracyError::Write`]; with the feature `figures` also `AccuracyError::Figure`.
     pub fn save(&self, directory: &Path) -> Result<PathBuf, AccuracyError> {
-        let written = |path: PathBuf, done: std::io::Result<()>| match done {
-            Ok(()) => Ok(path),
-            Err(cause) => Err(AccuracyError::Write { path, cause }),
-        };
         written(directory.to_owned(), std::fs::create_dir_all(directory))?;
         let csv = directory.join("accuracy.csv");
         written(csv.clone(), std::fs::write(&csv, self.csv()))?;
+        #[cfg(feature = "figures")]
+        {
+            self.save_page(directory)
+        }
+        #[cfg(not(feature = "figures"))]
+        {
+            Ok(csv)
+        }
+    }
+
+    /// Writes the page and its figures, and returns the page's path.
+    #[cfg(feature = "figures")]
+    fn save_page(&self, directory: &Path) -> Result<PathBuf, AccuracyError> {
         let pictures = Pictures {
             end: drawn(&self.work_precision(Where::End), directory, "work-precision")?,
             grid: drawn(&self.work_precision(Where::Grid), directory, "work-precision-grid")?,
@@ -33,7 +44,16 @@ impl WorkPrecision {
     }
 }
 
+/// The path of what was written.
+fn written(path: PathBuf, done: std::io::Result<()>) -> Result<PathBuf, AccuracyError> {
+    match done {
+        Ok(()) => Ok(path),
+        Err(cause) => Err(AccuracyError::Write { path, cause }),
+    }
+}
+
 /// The SVG text; `None` where there is nothing to draw, such as a drift of nothing.
+#[cfg(feature = "figures")]
 fn drawn(figure: &Figure, directory: &Path, name: &str) -> Result<Option<String>, AccuracyError> {
     match figure.save(directory, name) {
         Ok(svg) => Ok(Some(svg)),

@@ -48,7 +48,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 
-    /// Distances to the ends of the stop with their rates, and the restitution; writes what [`Scene::stop`] does.
+    /// Distances to the ends of the stop with their rates, and the restitution; writes what `Derived::stop` does.
     pub fn stop(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         self.scene.stop(&self.fixed, t, q, v, out);
     }

@@ -70,10 +70,10 @@ pub enum SystemError {
         /// Largest number that is accepted.
         limit: usize,
     },
-    /// A scene with counts has no generated elimination.
+    /// A scene with counts, or with a body that is in many rows, has no generated elimination.
     #[error(
-        "scene `{scene}` has counts: its sizes are not known when it is compiled, so there is no generated \
-         elimination; use `auto`, `sparse` or `dense`"
+        "scene `{scene}` has no generated elimination: it has counts, or a body of it is in many rows; use `auto`, \
+         `sparse` or `dense`"
     )]
     NoElimination {
         /// Name of the scene.

@@ -3,7 +3,7 @@
 use super::System;
 use crate::model::{Scene, SceneInfo, SlopePlaces};
 
-/// Slopes of [`System::residual`] in the order of [`Scene::slope_places`], and G at the same state.
+/// Slopes of [`System::residual`] in the order of [`Derived::slope_places`](crate::model::Derived::slope_places), and G at the same state.
 #[derive(Debug, Clone)]
 pub struct Slopes {
     /// R_q.

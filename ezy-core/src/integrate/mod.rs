@@ -20,6 +20,7 @@ pub use taylor::{PreciseError, PreciseMotion, Taylor, taylor_order};
 
 /// How a run is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Method {
     /// The classical Runge–Kutta method of order 4 with a fixed step.
     Rk4 {

@@ -20,6 +20,7 @@ pub struct EventInfo {
 
 /// What follows from an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum EventKind {
     /// It is recorded; the motion is the same to the last bit.
     Mark,

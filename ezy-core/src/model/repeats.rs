@@ -74,6 +74,7 @@ pub const LARGEST_N_MEMBERS: usize = 4_000_000;
 
 /// Counts that make no scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum LayoutFault {
     /// A count is zero.
     #[error("count `{name}` is 0; give it at least 1")]

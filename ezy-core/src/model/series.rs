@@ -22,6 +22,7 @@ pub const PRODUCT_GROUP: usize = 8;
 
 /// Whether a scene has a Taylor series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SeriesInfo {
     /// Every law is analytic. In a scene with counts, numbers are those of one member of each item.
     Analytic {

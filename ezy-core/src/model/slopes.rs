@@ -1,6 +1,6 @@
 //! Where the slopes of the equations of motion stand.
 
-/// Row and column of each slope that [`Scene::slopes`](super::Scene::slopes) writes, in its order. Slopes at one place add
+/// Row and column of each slope that [`Derived::slopes`](super::Derived::slopes) writes, in its order. Slopes at one place add
 /// up.
 ///
 /// The equations of motion as one residual of `n_q + n_c` rows that vanishes along the motion:

@@ -37,7 +37,7 @@ impl<W: Write> CsvWriter<W> {
     }
 }
 
-impl<W: Write> Recorder for CsvWriter<W> {
+impl<W: Write + Send> Recorder for CsvWriter<W> {
     fn record(&mut self, sample: &Sample<'_>) -> Result<(), RecordError> {
         self.write(sample).map_err(|cause| RecordError { t: sample.t, cause })
     }

@@ -21,8 +21,8 @@ pub struct Wanted {
     pub outputs: bool,
 }
 
-/// Takes the samples of a run as they are made.
-pub trait Recorder {
+/// Takes the samples of a run as they are made; `Send`, so that a run can be handed to another thread.
+pub trait Recorder: Send {
     /// Keeps one sample.
     ///
     /// # Errors

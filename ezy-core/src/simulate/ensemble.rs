@@ -16,9 +16,7 @@ use std::array::from_fn;
 /// Built for vector registers (`-C target-cpu=x86-64-v3`) eight runs cost little more than two.
 ///
 /// ```
-/// use ezy_core::dynamics::System;
 /// use ezy_core::prelude::*;
-/// use ezy_core::simulate::Ensemble;
 /// # ezy_core::model! {
 /// #     model Pendulum {
 /// #         param l: m = 0.5;

@@ -7,6 +7,7 @@ use crate::scalar::legible;
 
 /// A run cannot start like this.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum SetupError {
     /// A start value was given for something that does not exist.
     #[error(transparent)]

@@ -7,6 +7,7 @@ use std::io::Read;
 
 /// An input file that cannot be used.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum InputFileError {
     /// It is no table.
     #[error("the file of inputs cannot be read: {0}")]

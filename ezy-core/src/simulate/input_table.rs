@@ -20,6 +20,7 @@ pub struct InputTable {
 
 /// A table that cannot be used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum TableError {
     /// No row, or more times than values, or the other way round.
     #[error("the table has {n_times} times and {n_values} values; give as many values as times, and at least one")]

@@ -68,6 +68,7 @@ impl Run {
 
 /// How a run ended.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum Outcome {
     /// At the time that was asked for.
     ReachedEnd,
@@ -111,6 +112,7 @@ impl std::fmt::Display for Outcome {
 
 /// Why a run stopped early.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum StopReason {
     /// The motion cannot be continued.
     #[error(transparent)]

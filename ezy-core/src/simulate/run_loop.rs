@@ -46,7 +46,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     /// Inputs of the step under way, to come back to when control of the next one fails.
     inputs: Vec<f64>,
     keeper: Keeper<'s>,
-    on_progress: Option<Box<dyn FnMut(f64) + 's>>,
+    on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
     /// Hundredths of the run that were told.
     told: f64,
     rank: RankRecord,
@@ -61,7 +61,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         plan: Plan,
         watch: Watch,
         recorder: Option<&'s mut dyn Recorder>,
-        on_progress: Option<Box<dyn FnMut(f64) + 's>>,
+        on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
     ) -> Result<Self, SetupError> {
         let info = motion.system.info();
         let t = motion.now.state.t;

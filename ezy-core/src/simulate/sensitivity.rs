@@ -28,8 +28,6 @@ pub struct Tangent {
 ///
 /// ```
 /// use ezy_core::prelude::*;
-/// use ezy_core::dynamics::System;
-/// use ezy_core::simulate::Sensitivities;
 /// # ezy_core::model! {
 /// #     model Cart {
 /// #         param m: kg = 2;

@@ -11,9 +11,13 @@ use crate::record::{Recorder, Wanted};
 
 /// An order for one run of a scene.
 ///
-/// ```text
-/// let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(60.0).every(0.01).run()?;
+/// ```
+/// # use ezy_core::prelude::*;
+/// # fn of(scene: &dyn Scene) -> Result<(), Box<dyn std::error::Error>> {
+/// let run = Simulation::new(scene).method(Method::rk4(1e-3)).until(60.0).every(0.01).run()?;
 /// println!("{} m", run.last().get("seat.x")?);
+/// # Ok(())
+/// # }
 /// ```
 pub struct Simulation<'s, S: Scene + ?Sized> {
     pub(super) scene: &'s S,
@@ -31,7 +35,7 @@ pub struct Simulation<'s, S: Scene + ?Sized> {
     pub(super) limits: Limits,
     pub(super) watched: bool,
     pub(super) recorder: Option<&'s mut dyn Recorder>,
-    pub(super) on_progress: Option<Box<dyn FnMut(f64) + 's>>,
+    pub(super) on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
 }
 
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
@@ -220,7 +224,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
 
     /// Calls `progress` with the fraction done, about a hundred times.
     #[must_use]
-    pub fn on_progress(mut self, progress: impl FnMut(f64) + 's) -> Self {
+    pub fn on_progress(mut self, progress: impl FnMut(f64) + Send + 's) -> Self {
         self.on_progress = Some(Box::new(progress));
         self
     }

@@ -17,7 +17,6 @@ use crate::record::EnergyState;
 ///
 /// ```
 /// use ezy_core::prelude::*;
-/// use ezy_core::record::{input_index, output_index};
 ///
 /// model! {
 ///     pub model Rider {

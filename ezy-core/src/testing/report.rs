@@ -72,6 +72,7 @@ impl std::fmt::Display for CheckReport {
 
 /// A scene that is wrong, or that cannot be checked.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum CheckError {
     /// Some checks failed; the report holds all of them.
     #[error("some checks failed:\n{0}")]

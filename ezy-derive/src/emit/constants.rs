@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::kernel::Numbers;
+use super::kernel::{self, LONGEST_WHOLE, Numbers};
 use crate::model::{Model, ParameterId};
 use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode, Coefficients};
 use crate::symbolic::lower::ConstantPool;
@@ -25,22 +25,33 @@ impl Constants<'_> {
             self.collect(id, &mut needed);
         }
         // operands have smaller ids than what is computed from them
+        let needed: Vec<CoefficientId> = needed.into_iter().collect();
+        let is_long = needed.len() > LONGEST_WHOLE;
+        let writer = Values { constants: self, needed: is_long.then_some(&needed) };
         let temporaries = needed.iter().map(|&id| {
-            let name = self.temporary(id);
-            let value = self.value(id);
-            quote!(let #name = #value;)
+            let (name, value) = (writer.temporary(id), writer.value(id));
+            if is_long { quote!(#name = #value;) } else { quote!(let #name = #value;) }
         });
+        let temporaries: Vec<TokenStream> = temporaries.collect();
+        let temporaries = if is_long {
+            let (n, zero) = (needed.len(), Numbers::Any.literal(0.0));
+            let computed = kernel::sequence(temporaries);
+            quote!(let mut k = [#zero; #n]; #computed)
+        } else {
+            quote!(#(#temporaries)*)
+        };
         let writes = pool.coefficients().iter().enumerate().map(|(i, &id)| {
-            let (name, i) = (self.temporary(id), n_inputs + i);
+            let (name, i) = (writer.temporary(id), n_inputs + i);
             quote!(c[#i] = #name;)
         });
+        let writes = kernel::sequence(writes);
         let (n_parameters, n_fixed) = (self.parameters.len(), n_inputs + pool.coefficients().len());
         quote! {
             fn constants(&self, parameters: &[T], c: &mut [T]) {
-                let parameters = ::ezy_core::kernel::array::<#n_parameters, T>(parameters);
-                let c = ::ezy_core::kernel::array_mut::<#n_fixed, T>(c);
-                #(#temporaries)*
-                #(#writes)*
+                let parameters = ezy::array::<#n_parameters, T>(parameters);
+                let c = ezy::array_mut::<#n_fixed, T>(c);
+                #temporaries
+                #writes
             }
         }
     }
@@ -59,18 +70,27 @@ impl Constants<'_> {
             self.collect(operand, needed);
         }
     }
+}
 
+/// What temporaries hold, and where.
+struct Values<'a> {
+    constants: &'a Constants<'a>,
+    /// All of them, ascending, where they are too many for names of their own: they are then entries of an array.
+    needed: Option<&'a Vec<CoefficientId>>,
+}
+
+impl Values<'_> {
     fn value(&self, id: CoefficientId) -> TokenStream {
-        match self.coefficients.node(id) {
+        match self.constants.coefficients.node(id) {
             CoefficientNode::Number(x) => Numbers::Any.literal(*x),
             CoefficientNode::Pi => quote!(T::PI),
-            CoefficientNode::Parameter(index) => match self.model.parameters.get(*index) {
+            CoefficientNode::Parameter(index) => match self.constants.model.parameters.get(*index) {
                 Some(_) => {
-                    let place = self.parameters.iter().position(|id| id.0 == *index).unwrap_or(0);
+                    let place = self.constants.parameters.iter().position(|id| id.0 == *index).unwrap_or(0);
                     quote!(parameters[#place])
                 }
                 None => {
-                    let field = &self.model.counts[*index - self.model.parameters.len()].name;
+                    let field = &self.constants.model.counts[*index - self.constants.model.parameters.len()].name;
                     quote!(T::from_f64(self.#field as f64))
                 }
             },
@@ -103,14 +123,19 @@ impl Constants<'_> {
         if k.negative { quote!(-#name) } else { quote!(#name) }
     }
 
-    fn temporary(&self, id: CoefficientId) -> Ident {
-        let parameter = match self.coefficients.node(id) {
-            CoefficientNode::Parameter(index) => self.model.parameters.get(*index),
+    fn temporary(&self, id: CoefficientId) -> TokenStream {
+        if let Some(needed) = self.needed {
+            let place = needed.binary_search(&id).unwrap_or_default();
+            return quote!(k[#place]);
+        }
+        let parameter = match self.constants.coefficients.node(id) {
+            CoefficientNode::Parameter(index) => self.constants.model.parameters.get(*index),
             _ => None,
         };
-        match parameter {
+        let name = match parameter {
             Some(parameter) => format_ident!("parameter_{}", parameter.name, span = Span::mixed_site()),
             None => format_ident!("k{}", id.0, span = Span::mixed_site()),
-        }
+        };
+        quote!(#name)
     }
 }

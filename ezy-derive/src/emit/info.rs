@@ -27,7 +27,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             let (name, body) = (&point.name, option(point.body.map(|body| body.0)));
             let position = point.position.map(|x| formula_of(names, x));
             let position = option(Some(quote!([#(#position),*])));
-            quote!(::ezy_core::model::PointInfo { name: #name, body: #body, position: #position })
+            quote!(ezy::PointInfo { name: #name, body: #body, position: #position })
         })
         .collect();
     let rows = rows(equations, names);
@@ -51,16 +51,16 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     // last, since they are what printing met
     let abbreviations = names.definitions().into_iter().map(|(symbol, value)| {
         let (symbol, formula) = (formula(&symbol), formula(&value));
-        quote!(::ezy_core::model::Abbreviation { symbol: #symbol, formula: #formula })
+        quote!(ezy::Abbreviation { symbol: #symbol, formula: #formula })
     });
-    let elimination = of.elimination.iter().map(|(rows, constant_pivot)| {
-        quote!(::ezy_core::model::EliminationStep { rows: &[#(#rows),*], constant_pivot: #constant_pivot })
-    });
+    let elimination = of.elimination.iter().map(
+        |(rows, constant_pivot)| quote!(ezy::EliminationStep { rows: &[#(#rows),*], constant_pivot: #constant_pivot }),
+    );
     let [acceleration_operations, correction_operations] =
         [Quantity::Accelerations, Quantity::Correction].map(|quantity| operations(derived.kernels[&quantity].count()));
     let series = series(of.series_cost());
     quote! {
-        ::ezy_core::model::SceneInfo {
+        ezy::SceneInfo {
             model: #model_name,
             name: #name,
             documentation: #documentation,
@@ -78,7 +78,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
-            jacobian: ::ezy_core::model::SparsityPattern { starts: &[#(#starts),*], columns: &[#(#columns),*] },
+            jacobian: ezy::SparsityPattern { starts: &[#(#starts),*], columns: &[#(#columns),*] },
             jacobian_entries: &[#(#jacobian_entries),*],
             mass_entries: &[#(#mass_entries),*],
             force_entries: &[#(#force_entries),*],
@@ -98,11 +98,11 @@ pub fn series(cost: Result<(usize, Count), Function>) -> TokenStream {
     match cost {
         Ok((n_products, count)) => {
             let operations = operations(count);
-            quote!(::ezy_core::model::SeriesInfo::Analytic { n_products: #n_products, operations: #operations })
+            quote!(ezy::SeriesInfo::Analytic { n_products: #n_products, operations: #operations })
         }
         Err(function) => {
             let function = function.name();
-            quote!(::ezy_core::model::SeriesInfo::NotAnalytic { function: #function })
+            quote!(ezy::SeriesInfo::NotAnalytic { function: #function })
         }
     }
 }
@@ -118,7 +118,7 @@ pub fn effects(model: &Model, groups: &[Group]) -> Vec<TokenStream> {
                 Group::Drives => ("drives".to_owned(), "Rows that move with time."),
                 Group::Stops => ("stops".to_owned(), "Impacts on a stop."),
             };
-            quote!(::ezy_core::model::EffectInfo { name: #name, documentation: #documentation })
+            quote!(ezy::EffectInfo { name: #name, documentation: #documentation })
         })
         .collect()
 }
@@ -132,7 +132,7 @@ fn coordinates(equations: &Equations) -> Vec<TokenStream> {
             let unit = Coordinate::at(i).component.unit();
             let (symbol, velocity_symbol) = (formula(position), formula(velocity));
             quote! {
-                ::ezy_core::model::CoordinateInfo {
+                ezy::CoordinateInfo {
                     name: #name,
                     velocity_name: #velocity_name,
                     unit: #unit,
@@ -153,7 +153,7 @@ fn rows(equations: &Equations, names: &Abbreviations<'_>) -> Vec<TokenStream> {
             let constraint = formula_of(names, constraint);
             let convective = formula_of(names, constraints.convective[i]);
             quote! {
-                ::ezy_core::model::RowInfo {
+                ezy::RowInfo {
                     name: #name,
                     kind: #kind,
                     multiplier_unit: #unit,
@@ -169,7 +169,7 @@ pub fn parameters(model: &Model, parameters: &[ParameterId], symbols: &Symbols) 
     (parameters.iter())
         .map(|id| {
             let members = declared(model, &model.parameters[id.0], &symbols.parameter(id.0));
-            quote!(::ezy_core::model::ParameterInfo { #members })
+            quote!(ezy::ParameterInfo { #members })
         })
         .collect()
 }
@@ -179,7 +179,7 @@ pub fn inputs(model: &Model, inputs: &[InputId], symbols: &Symbols) -> Vec<Token
         .filter_map(|&id| {
             let symbol = symbols.symbol(symbols.input(id)?);
             let members = declared(model, &model.inputs[id.0], &symbol);
-            Some(quote!(::ezy_core::model::InputInfo { #members }))
+            Some(quote!(ezy::InputInfo { #members }))
         })
         .collect()
 }
@@ -209,7 +209,7 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
                 (output.name.clone() + &output.suffix, &output.unit, &output.documentation);
             let formula = formula_of(names, value);
             quote! {
-                ::ezy_core::model::OutputInfo {
+                ezy::OutputInfo {
                     name: #name,
                     unit: #unit,
                     documentation: #documentation,
@@ -231,7 +231,7 @@ fn grip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviatio
     let stops = change(&row.name, "stops", &velocity, "The velocity across the skate comes back to zero.");
     let name = row.name.to_string();
     Some(quote! {
-        ::ezy_core::model::GripInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
+        ezy::GripInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
     })
 }
 
@@ -253,7 +253,7 @@ fn stop(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviatio
     let holds = change(&stop.name, "holds", gap, "The quantity comes to rest on a bound.");
     let lets_go = change(&stop.name, "lets go", gap, "The stop would have to pull.");
     Some(quote! {
-        ::ezy_core::model::StopInfo {
+        ezy::StopInfo {
             name: #name,
             row: #i_row,
             sides: &[#(#sides),*],
@@ -269,10 +269,10 @@ fn stop(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviatio
 fn change(of: &Ident, what: &str, formula: &TokenStream, documentation: &str) -> TokenStream {
     let name = format!("{of} {what}");
     quote! {
-        ::ezy_core::model::EventInfo {
+        ezy::EventInfo {
             name: #name,
-            kind: ::ezy_core::model::EventKind::Mark,
-            direction: ::ezy_core::model::Direction::Falling,
+            kind: ezy::EventKind::Mark,
+            direction: ezy::Direction::Falling,
             formula: #formula,
             documentation: #documentation,
         }
@@ -295,10 +295,10 @@ pub fn event(event: &SceneEvent, printed: &Printed) -> TokenStream {
         Relation::Equal => quote!(Either),
     };
     quote! {
-        ::ezy_core::model::EventInfo {
+        ezy::EventInfo {
             name: #name,
-            kind: ::ezy_core::model::EventKind::#kind,
-            direction: ::ezy_core::model::Direction::#direction,
+            kind: ezy::EventKind::#kind,
+            direction: ezy::Direction::#direction,
             formula: #formula,
             documentation: #documentation,
         }
@@ -317,7 +317,7 @@ fn pattern(equations: &Equations) -> (Vec<usize>, Vec<usize>) {
 
 fn operations(count: Count) -> TokenStream {
     let Count { add, mul, div, trig, calls } = count;
-    quote!(::ezy_core::model::Operations { add: #add, mul: #mul, div: #div, trig: #trig, calls: #calls })
+    quote!(ezy::Operations { add: #add, mul: #mul, div: #div, trig: #trig, calls: #calls })
 }
 
 fn formula_of(names: &Abbreviations<'_>, sum: SumId) -> TokenStream {
@@ -326,7 +326,7 @@ fn formula_of(names: &Abbreviations<'_>, sum: SumId) -> TokenStream {
 
 pub fn formula(printed: &Printed) -> TokenStream {
     let Printed { text, latex, mathml, .. } = printed;
-    quote!(::ezy_core::model::Formula { text: #text, latex: #latex, mathml: #mathml })
+    quote!(ezy::Formula { text: #text, latex: #latex, mathml: #mathml })
 }
 
 pub fn option<T: quote::ToTokens>(value: Option<T>) -> TokenStream {

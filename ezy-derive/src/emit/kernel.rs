@@ -9,6 +9,7 @@ use crate::function::Path;
 use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::symbolic::program::{Node, NodeId, Program};
 use crate::symbolic::{Function, Symbol};
+use crate::work;
 
 /// The numbers that a kernel computes with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,7 +54,7 @@ impl Numbers {
         let path = match (self, function.path()) {
             (Self::F64, Path::OfKernel(name)) => {
                 let name = ident(name);
-                quote!(::ezy_core::kernel::#name)
+                quote!(ezy::#name)
             }
             (_, Path::OfNumber(name) | Path::OfKernel(name)) => {
                 let (number, name) = (self.name(), ident(name));
@@ -88,12 +89,13 @@ pub fn body_at(
         Numbers::Any => fused(program),
     };
     let taken_in = fused.values().copied().collect();
-    let (live, names, taken) = (program.live(), BTreeMap::new(), BTreeSet::new());
-    let mut writer = Writer { numbers, program, symbols, live, fused, taken_in, names, taken };
-    let mut statements = TokenStream::new();
-    for id in writer.live.clone() {
-        statements.extend(writer.statement(id, place, other));
-    }
+    let (live, names, taken, passed) = (program.live(), BTreeMap::new(), BTreeSet::new(), BTreeMap::new());
+    let sources = Sources { place, other };
+    let mut writer = Writer { numbers, program, symbols, sources, live, fused, taken_in, names, taken, passed };
+    let statements = match Parts::new(&writer) {
+        None => writer.in_one(),
+        Some(parts) => writer.in_parts(&parts),
+    };
     let outputs = program.outputs().iter().map(|output| writer.operand(output.node)).collect();
     Body { statements, outputs }
 }
@@ -111,10 +113,18 @@ fn fused(program: &Program) -> BTreeMap<NodeId, NodeId> {
     products.collect()
 }
 
+/// Where inputs are found.
+struct Sources<'a> {
+    /// Coordinates and velocities.
+    place: &'a dyn Fn(usize) -> TokenStream,
+    other: &'a dyn Fn(Symbol) -> TokenStream,
+}
+
 struct Writer<'a> {
     numbers: Numbers,
     program: &'a Program,
     symbols: &'a Symbols,
+    sources: Sources<'a>,
     live: Vec<NodeId>,
     /// What [`fused`] found.
     fused: BTreeMap<NodeId, NodeId>,
@@ -122,15 +132,140 @@ struct Writer<'a> {
     taken_in: BTreeSet<NodeId>,
     names: BTreeMap<NodeId, Ident>,
     taken: BTreeSet<String>,
+    /// Places of the values that a part passes to later ones.
+    passed: BTreeMap<NodeId, usize>,
+}
+
+/// A long kernel in parts. Each `let` opens a scope, and rustc overflows its stack on some thousand scopes in each other.
+struct Parts {
+    /// The nodes that each part computes, ascending.
+    homes: Vec<Vec<NodeId>>,
+    /// The inputs that each part reads.
+    inputs: Vec<BTreeSet<NodeId>>,
+    /// What later parts or the outputs read, by part.
+    passed: Vec<BTreeSet<NodeId>>,
+}
+
+/// A kernel of so many statements stays in one piece. rustc 1.95 with debug information overflows its stack at some 3,000.
+pub const LONGEST_WHOLE: usize = 1500;
+/// Statements of a part of a longer one.
+const LONGEST_PART: usize = 300;
+
+/// Statements that declare nothing, in parts where they are many.
+pub fn sequence(statements: impl IntoIterator<Item = TokenStream>) -> TokenStream {
+    let statements: Vec<TokenStream> = statements.into_iter().collect();
+    if statements.len() <= LONGEST_WHOLE {
+        return quote!(#(#statements)*);
+    }
+    statements.chunks(LONGEST_PART).map(|part| quote!((|| { #(#part)* })();)).collect()
+}
+
+impl Parts {
+    fn new(writer: &Writer<'_>) -> Option<Self> {
+        let program = writer.program;
+        let is_input = |id: NodeId| matches!(program.node(id), Node::Input(_));
+        let is_computed = |id: &NodeId| {
+            let stands_alone = matches!(program.node(*id), Node::Constant(_) | Node::Literal(_) | Node::Input(_));
+            !stands_alone && !writer.taken_in.contains(id)
+        };
+        let computed: Vec<NodeId> = writer.live.iter().copied().filter(is_computed).collect();
+        if computed.len() <= LONGEST_WHOLE {
+            return None;
+        }
+        let mut homes: Vec<Vec<NodeId>> = computed.chunks(LONGEST_PART).map(<[NodeId]>::to_vec).collect();
+        let mut home: BTreeMap<NodeId, usize> = BTreeMap::new();
+        for (part, ids) in homes.iter().enumerate() {
+            for &id in ids {
+                home.entry(id).or_insert(part);
+                // a sine and a cosine are found together
+                if let Some(partner) = writer.partner(id) {
+                    home.entry(partner).or_insert(part);
+                }
+            }
+        }
+        homes.iter_mut().enumerate().for_each(|(part, ids)| ids.retain(|id| home[id] == part));
+        let last = homes.len() - 1;
+        let mut inputs = vec![BTreeSet::new(); homes.len()];
+        let mut passed = vec![BTreeSet::new(); homes.len()];
+        for (part, ids) in homes.iter().enumerate() {
+            for operand in ids.iter().flat_map(|&id| writer.operands(id)) {
+                if is_input(operand) {
+                    inputs[part].insert(operand);
+                } else if let Some(&home) = home.get(&operand).filter(|home| **home < part) {
+                    passed[home].insert(operand);
+                }
+            }
+        }
+        for output in program.outputs() {
+            if is_input(output.node) {
+                inputs[last].insert(output.node);
+                passed[last].insert(output.node);
+            } else if let Some(&home) = home.get(&output.node) {
+                passed[home].insert(output.node);
+            }
+        }
+        Some(Self { homes, inputs, passed })
+    }
 }
 
 impl Writer<'_> {
-    fn statement(
-        &mut self,
-        id: NodeId,
-        place: &dyn Fn(usize) -> TokenStream,
-        other: &dyn Fn(Symbol) -> TokenStream,
-    ) -> TokenStream {
+    fn in_one(&mut self) -> TokenStream {
+        let mut statements = TokenStream::new();
+        for id in self.live.clone() {
+            statements.extend(self.statement(id));
+        }
+        statements
+    }
+
+    /// Closures one after the other, which pass values through an array.
+    fn in_parts(&mut self, parts: &Parts) -> TokenStream {
+        let n_passed: usize = parts.passed.iter().map(BTreeSet::len).sum();
+        let zero = self.numbers.literal(0.0);
+        let mut statements = quote!(let mut passed = [#zero; #n_passed];);
+        for ((home, inputs), passed) in parts.homes.iter().zip(&parts.inputs).zip(&parts.passed) {
+            self.names.clear();
+            self.taken.clear();
+            let mut part = TokenStream::new();
+            for &id in inputs.iter().chain(home) {
+                part.extend(self.statement(id));
+            }
+            for &id in passed {
+                let (i, name) = (self.passed.len(), self.operand(id));
+                part.extend(quote!(passed[#i] = #name;));
+                self.passed.insert(id, i);
+            }
+            statements.extend(quote!((|| { #part })();));
+        }
+        self.names.clear();
+        statements
+    }
+
+    /// The cosine of a sine's angle, and the reverse, where it is needed.
+    fn partner(&self, id: NodeId) -> Option<NodeId> {
+        match *self.program.node(id) {
+            Node::Sin(angle) => self.find(&Node::Cos(angle)),
+            Node::Cos(angle) => self.find(&Node::Sin(angle)),
+            _ => None,
+        }
+    }
+
+    /// A node that is needed.
+    fn find(&self, wanted: &Node) -> Option<NodeId> {
+        self.program.find(wanted).filter(|id| self.live.binary_search(id).is_ok())
+    }
+
+    /// What a statement reads.
+    fn operands(&self, id: NodeId) -> Vec<NodeId> {
+        let operands = self.program.node(id).operands().into_iter();
+        let read = |operand| match self.fused.get(&id) {
+            Some(&product) if product == operand => self.program.node(product).operands(),
+            _ => vec![operand],
+        };
+        operands.flat_map(read).collect()
+    }
+
+    fn statement(&mut self, id: NodeId) -> TokenStream {
+        work::count(1);
         let value = match self.program.node(id) {
             Node::Constant(_) | Node::Literal(_) => return TokenStream::new(),
             Node::Input(symbol) => match self.symbols.meaning(*symbol) {
@@ -139,15 +274,15 @@ impl Writer<'_> {
                     return TokenStream::new();
                 }
                 Meaning::Coordinate(i) => {
-                    let i = place(i);
+                    let i = (self.sources.place)(i);
                     quote!(q[#i])
                 }
                 Meaning::Velocity(i) => {
-                    let i = place(i);
+                    let i = (self.sources.place)(i);
                     quote!(v[#i])
                 }
                 Meaning::Input(i) => quote!(c[#i]),
-                Meaning::Index(_) | Meaning::Named(_) => other(*symbol),
+                Meaning::Index(_) | Meaning::Named(_) => (self.sources.other)(*symbol),
             },
             Node::Sin(angle) | Node::Cos(angle) => return self.trigonometry(id, *angle),
             Node::Mul(..) if self.taken_in.contains(&id) => return TokenStream::new(),
@@ -174,8 +309,7 @@ impl Writer<'_> {
         if self.names.contains_key(&id) {
             return TokenStream::new();
         }
-        let find = |wanted: &Node| self.live.iter().copied().find(|&other| self.program.node(other) == wanted);
-        let (sin, cos) = (find(&Node::Sin(angle)), find(&Node::Cos(angle)));
+        let (sin, cos) = (self.find(&Node::Sin(angle)), self.find(&Node::Cos(angle)));
         let (number, argument) = (self.numbers.name(), self.operand(angle));
         let label = match self.program.node(angle) {
             Node::Input(symbol) => self.symbols.code_name(*symbol),
@@ -231,8 +365,9 @@ impl Writer<'_> {
             }
             Node::Literal(bits) => self.numbers.literal(f64::from_bits(*bits)),
             _ => {
-                let name = self.names.get(&id);
-                quote!(#name)
+                let name = self.names.get(&id).map(|name| quote!(#name));
+                let value = name.or_else(|| self.passed.get(&id).map(|i| quote!(passed[#i])));
+                quote!(#value)
             }
         }
     }
@@ -257,13 +392,14 @@ impl Writer<'_> {
 }
 
 /// Arguments of kernels, which temporaries must not shadow.
-const RESERVED: [&str; 10] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out"];
+const RESERVED: [&str; 11] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed"];
 
-/// What takes note of each pivot, from pivots and thresholds in turns.
-pub fn pivots_seen(rows: &[Vec<usize>], pivots: &[TokenStream]) -> Vec<TokenStream> {
-    let of_pivot = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
+/// The value that takes note of each pivot, from pivots and thresholds in turns; without an elimination all have vanished.
+pub fn pivots(rows: Option<&[Vec<usize>]>, pivots: &[TokenStream]) -> TokenStream {
+    let Some(rows) = rows else { return quote!(ezy::Pivots::ALL_VANISHED) };
+    let seen = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
         let (pivot, threshold) = (&pair[0], &pair[1]);
         quote!(.see(&[#(#rows),*], T::least_ratio(#pivot, #threshold)))
     });
-    of_pivot.collect()
+    quote!(ezy::Pivots::new()#(#seen)*)
 }

@@ -13,6 +13,8 @@ mod straight;
 mod templates;
 mod type_names;
 
+#[cfg(test)]
+pub use kernel::LONGEST_WHOLE;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -23,7 +25,7 @@ use type_names::{module_of_modes, scene_type};
 
 /// The module of a model: one type for each scene, and the description of all of them.
 pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
-    let visibility = &model.visibility;
+    let (core, visibility) = (&model.core, &model.visibility);
     let module = Ident::new(&snake_case(&model.name.to_string()), model.name.span());
     let name = model.name.to_string();
     let documentation = &model.documentation;
@@ -34,7 +36,7 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
         let (type_name, name) = (scene_type(&derived.scene), derived.scene.name.to_string());
         let info = scene::access_to_info(derived, &type_name);
         quote! {
-            ::ezy_core::model::SceneEntry {
+            ezy::SceneEntry {
                 name: #name,
                 info: #info,
                 new: || ::std::boxed::Box::new(<#type_name as ::core::default::Default>::default()),
@@ -48,6 +50,8 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
         quote! {
             #[doc(hidden)]
             pub mod #module {
+                use super::ezy;
+
                 #(#types)*
             }
         }
@@ -57,8 +61,10 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
         #page
         #[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
         #visibility mod #module {
+            use #core::__private as ezy;
+
             /// The model and its scenes.
-            pub static MODEL: ::ezy_core::model::ModelInfo = ::ezy_core::model::ModelInfo {
+            pub static MODEL: ezy::ModelInfo = ezy::ModelInfo {
                 name: #name,
                 documentation: #documentation,
                 effects: &[#(#effects),*],

@@ -23,12 +23,16 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
     let row = |derived: &Derived<'_>| {
         let Form::Straight(of) = &derived.form else { return None };
         let [positions, velocities] = freedom(&of.equations);
-        let count = derived.kernels[&Quantity::Accelerations].count();
-        let operations = count.add + count.mul + count.div;
+        let kernel = &derived.kernels[&Quantity::Accelerations];
+        let count = kernel.count();
+        let operations = match kernel.pivots {
+            Some(_) => (count.add + count.mul + count.div).to_string(),
+            None => "sparse solver".to_owned(),
+        };
         let effects = derived.scene.effects.iter().map(|effect| format!("`{}`", model.effects[effect.0].name));
         let effects = effects.collect::<Vec<_>>().join(", ");
         let name = format!("[`{}`]({})", derived.scene.name, scene_type(&derived.scene));
-        Some(vec![name, effects, positions.to_string(), velocities.to_string(), operations.to_string()])
+        Some(vec![name, effects, positions.to_string(), velocities.to_string(), operations])
     };
     let rows: Vec<Vec<String>> = scenes.iter().filter_map(row).collect();
     if rows.is_empty() {
@@ -46,6 +50,9 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
     page.attribute()
 }
 
+/// Said of a scene without elimination.
+pub const SOLVED_SPARSE: &str = "Many rows meet in one body: the sparse backend solves the equations of motion.";
+
 /// The page of a scene: parameters, rows, equations, sparsity, elimination, costs.
 pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbreviations<'_>) -> TokenStream {
     let equations = &of.equations;
@@ -58,8 +65,12 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     equations::write(&mut page, equations, names);
     page.section("Outputs", tables::outputs(model, equations, names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
-    page.section("Order of elimination", tables::elimination(equations, &of.elimination));
-    page.section("Operations", tables::operations(&derived.kernels));
+    if derived.kernels[&Quantity::Accelerations].pivots.is_some() {
+        page.section("Order of elimination", tables::elimination(equations, &of.elimination));
+        page.section("Operations", tables::operations(&derived.kernels));
+    } else {
+        page.paragraph(SOLVED_SPARSE.into());
+    }
     page.attribute()
 }
 

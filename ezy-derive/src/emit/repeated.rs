@@ -27,25 +27,32 @@ pub fn description(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> To
     let describe = describe(model, templates, &all);
     quote! {
         /// What is known of the scene when it is compiled: everything but its sizes.
-        const FIXED: ::ezy_core::model::SceneInfo = #fixed;
+        const FIXED: ezy::SceneInfo = #fixed;
 
-        const TEMPLATES: &'static [::ezy_core::model::TemplateInfo] = &[#(#infos),*];
+        const TEMPLATES: &'static [ezy::TemplateInfo] = &[#(#infos),*];
 
-        fn describe(&self, layout: &mut ::ezy_core::layout::Layout) {
+        fn describe(&self, layout: &mut ezy::Layout) {
             #describe
         }
     }
 }
 
-/// The methods that hand out the description of a run, and its counts.
+/// The method that hands out the description of a run.
 pub fn access(model: &Model) -> TokenStream {
+    let counts: Vec<&Ident> = model.counts.iter().map(|count| &count.name).collect();
+    quote! {
+        fn info(&self) -> &'static ezy::SceneInfo {
+            static KNOWN: ezy::Known = ezy::Known::new();
+            KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
+        }
+    }
+}
+
+/// The methods that hand out the counts, and take them.
+pub fn access_to_counts(model: &Model) -> TokenStream {
     let counts: Vec<&Ident> = model.counts.iter().map(|count| &count.name).collect();
     let places: Vec<usize> = (0..counts.len()).collect();
     quote! {
-        fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-            static KNOWN: ::ezy_core::layout::Known = ::ezy_core::layout::Known::new();
-            KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
-        }
         fn count(&self, index: usize) -> usize {
             match index { #(#places => self.#counts,)* _ => 0 }
         }
@@ -69,12 +76,12 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
     });
     let counts = model.counts.iter().map(|count| {
         let (name, default, documentation) = (count.name.to_string(), count.default as usize, &count.documentation);
-        quote!(::ezy_core::model::CountInfo { name: #name, default: #default, documentation: #documentation })
+        quote!(ezy::CountInfo { name: #name, default: #default, documentation: #documentation })
     });
     let defaults = model.counts.iter().map(|count| count.default as usize);
     let series = info::series(of.series_cost());
     quote! {
-        ::ezy_core::model::SceneInfo {
+        ezy::SceneInfo {
             model: #model_name,
             name: #name,
             documentation: #documentation,
@@ -92,17 +99,17 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
-            jacobian: ::ezy_core::model::SparsityPattern { starts: &[0], columns: &[] },
+            jacobian: ezy::SparsityPattern { starts: &[0], columns: &[] },
             jacobian_entries: &[],
             mass_entries: &[],
             force_entries: &[],
-            potential_energy: ::ezy_core::model::Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
+            potential_energy: ezy::Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
             abbreviations: &[],
             elimination: &[],
-            acceleration_operations: ::ezy_core::model::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
-            correction_operations: ::ezy_core::model::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+            acceleration_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+            correction_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             series: #series,
-            repeats: ::core::option::Option::Some(::ezy_core::model::Repeats {
+            repeats: ::core::option::Option::Some(ezy::Repeats {
                 counts: &[#(#counts),*],
                 values: &[#(#defaults),*],
                 templates: Self::TEMPLATES,

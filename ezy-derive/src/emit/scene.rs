@@ -5,9 +5,9 @@ use quote::quote;
 
 use super::abbreviations::Abbreviations;
 use super::constants::Constants;
-use super::kernel::Numbers;
+use super::signature::{self, Trait};
 use super::type_names::{module_of_modes, scene_type};
-use super::{info, page, repeated, series, signature, straight};
+use super::{info, page, repeated, series, straight};
 use crate::mechanics::Derived;
 use crate::mechanics::derived::Form;
 use crate::mechanics::kernels::Quantity;
@@ -17,11 +17,12 @@ use crate::model::{Model, Parameter, Scene};
 pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let type_name = scene_type(&derived.scene);
     let Described { inherent, access, page } = describe(model, derived, &type_name);
+    let access_to_counts = model.is_repeated().then(|| repeated::access_to_counts(model));
     let structure = structure(model, derived, &type_name, &page);
     let (parameters, coefficients) = (derived.parameters(), &derived.algebra().coefficients);
     let constants = Constants { model, parameters, coefficients }.method(&derived.constants, derived.inputs().len());
-    let equations = methods(model, derived, Numbers::Any);
-    let methods = methods(model, derived, Numbers::F64);
+    let [equations, of_derived, methods] =
+        [Trait::Equations, Trait::Derived, Trait::Scene].map(|of| methods(model, derived, of));
     let parameters: Vec<&Ident> = parameters.iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
     let modes = access_to_modes(derived, &parameters);
@@ -44,13 +45,21 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
         }
 
         #[automatically_derived]
-        impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::#type_name {
+        impl<T: ezy::Scalar> ezy::Equations<T> for self::#type_name {
             #constants
             #equations
         }
 
         #[automatically_derived]
-        impl ::ezy_core::model::Scene for #type_name {
+        impl ezy::Derived for #type_name {
+            #access_to_counts
+            #of_derived
+            #access_to_series
+            #modes
+        }
+
+        #[automatically_derived]
+        impl ezy::Scene for #type_name {
             #access
             fn parameter(&self, index: usize) -> f64 {
                 #parameter
@@ -59,8 +68,6 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
                 #set_parameter
             }
             #methods
-            #access_to_series
-            #modes
         }
 
         #series
@@ -72,7 +79,7 @@ pub fn access_to_info(derived: &Derived<'_>, type_name: &Ident) -> TokenStream {
     match &derived.form {
         Form::Straight(_) => quote!(|| &#type_name::INFO),
         Form::Counted(_) => {
-            quote!(|| ::ezy_core::model::Scene::info(&<#type_name as ::core::default::Default>::default()))
+            quote!(|| ezy::Scene::info(&<#type_name as ::core::default::Default>::default()))
         }
     }
 }
@@ -94,11 +101,11 @@ fn describe(model: &Model, derived: &Derived<'_>, type_name: &Ident) -> Describe
             Described {
                 inherent: quote! {
                     /// What is known of the scene when it is compiled.
-                    pub const INFO: ::ezy_core::model::SceneInfo = #info;
+                    pub const INFO: ezy::SceneInfo = #info;
                 },
                 access: quote! {
-                    fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-                        static INFO: ::ezy_core::model::SceneInfo = #type_name::INFO;
+                    fn info(&self) -> &'static ezy::SceneInfo {
+                        static INFO: ezy::SceneInfo = #type_name::INFO;
                         &INFO
                     }
                 },
@@ -113,9 +120,9 @@ fn describe(model: &Model, derived: &Derived<'_>, type_name: &Ident) -> Describe
     }
 }
 
-/// The methods that compute with these numbers.
-fn methods(model: &Model, derived: &Derived<'_>, numbers: Numbers) -> TokenStream {
-    let of_trait = signature::ALL.iter().filter(|signature| signature.numbers == numbers);
+/// The methods of a trait that compute.
+fn methods(model: &Model, derived: &Derived<'_>, of: Trait) -> TokenStream {
+    let of_trait = signature::ALL.iter().filter(|signature| signature.of == of);
     let kernels = of_trait.filter_map(|signature| Some((signature, derived.kernels.get(&signature.quantity)?)));
     let methods = kernels.map(|(signature, kernel)| {
         let body = match &derived.form {
@@ -136,7 +143,7 @@ fn slope_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
         Form::Counted(of) => of.slopes.as_ref().map(|slopes| repeated::slopes::places(model, &of.templates, slopes)),
     };
     quote! {
-        fn slope_places(&self) -> ::core::option::Option<::ezy_core::model::SlopePlaces> {
+        fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
             #places
         }
     }
@@ -145,11 +152,11 @@ fn slope_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
 /// The methods that hand out the series.
 fn access_to_series() -> TokenStream {
     quote! {
-        fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+        fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
             ::core::option::Option::Some(self)
         }
 
-        fn precise(&self) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+        fn precise(&self) -> ::core::option::Option<&dyn ezy::PreciseScene> {
             ::core::option::Option::Some(self)
         }
     }
@@ -164,7 +171,7 @@ fn access_to_modes(derived: &Derived<'_>, parameters: &[&Ident]) -> Option<Token
     });
     (!derived.modes.is_empty()).then(|| {
         quote! {
-            fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ::ezy_core::model::Scene>> {
+            fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ezy::Scene>> {
                 ::std::vec![::std::boxed::Box::new(*self), #(#others),*]
             }
         }
@@ -175,10 +182,13 @@ fn structure(model: &Model, derived: &Derived<'_>, type_name: &Ident, page: &Tok
     let title = title(model, &derived.scene);
     let cost = derived.kernels.get(&Quantity::Accelerations).map(|kernel| {
         let count = kernel.count();
-        let cost = format!(
-            "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
-            count.mul, count.add, count.div, count.trig
-        );
+        let cost = match kernel.pivots {
+            Some(_) => format!(
+                "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
+                count.mul, count.add, count.div, count.trig
+            ),
+            None => page::SOLVED_SPARSE.to_owned(),
+        };
         quote!(#[doc = #cost])
     });
     let parameters: Vec<_> = derived.parameters().iter().map(|id| &model.parameters[id.0]).collect();

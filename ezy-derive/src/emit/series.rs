@@ -10,7 +10,7 @@ use crate::mechanics::Equations;
 use crate::mechanics::series::{Ahead, Kernel, Series, Slot};
 use crate::symbolic::Symbol;
 
-/// Products come in groups of so many; `ezy_core::model::PRODUCT_GROUP`.
+/// Products come in groups of so many; `ezy_core::__private::PRODUCT_GROUP`.
 const PRODUCT_GROUP: usize = 8;
 
 /// The implementation for the type of a scene.
@@ -20,13 +20,13 @@ pub fn implementation(type_name: &Ident, equations: &Equations, series: &Series,
     let writer = Writer { equations, series, sizes, n_fixed };
     let begin = writer.begin();
     let right_side = writer.method(&series.recurrences.right_side);
-    let solve = writer.method(&series.solution);
+    let solve = series.solution.as_ref().map(|solution| writer.method(&solution.kernel));
     let finish = writer.method(&series.recurrences.finish);
     quote! {
         #[automatically_derived]
-        impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for #type_name {
-            fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-                ::ezy_core::model::SeriesSize {
+        impl<T: ezy::Scalar> ezy::Series<T> for #type_name {
+            fn series_size(&self) -> ezy::SeriesSize {
+                ezy::SeriesSize {
                     n_coordinates: #n_coordinates,
                     n_rows: #n_rows,
                     n_products: #n_products,
@@ -38,20 +38,20 @@ pub fn implementation(type_name: &Ident, equations: &Equations, series: &Series,
                 &self,
                 c: &[T],
                 t: T,
-                store: &mut ::ezy_core::model::SeriesStore<T>,
-            ) -> ::ezy_core::model::Pivots {
+                store: &mut ezy::SeriesStore<T>,
+            ) -> ezy::Pivots {
                 #begin
             }
             #[inline(always)]
-            fn right_side(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
+            fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
                 #right_side
             }
             #[inline(always)]
-            fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
+            fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
                 #solve
             }
             #[inline(always)]
-            fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
+            fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
                 #finish
             }
         }
@@ -161,21 +161,21 @@ impl Writer<'_> {
             kernel::body(Numbers::Any, &kernel.program, &self.equations.symbols, &|symbol| self.read(symbol));
         let (written, pivots) = outputs.split_at(kernel.targets.len());
         let written = self.written(&kernel.targets, written, &order);
-        let seen = kernel::pivots_seen(&self.series.pivots, pivots);
+        let seen = kernel::pivots(self.series.solution.as_ref().map(|solution| &solution.pivots[..]), pivots);
         let c = self.constants(kernel);
         quote! {
             #c
-            let q = ::ezy_core::kernel::row::<#n_q, T>(&store.q, 0);
-            let v = ::ezy_core::kernel::row::<#n_q, T>(&store.q, 1);
+            let q = ezy::row::<#n_q, T>(&store.q, 0);
+            let v = ezy::row::<#n_q, T>(&store.q, 1);
             #statements
             #written
-            ::ezy_core::model::Pivots::new()#(#seen)*
+            #seen
         }
     }
 
     fn constants(&self, kernel: &Kernel) -> TokenStream {
         let n = self.n_fixed;
-        if kernel.program.reads_constants() { quote!(let c = ::ezy_core::kernel::array::<#n, T>(c);) } else { quote!() }
+        if kernel.program.reads_constants() { quote!(let c = ezy::array::<#n, T>(c);) } else { quote!() }
     }
 
     /// The arrays that a program reads, opened once.
@@ -188,8 +188,8 @@ impl Writer<'_> {
             .map(|(array, n)| {
                 let (ident, field) = (array.ident(), Ident::new(array.name, Span::call_site()));
                 match array.ahead.map(order) {
-                    None => quote!(let #ident = ::ezy_core::kernel::array::<#n, T>(&store.#field);),
-                    Some(order) => quote!(let #ident = ::ezy_core::kernel::row::<#n, T>(&store.#field, #order);),
+                    None => quote!(let #ident = ezy::array::<#n, T>(&store.#field);),
+                    Some(order) => quote!(let #ident = ezy::row::<#n, T>(&store.#field, #order);),
                 }
             })
             .collect()
@@ -207,14 +207,15 @@ impl Writer<'_> {
             .into_iter()
             .map(|(array, (n, writes))| {
                 let field = Ident::new(array.name, Span::call_site());
+                let writes = kernel::sequence(writes);
                 match array.ahead.map(order) {
                     None => quote! {
-                        let target = ::ezy_core::kernel::array_mut::<#n, T>(&mut store.#field);
-                        #(#writes)*
+                        let target = ezy::array_mut::<#n, T>(&mut store.#field);
+                        #writes
                     },
                     Some(order) => quote! {
-                        let target = ::ezy_core::kernel::row_mut::<#n, T>(&mut store.#field, #order);
-                        #(#writes)*
+                        let target = ezy::row_mut::<#n, T>(&mut store.#field, #order);
+                        #writes
                     },
                 }
             })

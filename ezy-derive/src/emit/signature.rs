@@ -6,10 +6,18 @@ use quote::quote;
 use super::kernel::Numbers;
 use crate::mechanics::kernels::Quantity;
 
-/// A method of `Equations<T>`, where it computes with any number, or of `Scene`.
+/// The traits of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Trait {
+    Equations,
+    Derived,
+    Scene,
+}
+
+/// A method that computes.
 pub struct Signature {
     pub quantity: Quantity,
-    pub numbers: Numbers,
+    pub of: Trait,
     name: &'static str,
     /// Besides the vector of constants.
     pub reads: &'static [&'static str],
@@ -51,29 +59,41 @@ pub const ALL: [Signature; 17] = [
     any(Quantity::AppliedForce, "applied_force", &["t", "q", "v"], OUT),
     any(Quantity::Accelerations, "accelerations", &["t", "q", "v"], Writes::Solution(&["a", "lambda"])),
     any(Quantity::Correction, "correction", &["t", "q", "residual"], Writes::Solution(&["delta"])),
-    real(Quantity::Power, "power", &["t", "q", "v", "lambda"], OUT),
-    real(Quantity::Points, "points", &["t", "q"], OUT),
-    real(Quantity::Outputs, "outputs", &["t", "q", "v"], OUT),
-    real(Quantity::Events, "events", &["t", "q", "v"], OUT),
-    real(Quantity::Grip, "grip", &["t", "q", "v"], OUT),
-    real(Quantity::Stop, "stop", &["t", "q", "v"], OUT),
-    real(Quantity::PotentialEnergy, "potential_energy", &["t", "q"], Writes::Value),
-    real(Quantity::Start, "start", &[], Writes::Start),
-    real(Quantity::Slopes, "slopes", &["t", "q", "v", "a", "lambda"], Writes::Vectors(&["by_q", "by_v"])),
+    scene(Quantity::Power, "power", &["t", "q", "v", "lambda"], OUT),
+    scene(Quantity::Points, "points", &["t", "q"], OUT),
+    scene(Quantity::Outputs, "outputs", &["t", "q", "v"], OUT),
+    derived(Quantity::Events, "events", &["t", "q", "v"], OUT),
+    derived(Quantity::Grip, "grip", &["t", "q", "v"], OUT),
+    derived(Quantity::Stop, "stop", &["t", "q", "v"], OUT),
+    scene(Quantity::PotentialEnergy, "potential_energy", &["t", "q"], Writes::Value),
+    scene(Quantity::Start, "start", &[], Writes::Start),
+    derived(Quantity::Slopes, "slopes", &["t", "q", "v", "a", "lambda"], Writes::Vectors(&["by_q", "by_v"])),
 ];
 
 const fn any(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
-    Signature { quantity, numbers: Numbers::Any, name, reads, writes }
+    Signature { quantity, of: Trait::Equations, name, reads, writes }
 }
 
-const fn real(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
-    Signature { quantity, numbers: Numbers::F64, name, reads, writes }
+const fn derived(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
+    Signature { quantity, of: Trait::Derived, name, reads, writes }
+}
+
+const fn scene(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
+    Signature { quantity, of: Trait::Scene, name, reads, writes }
 }
 
 impl Signature {
+    /// Equations are written for any number.
+    pub const fn numbers(&self) -> Numbers {
+        match self.of {
+            Trait::Equations => Numbers::Any,
+            Trait::Derived | Trait::Scene => Numbers::F64,
+        }
+    }
+
     /// The method around what it does.
     pub fn method(&self, body: TokenStream) -> TokenStream {
-        let (name, number) = (argument(self.name), self.numbers.name());
+        let (name, number) = (argument(self.name), self.numbers().name());
         let reads = self.reads.iter().map(|&read| {
             let name = argument(read);
             if read == "t" { quote!(#name: #number) } else { quote!(#name: &[#number]) }
@@ -82,10 +102,10 @@ impl Signature {
             let name = argument(written);
             quote!(#name: &mut [#number])
         });
-        let start = matches!(self.writes, Writes::Start).then(|| quote!(start: &mut ::ezy_core::model::Start));
+        let start = matches!(self.writes, Writes::Start).then(|| quote!(start: &mut ezy::Start));
         let arguments = reads.chain(written).chain(start);
         let (inline, result) = match self.writes {
-            Writes::Solution(_) => (quote!(#[inline]), quote!(-> ::ezy_core::model::Pivots)),
+            Writes::Solution(_) => (quote!(#[inline]), quote!(-> ezy::Pivots)),
             Writes::Value => (quote!(), quote!(-> #number)),
             _ => (quote!(), quote!()),
         };

@@ -12,7 +12,7 @@ use crate::symbolic::Symbol;
 
 /// What a kernel does.
 pub fn body(of: &Straight, n_fixed: usize, signature: &Signature, kernel: &Kernel<'_>) -> TokenStream {
-    let (symbols, numbers) = (&of.equations.symbols, signature.numbers);
+    let (symbols, numbers) = (&of.equations.symbols, signature.numbers());
     let vectors = signature.writes.vectors();
     let passes = kernel.passes.iter().map(|pass| {
         let Body { statements, outputs } = kernel::body(numbers, &pass.program, symbols, &|symbol| read(pass, symbol));
@@ -31,12 +31,11 @@ pub fn body(of: &Straight, n_fixed: usize, signature: &Signature, kernel: &Kerne
             // a straight line adds nothing up
             Put::Total | Put::Coordinate(_) | Put::Group(_) => value.clone(),
         });
-        let puts: Vec<TokenStream> = puts.collect();
-        let seen = matches!(signature.writes, Writes::Solution(_)).then(|| {
-            let seen = kernel::pivots_seen(&kernel.pivots, pivots);
-            quote!(::ezy_core::model::Pivots::new()#(#seen)*)
-        });
-        quote!(#statements #(#puts)* #seen)
+        // a value is no statement
+        let puts = if matches!(signature.writes, Writes::Value) { puts.collect() } else { kernel::sequence(puts) };
+        let seen =
+            matches!(signature.writes, Writes::Solution(_)).then(|| kernel::pivots(kernel.pivots.as_deref(), pivots));
+        quote!(#statements #puts #seen)
     });
     let opening = opening(of, n_fixed, signature, kernel);
     quote!(#opening #(#passes)*)
@@ -49,20 +48,24 @@ fn opening(of: &Straight, n_fixed: usize, signature: &Signature, kernel: &Kernel
         return TokenStream::new();
     }
     let (n_q, n_c) = (of.equations.mass.len(), of.equations.constraints.rows.len());
-    let number = signature.numbers.name();
+    let number = signature.numbers().name();
     let reads = signature.reads.iter().filter(|&&read| read != "t").map(|&read| match read {
         "lambda" | "residual" => (read, n_c),
         _ => (read, n_q),
     });
     let reads = std::iter::once(("c", n_fixed)).chain(reads).map(|(name, n)| {
         let name = argument(name);
-        quote!(let #name = ::ezy_core::kernel::array::<#n, #number>(#name);)
+        quote!(let #name = ezy::array::<#n, #number>(#name);)
     });
     let writes = signature.writes.vectors().iter().enumerate().map(|(i, &vector)| {
         let name = argument(vector);
-        let puts = kernel.passes.iter().flat_map(|pass| &pass.puts);
-        let n = puts.filter(|&&put| put == Put::Next(i)).count();
-        quote!(let #name = ::ezy_core::kernel::array_mut::<#n, #number>(#name);)
+        let puts = || kernel.passes.iter().flat_map(|pass| &pass.puts);
+        let n = match vector {
+            "a" | "delta" => n_q,
+            "lambda" => n_c,
+            _ => puts().filter(|&&put| put == Put::Next(i)).count(),
+        };
+        quote!(let #name = ezy::array_mut::<#n, #number>(#name);)
     });
     quote!(#(#reads)* #(#writes)*)
 }
@@ -84,7 +87,7 @@ pub fn slope_places(slopes: &Slopes) -> TokenStream {
     };
     let (by_q, by_v) = (list(&slopes.by_q), list(&slopes.by_v));
     quote! {
-        ::core::option::Option::Some(::ezy_core::model::SlopePlaces {
+        ::core::option::Option::Some(ezy::SlopePlaces {
             by_q: ::std::vec![#(#by_q),*],
             by_v: ::std::vec![#(#by_v),*],
         })

@@ -82,7 +82,7 @@ impl Template<'_> {
                 let (output, suffix) = (output.output, &output.output.suffix);
                 let (name, unit, documentation) = (&output.name, &output.unit, &output.documentation);
                 quote! {
-                    const OUTPUT: ::ezy_core::model::OutputInfo = ::ezy_core::model::OutputInfo {
+                    const OUTPUT: ezy::OutputInfo = ezy::OutputInfo {
                         name: #name,
                         unit: #unit,
                         documentation: #documentation,
@@ -105,7 +105,7 @@ impl Template<'_> {
                 let entry = printed(entry);
                 quote! {
                     (
-                        ::ezy_core::model::SlotCoordinate { slot: #slot, component: #component, symbol: #symbol },
+                        ezy::SlotCoordinate { slot: #slot, component: #component, symbol: #symbol },
                         #entry,
                     )
                 }
@@ -144,7 +144,7 @@ impl Template<'_> {
         };
         let effect = option(effect.map(|effect: EffectId| model.effects[effect.0].name.to_string()));
         quote! {
-            ::ezy_core::model::TemplateInfo {
+            ezy::TemplateInfo {
                 name: #name,
                 word: #word,
                 ranges: &[#(#ranges),*],
@@ -173,9 +173,9 @@ fn rows(
         let convective = printed(constraints.convective[i]);
         let entries = on_slots(&constraints.jacobian[i]);
         quote! {
-            ::ezy_core::model::RowTemplate {
+            ezy::RowTemplate {
                 suffix: #suffix,
-                row: ::ezy_core::model::RowInfo {
+                row: ezy::RowInfo {
                     name: #name,
                     kind: #kind,
                     multiplier_unit: #unit,
@@ -204,7 +204,7 @@ fn masses(model: &Model, i: usize, masses: &[SumId], printed: &dyn Fn(SumId) -> 
         let (component, letter) = (component as usize, component.name(false));
         let symbol = formula(&spelling::of_body(&format!("{body}.{letter}"), letter, &body, false));
         let mass = printed(mass);
-        quote!((::ezy_core::model::SlotCoordinate { slot: 0, component: #component, symbol: #symbol }, #mass))
+        quote!((ezy::SlotCoordinate { slot: 0, component: #component, symbol: #symbol }, #mass))
     });
     quote!(&[#(#entries),*])
 }

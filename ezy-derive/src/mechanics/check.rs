@@ -11,8 +11,11 @@ use crate::symbolic::evaluate::Point;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
 mod assembled;
+mod basis;
 mod integrable;
 mod overfixed;
+
+use basis::{Basis, Row, largest};
 
 /// Random states at which rows are compared.
 const SAMPLES: u64 = 3;
@@ -50,7 +53,7 @@ pub fn rows(model: &Model, diag: &mut Diagnostics) {
             }
         }
         if diag.n_errors() == n_errors {
-            overfixed::start(model, scene, &equations, diag);
+            overfixed::start(model, scene, &mut equations, diag);
         }
     }
 }
@@ -121,63 +124,44 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
 }
 
 fn moves_with_velocity(algebra: &mut Algebra, symbols: &Symbols, entry: SumId) -> bool {
-    (0..symbols.n_coordinates()).any(|i| !algebra.diff(entry, symbols.velocity_at(i)).is_zero())
+    let mut velocities = algebra.symbols_of(entry).into_iter().filter(|&symbol| symbols.velocity_of(symbol).is_some());
+    velocities.any(|velocity| !algebra.diff(entry, velocity).is_zero())
 }
 
 /// Rows that are combinations of earlier ones, with the rows they combine.
 fn dependent_rows(equations: &Equations, state: &impl Point) -> Vec<(usize, Vec<usize>)> {
-    let constraints = &equations.constraints;
-    let n_q = equations.mass.len();
-    let mut rows = vec![vec![0.0; n_q]; constraints.rows.len()];
-    for (row, entries) in rows.iter_mut().zip(&constraints.jacobian) {
-        for &(column, entry) in entries {
-            row[column] = equations.algebra.evaluate(entry, state);
-        }
-    }
+    let value = |entry: SumId| equations.algebra.evaluate(entry, state);
+    let row = |entries: &Vec<(usize, SumId)>| entries.iter().map(|&(column, entry)| (column, value(entry))).collect();
+    let mut rows: Vec<Row> = equations.constraints.jacobian.iter().map(row).collect();
     scale_columns(&mut rows);
-    let mut basis: Vec<BasisRow> = Vec::new();
+    let (mut basis, mut taken) = (Basis::default(), Vec::new());
     let mut dependent = Vec::new();
-    for (i, mut row) in rows.into_iter().enumerate() {
-        let size = largest(&row).1;
-        let mut used = vec![0.0; i];
-        for reduced in &basis {
-            let factor = row[reduced.column] / reduced.row[reduced.column];
-            row.iter_mut().zip(&reduced.row).for_each(|(x, y)| *x -= factor * y);
-            used.iter_mut().zip(&reduced.combination).for_each(|(x, y)| *x += factor * y);
-        }
-        let (column, left) = largest(&row);
-        if left <= DEPENDENT * size {
-            let others = (0..i).filter(|&j| f64::abs(used[j]) > DEPENDENT).collect();
-            dependent.push((i, others));
+    for (i, row) in rows.into_iter().enumerate() {
+        let size = largest(&row).1.abs();
+        let reduced = basis.reduce(row);
+        if reduced.size() <= DEPENDENT * size {
+            let others = basis.combination(&reduced).into_iter().filter(|(_, factor)| factor.abs() > DEPENDENT);
+            dependent.push((i, others.map(|(place, _)| taken[place]).collect()));
             continue;
         }
-        let mut combination: Vec<f64> = used.iter().map(|x| -x).collect();
-        combination.push(1.0);
-        basis.push(BasisRow { row, column, combination });
+        basis.push(reduced);
+        taken.push(i);
     }
     dependent
 }
 
 /// Makes the largest entry of each column one, so that long arms do not hide short ones.
-fn scale_columns(rows: &mut [Vec<f64>]) {
-    for column in 0..rows.first().map_or(0, Vec::len) {
-        let largest = rows.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
-        if largest > 0.0 {
-            rows.iter_mut().for_each(|row| row[column] /= largest);
+fn scale_columns(rows: &mut [Row]) {
+    let mut sizes = Row::new();
+    for (&column, x) in rows.iter().flatten() {
+        let size = sizes.entry(column).or_insert(0.0);
+        *size = x.abs().max(*size);
+    }
+    for (column, x) in rows.iter_mut().flatten() {
+        if sizes[column] > 0.0 {
+            *x /= sizes[column];
         }
     }
-}
-
-/// A row after elimination, its largest column, and which declared rows it combines.
-struct BasisRow {
-    row: Vec<f64>,
-    column: usize,
-    combination: Vec<f64>,
-}
-
-fn largest(row: &[f64]) -> (usize, f64) {
-    let values = row.iter().map(|x| x.abs()).enumerate();
-    values.fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best })
 }
 
 /// A state that is special in no way.

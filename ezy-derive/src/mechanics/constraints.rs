@@ -29,7 +29,6 @@ impl Constraints {
         let n_position_rows = position_rows.len();
         let rows: Vec<ScalarRow> = position_rows.into_iter().chain(velocity_rows).collect();
 
-        let n_q = writer.symbols.n_coordinates();
         let (mut position, mut velocity, mut jacobian, mut convective) = (vec![], vec![], vec![], vec![]);
         let mut drift = vec![];
         for row in &rows {
@@ -48,9 +47,11 @@ impl Constraints {
                     writer.algebra.at_zero(rate, &is_velocity)
                 }
             });
+            let velocities = writer.algebra.symbols_of(rate).into_iter();
+            let velocities = velocities.filter_map(|symbol| Some((writer.symbols.velocity_of(symbol)?, symbol)));
             jacobian.push(
-                (0..n_q)
-                    .map(|i| (i, writer.algebra.diff(rate, writer.symbols.velocity_at(i))))
+                velocities
+                    .map(|(i, symbol)| (i, writer.algebra.diff(rate, symbol)))
                     .filter(|(_, entry)| !entry.is_zero())
                     .collect(),
             );

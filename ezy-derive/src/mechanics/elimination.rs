@@ -6,10 +6,13 @@
 //!
 //! No pivoting is needed: A is positive definite wherever G has full rank, and so is every Schur complement.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::scene::Equations;
 use crate::model::Coordinate;
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
+use crate::work;
 
 /// A row eliminated with a constant pivot.
 #[derive(Debug)]
@@ -31,8 +34,9 @@ pub struct Reduced {
     pub steps: Vec<ConstantStep>,
     /// Rows that are left, in declared order.
     pub rest: Vec<usize>,
-    /// Full symmetric matrix of the rows that are left, and the diagonal of A before any elimination.
-    pub matrix: Vec<Vec<SumId>>,
+    /// Symmetric matrix of the rows that are left, each row by column without zeros, and the diagonal of A before any
+    /// elimination.
+    pub matrix: Vec<Vec<(usize, SumId)>>,
     pub diagonal: Vec<SumId>,
     pub right_side: Vec<SumId>,
     /// Symbols that stand for the multipliers.
@@ -45,34 +49,39 @@ impl Reduced {
     /// Eliminates what has a constant pivot from `A λ = r`.
     pub fn new(equations: &mut Equations, right_side: Vec<SumId>) -> Self {
         let n = right_side.len();
-        let mut matrix = normal_matrix(equations);
-        let diagonal: Vec<SumId> = (0..n).map(|i| matrix[i][i]).collect();
+        let mut matrix = NormalMatrix::new(equations);
+        let diagonal: Vec<SumId> = (0..n).map(|i| matrix.get(i, i)).collect();
         let mut right_side = right_side;
-        let mut left: Vec<usize> = (0..n).collect();
+        let mut left: BTreeSet<usize> = (0..n).collect();
         let mut steps = Vec::new();
         for row in 0..n {
             if !on_one_body(equations, row) {
                 continue;
             }
             let algebra = &mut equations.algebra;
-            let Some(pivot) = algebra.as_coefficient(matrix[row][row]).filter(|k| !k.is_zero()) else { continue };
-            left.retain(|&other| other != row);
+            let Some(pivot) = algebra.as_coefficient(matrix.get(row, row)).filter(|k| !k.is_zero()) else { continue };
+            left.remove(&row);
             let symbol = equations.symbols.new_named(format!("right_side_{}", code_name(equations, row)));
             let algebra = &mut equations.algebra;
             let value = algebra.symbol(symbol);
             let inverse = algebra.coefficients.div(Coefficient::ONE, pivot);
-            for &i in &left {
-                if matrix[i][row].is_zero() {
+            let coupled: Vec<usize> = matrix.rows[row].keys().copied().filter(|i| left.contains(i)).collect();
+            work::count(matrix.rows[row].len());
+            for &i in &coupled {
+                let entry = matrix.get(i, row);
+                if entry.is_zero() {
                     continue;
                 }
-                let factor = algebra.scale(matrix[i][row], inverse);
+                work::count(coupled.len());
+                let factor = algebra.scale(entry, inverse);
                 right_side[i] = subtract_product(algebra, right_side[i], factor, value);
-                for &j in &left {
-                    let coupling = matrix[row][j];
-                    matrix[i][j] = subtract_product(algebra, matrix[i][j], factor, coupling);
+                for &j in &coupled {
+                    let difference = subtract_product(algebra, matrix.get(i, j), factor, matrix.get(row, j));
+                    matrix.set(i, j, difference);
                 }
             }
-            let couplings = left.iter().map(|&j| (j, matrix[row][j])).filter(|(_, a)| !a.is_zero()).collect();
+            let couplings =
+                coupled.into_iter().map(|j| (j, matrix.get(row, j))).filter(|(_, a)| !a.is_zero()).collect();
             steps.push(ConstantStep {
                 row,
                 pivot,
@@ -89,12 +98,17 @@ impl Reduced {
             })
             .collect();
         let back_substitution = back_substitution(&mut equations.algebra, &steps, &multipliers);
-        let restrict = |i: usize| left.iter().map(|&j| matrix[i][j]).collect();
+        let rest: Vec<usize> = left.into_iter().collect();
+        let place: BTreeMap<usize, usize> = rest.iter().enumerate().map(|(place, &row)| (row, place)).collect();
+        let restrict = |i: &usize| {
+            let entries = matrix.rows[*i].iter().filter(|(_, entry)| !entry.is_zero());
+            entries.filter_map(|(j, &entry)| Some((*place.get(j)?, entry))).collect()
+        };
         Self {
-            matrix: left.iter().map(|&i| restrict(i)).collect(),
-            diagonal: left.iter().map(|&i| diagonal[i]).collect(),
-            right_side: left.iter().map(|&i| right_side[i]).collect(),
-            rest: left,
+            matrix: rest.iter().map(restrict).collect(),
+            diagonal: rest.iter().map(|&i| diagonal[i]).collect(),
+            right_side: rest.iter().map(|&i| right_side[i]).collect(),
+            rest,
             steps,
             multipliers,
             back_substitution,
@@ -117,26 +131,49 @@ fn back_substitution(algebra: &mut Algebra, steps: &[ConstantStep], multipliers:
     out
 }
 
-/// A = G M⁻¹ Gᵀ
-fn normal_matrix(equations: &mut Equations) -> Vec<Vec<SumId>> {
-    let (algebra, jacobian) = (&mut equations.algebra, &equations.constraints.jacobian);
-    let n = jacobian.len();
-    let mut matrix = vec![vec![SumId::ZERO; n]; n];
-    for i in 0..n {
-        for j in i..n {
-            let mut parts = Vec::new();
-            for &(k, a) in &jacobian[i] {
-                for &(_, b) in jacobian[j].iter().filter(|(column, _)| *column == k) {
+/// A = G M⁻¹ Gᵀ, by rows; an entry stands at both of its places.
+struct NormalMatrix {
+    rows: Vec<BTreeMap<usize, SumId>>,
+}
+
+impl NormalMatrix {
+    fn new(equations: &mut Equations) -> Self {
+        let (algebra, jacobian) = (&mut equations.algebra, &equations.constraints.jacobian);
+        let mut rows_of_column: Vec<Vec<(usize, SumId)>> = vec![Vec::new(); equations.mass.len()];
+        for (row, entries) in jacobian.iter().enumerate() {
+            entries.iter().for_each(|&(column, entry)| rows_of_column[column].push((row, entry)));
+        }
+        let mut matrix = Self { rows: vec![BTreeMap::new(); jacobian.len()] };
+        for (i, entries) in jacobian.iter().enumerate() {
+            let mut products: BTreeMap<usize, Vec<(usize, SumId, SumId)>> = BTreeMap::new();
+            for &(k, a) in entries {
+                let others = rows_of_column[k].iter().filter(|&&(j, _)| j >= i);
+                others.for_each(|&(j, b)| products.entry(j).or_default().push((k, a, b)));
+            }
+            for (j, products) in products {
+                let mut parts = Vec::new();
+                for (k, a, b) in products {
                     let product = algebra.mul(a, b);
                     let inverse = algebra.coefficients.div(Coefficient::ONE, equations.mass[k]);
                     parts.push(algebra.scale(product, inverse));
                 }
+                let entry = algebra.total(&parts);
+                matrix.set(i, j, entry);
+                matrix.set(j, i, entry);
             }
-            matrix[i][j] = algebra.total(&parts);
-            matrix[j][i] = matrix[i][j];
         }
+        matrix
     }
-    matrix
+
+    fn get(&self, i: usize, j: usize) -> SumId {
+        self.rows[i].get(&j).copied().unwrap_or(SumId::ZERO)
+    }
+
+    /// The other place gets an entry, too, if it has none.
+    fn set(&mut self, i: usize, j: usize, entry: SumId) {
+        self.rows[i].insert(j, entry);
+        self.rows[j].entry(i).or_insert(SumId::ZERO);
+    }
 }
 
 fn subtract_product(algebra: &mut Algebra, a: SumId, b: SumId, c: SumId) -> SumId {

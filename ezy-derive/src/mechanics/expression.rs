@@ -11,9 +11,15 @@ pub struct Writer<'a> {
     pub model: &'a Model,
     pub algebra: &'a mut Algebra,
     pub symbols: &'a Symbols,
+    /// Whether the velocities have been created in the algebra.
+    pub(super) knows_velocities: bool,
 }
 
-impl Writer<'_> {
+impl<'a> Writer<'a> {
+    pub fn new(model: &'a Model, algebra: &'a mut Algebra, symbols: &'a Symbols) -> Self {
+        Self { model, algebra, symbols, knows_velocities: false }
+    }
+
     pub fn write(&mut self, expression: &Expr) -> SumId {
         match expression {
             Expr::Number(x) => self.algebra.number(*x),

@@ -35,13 +35,13 @@ pub type Kernels<'m> = BTreeMap<Quantity, Kernel<'m>>;
 #[derive(Debug)]
 pub struct Kernel<'m> {
     pub passes: Vec<Pass<'m>>,
-    /// Rows of each watched pivot. Pivots and their thresholds are the last outputs of the program.
-    pub pivots: Vec<Vec<usize>>,
+    /// Of an elimination, rows of each watched pivot. Pivots and their thresholds are the last outputs of the program.
+    pub pivots: Option<Vec<Vec<usize>>>,
 }
 
 impl<'m> Kernel<'m> {
     pub fn of(passes: Vec<Pass<'m>>) -> Self {
-        Self { passes, pivots: Vec::new() }
+        Self { passes, pivots: None }
     }
 
     /// Operations of all passes, each made once.
@@ -59,7 +59,7 @@ pub struct Pass<'m> {
     pub program: Program,
     /// Where each output goes.
     pub puts: Vec<Put>,
-    /// What it reads besides time, coordinates, velocities and inputs.
+    /// What it reads besides time, coordinates, velocities and inputs; ascending by symbol.
     pub reads: Vec<(Symbol, Read)>,
     /// Rows of the item, where a kernel counts on which rows are its own.
     pub n_rows: usize,
@@ -68,7 +68,7 @@ pub struct Pass<'m> {
 impl Pass<'_> {
     /// What a symbol stands for that is no time, coordinate, velocity or input.
     pub fn read(&self, symbol: Symbol) -> Option<Read> {
-        self.reads.iter().find(|(other, _)| *other == symbol).map(|&(_, read)| read)
+        self.reads.binary_search_by_key(&symbol, |&(other, _)| other).ok().map(|place| self.reads[place].1)
     }
 }
 

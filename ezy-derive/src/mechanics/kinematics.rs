@@ -59,12 +59,22 @@ impl Writer<'_> {
     /// d/dt along the motion: ∂/∂t + Σ q̇ᵢ ∂/∂qᵢ. Velocities are held.
     pub fn time_derivative(&mut self, a: SumId) -> SumId {
         let mut parts = vec![self.algebra.diff(a, Symbol::TIME)];
-        for i in 0..self.symbols.n_coordinates() {
+        for i in self.coordinates_of(a) {
             let slope = self.algebra.diff(a, self.symbols.coordinate_at(i));
             let rate = self.algebra.symbol(self.symbols.velocity_at(i));
             parts.push(self.algebra.mul(slope, rate));
         }
         self.algebra.total(&parts)
+    }
+
+    /// The coordinates that an expression depends on; at the first call all of them, so that velocities are created in
+    /// their order, which is the order in which terms are written.
+    fn coordinates_of(&mut self, a: SumId) -> Vec<usize> {
+        if !std::mem::replace(&mut self.knows_velocities, true) {
+            return (0..self.symbols.n_coordinates()).collect();
+        }
+        let symbols = self.algebra.symbols_of(a);
+        symbols.into_iter().filter_map(|symbol| self.symbols.coordinate_of(symbol)).collect()
     }
 
     fn turned(&mut self, local: Vector, body: Option<BodyId>) -> Vector {

@@ -96,7 +96,7 @@ pub fn straight<'m>(equations: &Equations, slopes: Option<&Slopes>, constants: &
 /// The accelerations, then the multipliers.
 pub fn accelerations<'m>(equations: &Equations, solver: Solver) -> Kernel<'m> {
     let n_q = equations.mass.len();
-    let puts = [vec![Put::Next(0); n_q], vec![Put::Next(1); solver.n_outputs - n_q]].concat();
+    let puts = (0..solver.n_outputs).map(|i| Put::Next(usize::from(i >= n_q))).collect();
     solution(solver, puts, Vec::new())
 }
 
@@ -109,9 +109,10 @@ pub fn correction<'m>(correction: Correction) -> Kernel<'m> {
 }
 
 fn solution<'m>(solver: Solver, puts: Vec<Put>, reads: Vec<(Symbol, Read)>) -> Kernel<'m> {
+    let is_written = solver.is_written();
     let Solver { program, pivots, .. } = solver;
     let pass = Pass { over: Over::Loops(&[]), slots: Vec::new(), program, puts, reads, n_rows: 0 };
-    Kernel { passes: vec![pass], pivots }
+    Kernel { passes: vec![pass], pivots: is_written.then_some(pivots) }
 }
 
 /// The kernels of a scene with counts, but for the slopes.

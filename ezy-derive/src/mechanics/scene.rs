@@ -82,7 +82,7 @@ impl Equations {
         let inputs: Vec<InputId> =
             (0..model.inputs.len()).map(InputId).filter(|id| called(model.inputs[id.0].effect)).collect();
         let mut symbols = Symbols::new(model, &inputs);
-        let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
+        let mut writer = Writer::new(model, &mut algebra, &symbols);
 
         let mass = mass_matrix(&mut writer);
         let scalar_rows = model.rows_of(scene).flat_map(|(id, row)| rows::scalar_rows(&mut writer, row, id));

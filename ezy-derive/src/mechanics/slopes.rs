@@ -16,7 +16,7 @@ const MOST_TERMS: usize = 20_000;
 /// The derivatives of R that are not zero.
 #[derive(Debug)]
 pub struct Slopes {
-    /// What they read besides time, coordinates, velocities and inputs.
+    /// What they read besides time, coordinates, velocities and inputs; ascending by symbol.
     pub reads: Vec<(Symbol, Read)>,
     pub by_q: Vec<Slope>,
     pub by_v: Vec<Slope>,

@@ -8,11 +8,23 @@ use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::{Program, Value};
 use crate::symbolic::{SumId, Symbol};
 
-/// A pivot vanishes below this fraction of the diagonal that it started from; `ezy_core::model::PIVOT_TOLERANCE`.
+/// A pivot vanishes below this fraction of the diagonal that it started from; `ezy_core::__private::PIVOT_TOLERANCE`.
 const PIVOT_TOLERANCE: f64 = 1e-10;
 
+/// Most rows of G that one body may be in for a straight-line elimination. All of them are coupled through it: r rows cost
+/// r³/3 operations, more than the sparse solver takes from about this number on, and minutes of rustc above fifty.
+const MOST_ROWS_OF_A_BODY: usize = 36;
+
+/// Whether an elimination is written: not where it would be longer than what the sparse solver does.
+pub fn is_worth_writing(equations: &Equations) -> bool {
+    let mut n_rows = vec![0; equations.mass.len()];
+    let entries = equations.constraints.jacobian.iter().flatten();
+    entries.for_each(|&(column, _)| n_rows[column] += 1);
+    n_rows.into_iter().all(|n| n <= MOST_ROWS_OF_A_BODY)
+}
+
 /// A program that ends in a solution.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Solver {
     /// Outputs: the solution, then value and threshold of each pivot in the order of `pivots`.
     pub program: Program,
@@ -23,7 +35,14 @@ pub struct Solver {
     pub order: Vec<(Vec<usize>, bool)>,
 }
 
-/// Symbols of the residuals that the correction reads.
+impl Solver {
+    /// Whether the scene has an elimination ([`is_worth_writing`]); otherwise the program is empty.
+    pub fn is_written(&self) -> bool {
+        self.n_outputs > 0
+    }
+}
+
+/// Symbols of the residuals that the correction reads, ascending.
 pub struct Correction {
     pub solver: Solver,
     pub residuals: Vec<Symbol>,
@@ -31,6 +50,9 @@ pub struct Correction {
 
 /// `M a + Gᵀ λ = F`, `G a = −[h; s]`: outputs a, then λ.
 pub fn accelerations(equations: &mut Equations, constants: &mut ConstantPool) -> Solver {
+    if !is_worth_writing(equations) {
+        return Solver::default();
+    }
     let mut forces = Vec::new();
     for i in 0..equations.force.len() {
         forces.push(named_force(equations, i));
@@ -61,6 +83,9 @@ pub fn accelerations(equations: &mut Equations, constants: &mut ConstantPool) ->
 
 /// `delta = −M⁻¹ Gᵀ ν` with `A ν = residual`: outputs delta.
 pub fn correction(equations: &mut Equations, constants: &mut ConstantPool) -> Correction {
+    if !is_worth_writing(equations) {
+        return Correction { solver: Solver::default(), residuals: Vec::new() };
+    }
     let n_rows = equations.constraints.rows.len();
     let residuals: Vec<Symbol> = (0..n_rows).map(|i| equations.symbols.new_named(format!("residual_{i}"))).collect();
     let right_side = residuals.iter().map(|&symbol| equations.algebra.symbol(symbol)).collect();
@@ -93,15 +118,18 @@ fn named_force(equations: &mut Equations, i: usize) -> NamedForce {
 /// −Gᵀ λ
 fn reactions(equations: &mut Equations, multipliers: &[Symbol]) -> Vec<SumId> {
     let (algebra, constraints) = (&mut equations.algebra, &equations.constraints);
-    (0..equations.mass.len())
-        .map(|i| {
+    let mut columns: Vec<Vec<(usize, SumId)>> = vec![Vec::new(); equations.mass.len()];
+    for (row, entries) in constraints.jacobian.iter().enumerate() {
+        entries.iter().for_each(|&(column, g)| columns[column].push((row, g)));
+    }
+    columns
+        .into_iter()
+        .map(|column| {
             let mut parts = Vec::new();
-            for (row, entries) in constraints.jacobian.iter().enumerate() {
-                for &(_, g) in entries.iter().filter(|(column, _)| *column == i) {
-                    let lambda = algebra.symbol(multipliers[row]);
-                    let product = algebra.mul(g, lambda);
-                    parts.push(algebra.neg(product));
-                }
+            for (row, g) in column {
+                let lambda = algebra.symbol(multipliers[row]);
+                let product = algebra.mul(g, lambda);
+                parts.push(algebra.neg(product));
             }
             algebra.total(&parts)
         })
@@ -181,10 +209,23 @@ impl Elimination {
             lowering.program.set_name(value, &name_of(step.symbol));
             lowering.bind(step.symbol, value);
         }
-        let matrix = reduced.matrix.iter().map(|row| row.iter().map(|&a| lowering.lower(a)).collect()).collect();
+        let mut matrix = Vec::new();
+        for row in &reduced.matrix {
+            let mut values = Vec::new();
+            for (place, &(j, entry)) in row.iter().enumerate() {
+                if place < j {
+                    lowering.lower(SumId::ZERO);
+                }
+                values.push((j, lowering.lower(entry)));
+            }
+            if row.len() < reduced.rest.len() {
+                lowering.lower(SumId::ZERO);
+            }
+            matrix.push(values);
+        }
         let right_side = reduced.right_side.iter().map(|&r| lowering.lower(r)).collect();
-        let system = System { program: &mut lowering.program, matrix, right_side };
-        let Solved { solution: found, pivots } = system.solve(blocks.clone());
+        let system = System::new(&mut lowering.program, matrix, right_side);
+        let Solved { solution: found, pivots } = system.solve(blocks);
 
         let zero = lowering.program.literal(0.0);
         let mut multipliers = vec![zero; reduced.multipliers.len()];
@@ -206,10 +247,9 @@ impl Elimination {
             watched.push((vec![step.row], pivot, threshold));
             order.push((vec![step.row], true));
         }
-        for (block, pivot) in &pivots {
-            let i = blocks.iter().position(|other| other == block).unwrap_or(0);
-            let rows: Vec<usize> = block.iter().map(|&i| reduced.rest[i]).collect();
-            watched.push((rows.clone(), *pivot, lowering.lower(thresholds.moving[i])));
+        for (i, pivot) in pivots {
+            let rows: Vec<usize> = blocks[i].iter().map(|&i| reduced.rest[i]).collect();
+            watched.push((rows.clone(), pivot, lowering.lower(thresholds.moving[i])));
             order.push((rows, false));
         }
         Written { solution, multipliers, pivots: watched, order }

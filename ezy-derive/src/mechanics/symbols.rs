@@ -86,6 +86,22 @@ impl Symbols {
         symbol(1 + 2 * self.n_coordinates() + self.n_inputs() + id.0)
     }
 
+    /// The place in q of the coordinate that a symbol stands for.
+    pub fn coordinate_of(&self, symbol: Symbol) -> Option<usize> {
+        match self.meaning(symbol) {
+            Meaning::Coordinate(i) => Some(i),
+            _ => None,
+        }
+    }
+
+    /// The place in v of the velocity that a symbol stands for.
+    pub fn velocity_of(&self, symbol: Symbol) -> Option<usize> {
+        match self.meaning(symbol) {
+            Meaning::Velocity(i) => Some(i),
+            _ => None,
+        }
+    }
+
     /// The index of a `for` that a symbol stands for.
     pub fn index_of(&self, symbol: Symbol) -> Option<IndexId> {
         match self.meaning(symbol) {

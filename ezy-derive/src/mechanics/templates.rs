@@ -101,7 +101,7 @@ impl<'m> Templates<'m> {
         let inputs: Vec<InputId> =
             (0..model.inputs.len()).map(InputId).filter(|id| called(model.inputs[id.0].effect)).collect();
         let mut symbols = Symbols::new(model, &inputs);
-        let mut writer = Writer { model, algebra: &mut algebra, symbols: &symbols };
+        let mut writer = Writer::new(model, &mut algebra, &symbols);
         let masses = model.arrays.iter().map(|array| {
             let (mass, inertia) = (writer.write(&array.mass), writer.write(&array.inertia));
             Component::ALL.map(|component| component.inertia(mass, inertia))
@@ -239,11 +239,16 @@ fn forces<'m>(model: &'m Model, writer: &mut Writer<'_>, scene: &Scene) -> Vec<F
 
 /// The bodies whose coordinates or velocities some of the sums read.
 fn slots(writer: &mut Writer<'_>, sums: &[SumId]) -> Vec<BodyId> {
-    let mut reads = |symbol| sums.iter().any(|&sum| !writer.algebra.diff(sum, symbol).is_zero());
-    let symbols = writer.symbols;
-    let mut read = |body: &BodyId| {
+    let (algebra, symbols) = (&mut writer.algebra, writer.symbols);
+    let body_of =
+        |symbol| symbols.coordinate_of(symbol).or(symbols.velocity_of(symbol)).map(|i| Coordinate::at(i).body);
+    let mut bodies: Vec<BodyId> = sums.iter().flat_map(|&sum| algebra.symbols_of(sum)).filter_map(body_of).collect();
+    bodies.sort_unstable();
+    bodies.dedup();
+    let mut reads = |symbol| sums.iter().any(|&sum| !algebra.diff(sum, symbol).is_zero());
+    bodies.retain(|body| {
         let mut places = Coordinate::of(*body).into_iter().map(Coordinate::place);
         places.any(|i| reads(symbols.coordinate_at(i)) || reads(symbols.velocity_at(i)))
-    };
-    (0..writer.model.bodies.len()).map(BodyId).filter(|body| read(body)).collect()
+    });
+    bodies
 }

@@ -1,10 +1,12 @@
 //! What resolving knows while it goes through the tree.
 
+use std::collections::BTreeSet;
+
 use super::names::{Names, Scope};
 use super::unit::Unit;
 use super::value::Value;
 use super::whole::Whole;
-use super::{Array, Expr, Loop, Place, Slot};
+use super::{Array, EffectId, Expr, Loop, Place, Slot};
 use crate::diag::Diagnostics;
 use crate::parse::ast;
 use proc_macro2::Ident;
@@ -32,6 +34,8 @@ pub struct Context<'a> {
     pub loops: Vec<Loop>,
     /// What the names of indices stand for now.
     pub bound: Vec<(String, Whole)>,
+    /// Declarations that were reported since another effect of a scene has the name, too.
+    pub shared_parameters: BTreeSet<(EffectId, String)>,
     /// By the `array` of a [`Slot`].
     pub arrays: Vec<Array>,
     /// By [`super::BodyId`].

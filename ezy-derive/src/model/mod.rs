@@ -36,7 +36,7 @@ pub use coordinate::{Component, Coordinate};
 pub use resolve::resolve;
 
 use crate::words::Word;
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenStream};
 use whole::{CountId, IndexId, Whole};
 
 /// Index into [`Model::bodies`].
@@ -63,6 +63,8 @@ pub struct StartId(pub usize);
 
 /// A model file, resolved.
 pub struct Model {
+    /// The path of `ezy-core` where the model stands.
+    pub core: TokenStream,
     pub visibility: syn::Visibility,
     /// Name of the model as written, CamelCase.
     pub name: Ident,

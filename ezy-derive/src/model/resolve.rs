@@ -28,6 +28,7 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
             indices: Vec::new(),
             loops: Vec::new(),
             bound: Vec::new(),
+            shared_parameters: Default::default(),
             arrays: Vec::new(),
             slots: Vec::new(),
         },
@@ -269,6 +270,7 @@ impl<'a> Resolver<'a> {
             context.warn_unused_parameters(&choice, &scene_items);
         }
         let model = Model {
+            core: ast.core.clone(),
             visibility: ast.visibility.clone(),
             name: ast.name.clone(),
             documentation: ast.documentation.clone(),

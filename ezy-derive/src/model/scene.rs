@@ -1,5 +1,7 @@
 //! Scenes: one start, one end, and the effects that are called for.
 
+use std::collections::BTreeMap;
+
 use super::case::camel_case;
 use super::constant::constant;
 use super::context::Context;
@@ -129,12 +131,15 @@ impl Context<'_> {
     }
 
     /// The parameters of a scene are the fields of one type; its inputs, outputs, events and stops are known by their names.
+    /// A declaration that repeats one of another effect is reported once, for the first scene and effect that meet it.
     fn check_shared_parameters(&mut self, scene: &ast::Scene, effects: &[EffectId], choice: &Choice) {
-        for (i, second) in effects.iter().enumerate() {
-            for first in &effects[..i] {
-                let (first, second) = (choice.effects[first.0], choice.effects[second.0]);
-                for name in values(second).filter(|name| values(first).any(|other| other == *name)) {
-                    self.diag.error(scenes::shared_parameter(name, &scene.name, &first.name, &second.name));
+        let mut declared: BTreeMap<&Ident, EffectId> = BTreeMap::new();
+        for &second in effects {
+            for name in values(choice.effects[second.0]) {
+                let first = *declared.entry(name).or_insert(second);
+                if first != second && self.shared_parameters.insert((second, name.to_string())) {
+                    let [first, second] = [first, second].map(|effect| &choice.effects[effect.0].name);
+                    self.diag.error(scenes::shared_parameter(name, &scene.name, first, second));
                 }
             }
         }

@@ -3,10 +3,12 @@
 use crate::diag::Extent;
 use crate::function::Operator;
 use crate::words::{Asked, Setting, Word};
-use proc_macro2::{Ident, Span};
+use proc_macro2::{Ident, Span, TokenStream};
 use std::ops::Deref;
 
 pub struct Model {
+    /// The path of `ezy-core` where the model stands.
+    pub core: TokenStream,
     pub visibility: syn::Visibility,
     pub name: Ident,
     pub documentation: String,

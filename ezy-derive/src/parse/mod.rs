@@ -23,8 +23,10 @@ pub use token::is_rust_keyword;
 
 use crate::diag::{Diagnostics, syntax};
 use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
 use syn::Result;
-use syn::parse::{ParseStream, Parser};
+use syn::buffer::Cursor;
+use syn::parse::{ParseStream, Parser, StepCursor};
 use token::{found, name, word};
 
 /// A unit of the language's own tables.
@@ -42,6 +44,7 @@ pub struct Log<'a> {
 /// The model text as a tree. Faults go to `diag`; what could not be parsed is missing in the tree, its name is kept.
 pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
     let mut model = ast::Model {
+        core: quote!(::ezy_core),
         visibility: syn::Visibility::Inherited,
         name: Ident::new("Model", Span::call_site()),
         documentation: String::new(),
@@ -52,6 +55,9 @@ pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
     let mut log = Log { diag, broken: Vec::new(), loops: Vec::new() };
     let mut header = Ok(());
     let rest = (|input: ParseStream| {
+        if let Ok(core) = input.step(core) {
+            model.core = core;
+        }
         header = self::model(input, &mut model, &mut log)
             .map_err(|error| syntax::with_example(error, "model", "pub model Name { … }"));
         Ok(())
@@ -66,6 +72,14 @@ pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
     let rest = if diag.is_empty() { rest } else { Ok(()) };
     diag.keep(header.and(rest));
     model
+}
+
+/// `$crate`, which the `model!` of `ezy-core` writes before the model, so that the crate may have any name where it is used.
+fn core<'c>(cursor: StepCursor<'c, '_>) -> Result<(TokenStream, Cursor<'c>)> {
+    match cursor.ident() {
+        Some((ident, rest)) if ident == "$crate" => Ok((quote!(#ident), rest)),
+        _ => Err(cursor.error("no path")),
+    }
 }
 
 fn model(input: ParseStream, model: &mut ast::Model, log: &mut Log) -> Result<()> {

@@ -2,22 +2,28 @@
 
 use super::sum::{Algebra, Atom, AtomId, Monomial, SumId, Symbol};
 use crate::function::Function;
+use crate::work;
 
 impl Algebra {
     /// ∂a/∂x, with every other symbol held.
     pub fn diff(&mut self, a: SumId, x: Symbol) -> SumId {
+        work::count(1);
         if let Some(&known) = self.derivatives.get(&(a, x)) {
             return known;
         }
-        let derivative = self.diff_terms(a, x);
+        let dependence = self.dependence(a);
+        let Some(places) = dependence.get(&x) else { return SumId::ZERO };
+        let derivative = self.diff_terms(a, places, x);
         self.derivatives.insert((a, x), derivative);
         derivative
     }
 
-    fn diff_terms(&mut self, a: SumId, x: Symbol) -> SumId {
-        let terms = self.terms(a).clone();
+    /// Of the terms that hold x.
+    fn diff_terms(&mut self, a: SumId, places: &[usize], x: Symbol) -> SumId {
+        work::count(places.len());
         let mut parts = Vec::new();
-        for (monomial, k) in terms {
+        for &place in places {
+            let (monomial, k) = self.terms(a)[place];
             let factors = self.monomial(monomial).clone();
             for (i, &(atom, n)) in factors.iter().enumerate() {
                 let inner = self.diff_atom(atom, x);

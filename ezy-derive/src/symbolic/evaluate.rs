@@ -1,9 +1,8 @@
 //! Values of expressions at a point: the second route by which everything derived here is checked.
 
-use std::collections::BTreeSet;
-
 use super::coefficient::{Coefficient, CoefficientNode};
 use super::sum::{Algebra, Atom, AtomId, SumId, Symbol};
+use crate::work;
 
 /// Where an expression is evaluated.
 pub trait Point {
@@ -12,26 +11,8 @@ pub trait Point {
 }
 
 impl Algebra {
-    /// Every symbol of an expression, each once, ascending.
-    pub fn symbols_of(&self, sum: SumId) -> BTreeSet<Symbol> {
-        let mut found = BTreeSet::new();
-        let mut waiting = vec![sum];
-        while let Some(sum) = waiting.pop() {
-            let monomials = self.terms(sum).iter().flat_map(|&(monomial, _)| self.monomial(monomial));
-            for &(atom, _) in monomials {
-                match self.atom(atom) {
-                    Atom::Symbol(symbol) => {
-                        found.insert(*symbol);
-                    }
-                    Atom::Cos(inner) | Atom::Sin(inner) | Atom::Group(inner) => waiting.push(*inner),
-                    Atom::Call(_, arguments) => waiting.extend(arguments),
-                }
-            }
-        }
-        found
-    }
-
     pub fn evaluate(&self, sum: SumId, at: &impl Point) -> f64 {
+        work::count(self.terms(sum).len());
         self.terms(sum)
             .iter()
             .map(|&(monomial, k)| {

@@ -2,6 +2,8 @@
 
 use rustc_hash::FxHashMap;
 
+use crate::work;
+
 /// Values with ids in order of first appearance.
 #[derive(Debug)]
 pub struct Interner<T> {
@@ -20,7 +22,17 @@ impl<T: Clone + Eq + std::hash::Hash> Interner<T> {
         &self.values[id as usize]
     }
 
+    /// All values, in order of first appearance.
+    pub fn values(&self) -> &[T] {
+        &self.values
+    }
+
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
     pub fn intern(&mut self, value: T) -> u32 {
+        work::count(1);
         if let Some(&id) = self.ids.get(&value) {
             return id;
         }

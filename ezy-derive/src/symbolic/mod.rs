@@ -10,10 +10,11 @@
 mod at_zero;
 pub mod call;
 pub mod coefficient;
+mod dependence;
 pub mod diff;
 pub mod evaluate;
 mod fingerprint;
-mod interner;
+pub mod interner;
 pub mod lower;
 pub mod plan;
 pub mod print;

@@ -7,6 +7,7 @@ use rustc_hash::FxHashMap;
 use super::coefficient::{Coefficient, CoefficientId, unsigned};
 use super::interner::Interner;
 use super::sum::{Algebra, AtomId, Monomial, MonomialId, SumId};
+use crate::work;
 
 /// A way to write a sum.
 #[derive(Debug)]
@@ -71,6 +72,7 @@ impl Planner {
         if let Some(known) = self.plans.get(&terms) {
             return known.clone();
         }
+        work::count(terms.len());
         let mut candidates = self.candidates(algebra, &terms);
         self.n_searched += 1;
         if terms.len() > LARGEST_SEARCHED_SUM || self.n_searched > MOST_SEARCHED_PARTS {
@@ -174,6 +176,7 @@ impl Planner {
 }
 
 fn count<K: PartialEq>(list: &mut Vec<(K, usize)>, key: K) {
+    work::count(list.len());
     match list.iter_mut().find(|(known, _)| *known == key) {
         Some((_, n)) => *n += 1,
         None => list.push((key, 1)),

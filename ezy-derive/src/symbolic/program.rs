@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 
 use super::sum::Symbol;
 use crate::function::Function;
+use crate::work;
 
 /// Index of a node; operands always come before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -80,6 +81,11 @@ impl Program {
 
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.0]
+    }
+
+    /// The node of an operation, if the program has it.
+    pub fn find(&self, node: &Node) -> Option<NodeId> {
+        self.ids.get(node).copied()
     }
 
     /// Name for a temporary, if it was given one.
@@ -170,15 +176,22 @@ impl Program {
 
     /// Turns signed outputs into plain ones: swaps a subtraction that nothing else uses, else negates.
     pub fn settle_signs(&mut self) {
+        let mut uses = self.uses();
         for i in 0..self.outputs.len() {
             let output = self.outputs[i];
             if !output.negative {
                 continue;
             }
-            if self.is_zero(output) || self.flip(output.node) {
+            if self.is_zero(output) || self.flip(output.node, &uses) {
                 self.outputs[i].negative = false;
             } else {
                 let node = self.intern(Node::Neg(output.node));
+                uses.resize(self.nodes.len(), 0);
+                // the output reads the negative instead; a negative that nothing read before reads the node in its place
+                if uses[node.0] > 0 {
+                    uses[output.node.0] -= 1;
+                }
+                uses[node.0] += 1;
                 self.outputs[i] = Value { node, negative: false };
             }
         }
@@ -192,6 +205,7 @@ impl Program {
 
     /// How often each node is used by live nodes and outputs.
     pub fn uses(&self) -> Vec<usize> {
+        work::count(self.nodes.len());
         let mut uses = vec![0; self.nodes.len()];
         for output in &self.outputs {
             uses[output.node.0] += 1;
@@ -241,8 +255,8 @@ impl Program {
     }
 
     /// Changes the sign of a node in place where that costs nothing and nothing else sees it.
-    fn flip(&mut self, id: NodeId) -> bool {
-        if self.uses()[id.0] != 1 {
+    fn flip(&mut self, id: NodeId, uses: &[usize]) -> bool {
+        if uses[id.0] != 1 {
             return false;
         }
         match *self.node(id) {
@@ -250,8 +264,8 @@ impl Program {
                 self.nodes[id.0] = Node::Sub(b, a);
                 true
             }
-            Node::Mul(a, b) => self.flip(b) || self.flip(a),
-            Node::Div(a, _) => self.flip(a),
+            Node::Mul(a, b) => self.flip(b, uses) || self.flip(a, uses),
+            Node::Div(a, _) => self.flip(a, uses),
             _ => false,
         }
     }
@@ -268,6 +282,7 @@ impl Program {
     }
 
     fn intern(&mut self, node: Node) -> NodeId {
+        work::count(1);
         if let Some(&id) = self.ids.get(&node) {
             return id;
         }

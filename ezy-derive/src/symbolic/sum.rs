@@ -1,10 +1,14 @@
 //! Sums of products of atoms in normal form.
 
+use std::sync::Arc;
+
 use rustc_hash::FxHashMap;
 
 use super::coefficient::{Coefficient, Coefficients};
+use super::dependence::Dependence;
 use super::interner::Interner;
 use crate::function::Function;
+use crate::work;
 
 /// A variable of an expression; what it stands for is known to the caller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -16,7 +20,7 @@ impl Symbol {
 }
 
 /// Index of a sum: equal sums have equal ids.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SumId(pub u32);
 
 /// Index of an atom.
@@ -53,6 +57,8 @@ pub struct Algebra {
     sums: Interner<Terms>,
     /// Of sums that were differentiated: without it the time would double with every law inside of a law.
     pub(super) derivatives: FxHashMap<(SumId, Symbol), SumId>,
+    /// Of sums that were differentiated or asked for their symbols.
+    pub(super) dependences: FxHashMap<SumId, Arc<Dependence>>,
 }
 
 impl SumId {
@@ -77,6 +83,7 @@ impl Algebra {
             monomials: Interner::default(),
             sums: Interner::default(),
             derivatives: FxHashMap::default(),
+            dependences: FxHashMap::default(),
         };
         new.monomials.intern(Vec::new());
         new.sums.intern(Vec::new());
@@ -140,6 +147,7 @@ impl Algebra {
 
     /// Adds like terms and sorts.
     pub fn sum(&mut self, mut terms: Terms) -> SumId {
+        work::count(terms.len());
         terms.sort_by_key(|(monomial, _)| *monomial);
         let mut merged: Terms = Vec::with_capacity(terms.len());
         for (monomial, k) in terms {

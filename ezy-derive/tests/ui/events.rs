@@ -1,8 +1,6 @@
 //! Events, and what ends a scene: conditions that pass from one side to the other; a time is the latest end.
 
-use ezy_derive::model;
-
-model! {
+ezy_core::model! {
     pub model Signs {
         body ball { mass: 1, inertia: 1 }
         event landing: ball.y;
@@ -16,7 +14,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Throw {
         param h: m = 1.0;
         body ball { mass: 1, inertia: 1 }
@@ -39,7 +37,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Row {
         count n = 3;
         body ball[n] { mass: 1, inertia: 1 }
@@ -54,6 +52,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -1,6 +1,6 @@
 //! Inputs and outputs: an input is set while a scene runs, so rows cannot follow it and nothing fixed can depend on it.
 
-ezy_derive::model! {
+ezy_core::model! {
     pub model EzyRoller {
         param m1: kg = 46.0;
         input torque: N*m = 0.0;
@@ -23,6 +23,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -1,8 +1,6 @@
 //! Limits of skates: a force, and one skate of a scene at most that has one.
 
-use ezy_derive::model;
-
-model! {
+ezy_core::model! {
     pub model Written {
         param mu: 1 = 0.5;
         body sled { mass: 1, inertia: 1 }
@@ -20,7 +18,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Two {
         body sled { mass: 1, inertia: 1 }
         body cart { mass: 1, inertia: 1 }
@@ -34,7 +32,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Many {
         count n = 3;
         body sled[n] { mass: 1, inertia: 1 }
@@ -49,6 +47,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -1,6 +1,6 @@
 //! Derivatives that are too long: rows and stops are differentiated twice, and nested quotients multiply.
 
-ezy_derive::model! {
+ezy_core::model! {
     pub model Nested {
         param a: m = 1.0;
         param b: m = 2.0;
@@ -20,6 +20,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -1,6 +1,6 @@
 //! Faults of repeating: counts, arrays and `for`.
 
-ezy_derive::model! {
+ezy_core::model! {
     pub model Chain {
         count n = 2.5;
         param l: m = 1.0;
@@ -24,6 +24,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -1,8 +1,6 @@
 //! Faults that only the equations show.
 
-use ezy_derive::model;
-
-model! {
+ezy_core::model! {
     pub model NotLinear {
         body one { mass: 1, inertia: 1 }
         velocity constraint fast: one.vx * one.vy = 0;
@@ -11,7 +9,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Nothing {
         param w: rad/s = 1.0;
         body one { mass: 1, inertia: 1 }
@@ -23,7 +21,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Repeated {
         body one { mass: 1, inertia: 1 }
         body two { mass: 1, inertia: 1 }
@@ -36,7 +34,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model TooMuch {
         body one { mass: 1, inertia: 1 }
         hinge pin: ground(0, 0) ~ one(-1, 0);
@@ -47,7 +45,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Released {
         body one { mass: 1, inertia: 1 }
         skate edge: at one(0, 0) along one(1, 0);
@@ -63,6 +61,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -1,6 +1,6 @@
 //! Faults across items: what joins, what is given, what a scene needs.
 
-ezy_derive::model! {
+ezy_core::model! {
     pub model EzyRoller {
         body seat { mass: 46.0, inertia: 10.0 }
         body bar { mass: 1.0, inertia: 0.005 }
@@ -23,6 +23,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -1,8 +1,6 @@
 //! Stops: they bound positions, and a scene has one of them at most.
 
-use ezy_derive::model;
-
-model! {
+ezy_core::model! {
     pub model Written {
         body ball { mass: 1, inertia: 1 }
         stop wall: ball.x;
@@ -16,7 +14,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Bounded {
         param k: m = 1.0;
         input u: m = 1.0;
@@ -38,7 +36,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Two {
         body ball { mass: 1, inertia: 1 }
         stop floor: ball.y from 0;
@@ -49,7 +47,7 @@ model! {
     }
 }
 
-model! {
+ezy_core::model! {
     pub model Many {
         count n = 3;
         body ball[n] { mass: 1, inertia: 1 }
@@ -64,6 +62,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -1,6 +1,6 @@
 //! Faults of syntax: each is reported, on its own token.
 
-ezy_derive::model! {
+ezy_core::model! {
     pub model EzyRoller {
         param a: m 0.2;
         param b: m = 2**3;
@@ -20,6 +20,13 @@ fn main() {}
 // stands for ezy-core, which these tests do without
 extern crate self as ezy_core;
 #[macro_export]
+macro_rules! model {
+    ($($model:tt)*) => { ezy_derive::model! { $crate $($model)* } };
+}
+#[macro_export]
 macro_rules! faulty_model {
     ($($model:tt)*) => {};
+}
+pub mod __private {
+    pub use crate::faulty_model;
 }

@@ -5,6 +5,7 @@
 mod averaged;
 mod claims;
 mod coast;
+pub mod command;
 mod driven;
 mod equations_part;
 mod error;

@@ -1,6 +1,6 @@
 //! Accelerations and multipliers at one state against the oracle.
 
-use ezy_core::model::PIVOT_TOLERANCE;
+use ezy_core::__private::PIVOT_TOLERANCE;
 use ezy_core::prelude::*;
 
 use super::draw::Draw;

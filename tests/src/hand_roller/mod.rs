@@ -8,7 +8,8 @@ mod info;
 mod schur;
 mod series;
 
-use ezy_core::model::{Equations, Pivots, Scene, SceneInfo, Series, Start};
+use ezy_core::__private::{Pivots, Series};
+use ezy_core::model::{Derived, Equations, Scene, SceneInfo, Start};
 use schur::Schur;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -115,6 +116,12 @@ impl Equations<f64> for HandRoller {
     }
 }
 
+impl Derived for HandRoller {
+    fn series(&self) -> Option<&dyn Series<f64>> {
+        Some(self)
+    }
+}
+
 impl Scene for HandRoller {
     fn info(&self) -> &'static SceneInfo {
         if self.driven { &info::DRIVEN } else { &info::COAST }
@@ -159,8 +166,4 @@ impl Scene for HandRoller {
     }
 
     fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
-
-    fn series(&self) -> Option<&dyn Series<f64>> {
-        Some(self)
-    }
 }

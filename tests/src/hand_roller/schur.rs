@@ -1,6 +1,6 @@
 //! `[M Gᵀ; G 0] [x; y] = [f; r]` by `G M⁻¹ Gᵀ y = G M⁻¹ f − r` and LDLᵀ.
 
-use ezy_core::model::{PIVOT_TOLERANCE, Pivots};
+use ezy_core::__private::{PIVOT_TOLERANCE, Pivots};
 
 pub struct Schur {
     mass: [f64; 6],

@@ -4,7 +4,7 @@
 //! c·y, s·μ, c·μ, s·λ₁, c·λ₂. Right factors hold m x_m of a coordinate in row m, and a multiplier of order k in row k + 2.
 
 use super::HandRoller;
-use ezy_core::model::{PIVOT_TOLERANCE, Pivots, Series, SeriesSize, SeriesStore};
+use ezy_core::__private::{PIVOT_TOLERANCE, Pivots, Series, SeriesSize, SeriesStore};
 use ezy_core::scalar::Scalar;
 
 /// Products of one body.

@@ -25,6 +25,22 @@ const CORE: &[(&str, &[&str])] = &[
     ("simulate", &["simulate", "integrate", "dynamics", "linalg", "record", "model", "scalar"]),
     ("report", &["report", "record", "model"]),
     ("accuracy", &["accuracy", "simulate", "integrate", "dynamics", "linalg", "record", "report", "model", "scalar"]),
+    (
+        "cli",
+        &[
+            "cli",
+            "accuracy",
+            "testing",
+            "simulate",
+            "integrate",
+            "dynamics",
+            "linalg",
+            "record",
+            "report",
+            "model",
+            "scalar",
+        ],
+    ),
 ];
 
 fn root() -> PathBuf {

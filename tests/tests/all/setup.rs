@@ -93,3 +93,19 @@ fn invariant_progress_rises_to_one() {
         assert!(told.is_sorted() && told.last() == Some(&1.0) && told.len() == 100, "{route}: {told:?}");
     }
 }
+
+#[test]
+fn invariant_order_of_a_run_can_be_handed_to_another_thread() {
+    fn assert_send<T: Send>() {}
+    assert_send::<Simulation<'_, dyn Scene>>();
+    assert_send::<Stepper<'_, dyn Scene>>();
+    assert_send::<Run>();
+    for Case { route, scene } in driven() {
+        let mut told = 0;
+        let here = Simulation::new(&*scene).until(0.1).run().unwrap();
+        let order = Simulation::new(&*scene).until(0.1).on_progress(|_| told += 1);
+        let there = std::thread::scope(|threads| threads.spawn(move || order.run()).join()).unwrap().unwrap();
+        assert_eq!(here.last().coordinates, there.last().coordinates, "{route}");
+        assert!(told > 0, "{route}");
+    }
+}

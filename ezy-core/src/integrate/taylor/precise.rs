@@ -31,6 +31,7 @@ const SHORTEST: f64 = 1e-14;
 
 /// There is no motion in numbers of twice the length.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PreciseError {
     /// The scene has no Taylor series.
     #[error("scene `{scene}` has no Taylor series, so there is no motion in double-double")]

@@ -11,6 +11,7 @@ use look::Look;
 
 /// How the axes are scaled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Axes {
     /// Both linear.
     Linear,
@@ -72,6 +73,7 @@ pub struct Figure {
 
 /// Why a figure could not be made.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum FigureError {
     /// No point of any curve can be shown.
     #[error("figure `{title}` has nothing to draw: no finite point{positive}; give at least one curve with values")]

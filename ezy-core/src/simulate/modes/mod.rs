@@ -29,7 +29,7 @@ enum Law {
 /// The modes that are not under way, and what ends the one that is.
 pub(super) struct Modes<'s, S: Scene + ?Sized> {
     law: Law,
-    /// The one under way, a place in [`Scene::modes`].
+    /// The one under way, a place in `Derived::modes`.
     mode: usize,
     parked: Vec<(usize, Motion<'s, S>)>,
     lookout: Lookout,

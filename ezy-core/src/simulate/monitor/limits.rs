@@ -42,6 +42,7 @@ impl Limits {
 
 /// A limit would be exceeded by the next state; the last one within it is the end of the run.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExceededLimit {
     /// A row is not met.
     #[error(

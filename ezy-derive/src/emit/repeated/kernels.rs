@@ -22,7 +22,7 @@ pub fn body(model: &Model, symbols: &Symbols, signature: &Signature, kernel: &Ke
         kernel.passes.iter().map(|pass| Writer { model, symbols, signature, pass }.pass()).collect();
     let firsts = kernel.passes.iter().any(|pass| !matches!(pass.over, Over::Members(_))).then(|| firsts(model));
     let counters = counters(signature, kernel);
-    let zero = signature.numbers.convert(quote!(0.0));
+    let zero = signature.numbers().convert(quote!(0.0));
     let (opening, result) = match (signature.quantity, signature.writes) {
         (Quantity::AppliedForce | Quantity::Power, _) => (quote!(out.fill(#zero);), quote!()),
         (_, Writes::Value) => (quote!(let mut total = #zero;), quote!(total)),
@@ -62,7 +62,7 @@ impl Writer<'_> {
         let Pass { over, slots, program, puts, n_rows, .. } = self.pass;
         let place = |i| coordinate(slots, i);
         let Body { statements, outputs } =
-            kernel::body_at(self.signature.numbers, program, self.symbols, &place, &|symbol| self.read(symbol));
+            kernel::body_at(self.signature.numbers(), program, self.symbols, &place, &|symbol| self.read(symbol));
         let puts = puts.iter().zip(outputs).map(|(put, value)| self.put(*put, value));
         let rows = (*n_rows > 0).then(|| quote!(place += #n_rows;));
         match over {
@@ -102,7 +102,7 @@ impl Writer<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
         if let Some(id) = self.symbols.index_of(symbol) {
             let value = whole(self.model, &Whole::Index(id));
-            return self.signature.numbers.convert(quote!((#value as f64)));
+            return self.signature.numbers().convert(quote!((#value as f64)));
         }
         match self.pass.read(symbol) {
             Some(Read::Acceleration(i)) => {

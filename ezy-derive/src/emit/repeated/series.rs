@@ -37,10 +37,10 @@ pub fn implementation(
     quote! {
         #[automatically_derived]
         #[allow(unused_assignments, unused_mut)]
-        impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for #type_name {
-            fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-                let info = ::ezy_core::model::Scene::info(self);
-                let mut size = ::ezy_core::model::SeriesSize {
+        impl<T: ezy::Scalar> ezy::Series<T> for #type_name {
+            fn series_size(&self) -> ezy::SeriesSize {
+                let info = ezy::Scene::info(self);
+                let mut size = ezy::SeriesSize {
                     n_coordinates: info.n_coordinates(),
                     n_rows: info.n_rows(),
                     n_products: 0,
@@ -48,30 +48,30 @@ pub fn implementation(
                     n_kept: 0,
                 };
                 #(#sizes)*
-                size.n_products = size.n_products.next_multiple_of(::ezy_core::model::PRODUCT_GROUP);
+                size.n_products = size.n_products.next_multiple_of(ezy::PRODUCT_GROUP);
                 size
             }
             fn begin(
                 &self,
                 c: &[T],
                 t: T,
-                store: &mut ::ezy_core::model::SeriesStore<T>,
-            ) -> ::ezy_core::model::Pivots {
+                store: &mut ezy::SeriesStore<T>,
+            ) -> ezy::Pivots {
                 #firsts
                 #opening
                 let (q, v) = q[..2 * n_q].split_at(n_q);
                 force.fill(T::from_f64(0f64));
                 #(#begin)*
-                ::ezy_core::model::Pivots::ALL_VANISHED
+                ezy::Pivots::ALL_VANISHED
             }
-            fn right_side(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
+            fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
                 #firsts
                 #opening
                 force.fill(T::from_f64(0f64));
                 #(#right_side)*
             }
-            fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {}
-            fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
+            fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {}
+            fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
                 #firsts
                 #opening
                 let inverse = T::from_f64(1f64) / T::from_f64(((k + 1) * (k + 2)) as f64);
@@ -85,7 +85,7 @@ pub fn implementation(
 /// The arrays of the store with the lengths of their rows, and where the first member stands.
 fn opening() -> TokenStream {
     quote! {
-        let ::ezy_core::model::SeriesStore { q, lambda, left, right, sums, kept, base, force, row, a } = store;
+        let ezy::SeriesStore { q, lambda, left, right, sums, kept, base, force, row, a } = store;
         let (n_q, n_c, n_products) = (force.len(), row.len(), sums.len());
         let n_kept = if n_q == 0 { 0 } else { kept.len() / (q.len() / n_q) };
         let (mut row_place, mut product_place, mut base_place, mut kept_place) = (0, 0, 0, 0);

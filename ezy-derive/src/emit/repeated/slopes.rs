@@ -16,8 +16,8 @@ pub fn places(model: &Model, templates: &Templates<'_>, slopes: &[Slopes]) -> To
     let places = templates.items().zip(slopes).map(|(item, slopes)| of_item(model, &item, slopes, n_q));
     quote! {
         #firsts
-        let n_q = ::ezy_core::model::Scene::info(self).n_coordinates();
-        let mut places = ::ezy_core::model::SlopePlaces::default();
+        let n_q = ezy::Scene::info(self).n_coordinates();
+        let mut places = ezy::SlopePlaces::default();
         let mut place = 0;
         #(#places)*
         ::core::option::Option::Some(places)

@@ -1,6 +1,7 @@
 //! Rows that repeat others once the model is assembled with its declared parameters: two hinges between the same two
 //! bodies, say, which fit only if their distances agree. A warning: with other parameters the rows may be independent.
 
+use super::basis::Row;
 use super::{RandomState, dependent_rows};
 use crate::diag::{Diagnostics, equations as message};
 use crate::mechanics::Equations;
@@ -8,6 +9,7 @@ use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::model::Model;
 use crate::symbolic::Symbol;
 use crate::symbolic::evaluate::Point;
+use crate::work;
 
 /// Assemblies that are tried, from different guesses: what all of them say is no accident of one position.
 const SEEDS: [u64; 3] = [11, 12, 13];
@@ -70,43 +72,84 @@ fn assemble<'a>(equations: &'a Equations, defaults: &'a [f64], seed: u64) -> Opt
         if !largest.is_finite() {
             return None;
         }
-        let jacobian: Vec<Vec<f64>> = (constraints.jacobian[..residual.len()].iter())
-            .map(|entries| {
-                let mut row = vec![0.0; state.q.len()];
-                for &(column, entry) in entries {
-                    row[column] = equations.algebra.evaluate(entry, &state);
-                }
-                row
-            })
-            .collect();
-        let multipliers = solve_normal(&jacobian, residual);
+        let value = |entry| equations.algebra.evaluate(entry, &state);
+        let row = |entries: &Vec<(usize, _)>| entries.iter().map(|&(column, entry)| (column, value(entry))).collect();
+        let jacobian: Vec<Row> = constraints.jacobian[..residual.len()].iter().map(row).collect();
+        let multipliers = solve_normal(&jacobian, residual, state.q.len());
         for (row, multiplier) in jacobian.iter().zip(&multipliers) {
-            state.q.iter_mut().zip(row).for_each(|(q, entry)| *q -= entry * multiplier);
+            row.iter().for_each(|(&column, entry)| state.q[column] -= entry * multiplier);
         }
     }
     None
 }
 
+/// Columns with more rows would make J Jᵀ dense.
+const MOST_ROWS_OF_A_COLUMN: usize = 36;
+
 /// x with (J Jᵀ + damping) x = r.
-fn solve_normal(jacobian: &[Vec<f64>], mut right_side: Vec<f64>) -> Vec<f64> {
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-    let mut matrix: Vec<Vec<f64>> = jacobian.iter().map(|a| jacobian.iter().map(|b| dot(a, b)).collect()).collect();
-    let n = matrix.len();
-    for (i, row) in matrix.iter_mut().enumerate() {
-        row[i] += DAMPING * row[i].max(f64::MIN_POSITIVE);
+///
+/// J = [L H] with H the few columns that many rows share: for B = L Lᵀ + damping, B X = H and B y = r,
+/// x = y − X (1 + Hᵀ X)⁻¹ Hᵀ y (Woodbury).
+fn solve_normal(jacobian: &[Row], right_side: Vec<f64>, n_columns: usize) -> Vec<f64> {
+    let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n_columns];
+    for (i, row) in jacobian.iter().enumerate() {
+        row.iter().for_each(|(&column, &x)| columns[column].push((i, x)));
     }
-    // positive definite: no pivoting
-    for k in 0..n {
-        let pivot = matrix[k].clone();
-        for i in k + 1..n {
-            let factor = matrix[i][k] / pivot[k];
-            matrix[i].iter_mut().zip(&pivot).for_each(|(x, y)| *x -= factor * y);
-            right_side[i] -= factor * right_side[k];
+    let (heavy, light): (Vec<_>, Vec<_>) = columns.into_iter().partition(|column| column.len() > MOST_ROWS_OF_A_COLUMN);
+    let mut right_sides = vec![right_side];
+    for column in &heavy {
+        let mut dense = vec![0.0; jacobian.len()];
+        column.iter().for_each(|&(i, x)| dense[i] = x);
+        right_sides.push(dense);
+    }
+    solve_sparse(&mut normal_matrix(jacobian, &light), &mut right_sides);
+    let dot = |column: &[(usize, f64)], x: &[f64]| column.iter().map(|&(i, y)| x[i] * y).sum::<f64>();
+    let (known, of_heavy) = right_sides.split_at_mut(1);
+    let shares = heavy.iter().enumerate().map(|(i, column)| {
+        let entry = |(j, x): (usize, &Vec<f64>)| (j, dot(column, x) + f64::from(u8::from(i == j)));
+        of_heavy.iter().enumerate().map(entry).filter(|(j, _)| *j >= i).collect::<Row>()
+    });
+    let mut shares: Vec<Row> = shares.collect();
+    let mut weights = vec![heavy.iter().map(|column| dot(column, &known[0])).collect()];
+    solve_sparse(&mut shares, &mut weights);
+    let mut found = std::mem::take(&mut known[0]);
+    for (weight, x) in weights[0].iter().zip(of_heavy) {
+        found.iter_mut().zip(x).for_each(|(found, x)| *found -= weight * *x);
+    }
+    found
+}
+
+/// The upper triangle of L Lᵀ from the columns of L, with damping by the diagonal of J Jᵀ.
+fn normal_matrix(jacobian: &[Row], columns: &[Vec<(usize, f64)>]) -> Vec<Row> {
+    let size = |row: &Row| row.values().map(|x| x * x).sum::<f64>().max(f64::MIN_POSITIVE);
+    let mut matrix: Vec<Row> =
+        jacobian.iter().enumerate().map(|(i, row)| Row::from([(i, DAMPING * size(row))])).collect();
+    for column in columns {
+        for (place, &(i, x)) in column.iter().enumerate() {
+            work::count(column.len() - place);
+            column[place..].iter().for_each(|&(j, y)| *matrix[i].entry(j).or_insert(0.0) += x * y);
         }
     }
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| matrix[k][j] * right_side[j]).sum();
-        right_side[k] = (right_side[k] - known) / matrix[k][k];
+    matrix
+}
+
+/// Solves with a positive definite matrix, given by its upper triangle: without pivoting, in place.
+fn solve_sparse(matrix: &mut [Row], right_sides: &mut [Vec<f64>]) {
+    let n = matrix.len();
+    for k in 0..n {
+        let coupled: Vec<(usize, f64)> = matrix[k].iter().map(|(&j, &x)| (j, x)).collect();
+        let pivot = coupled[0].1;
+        for (place, &(i, x)) in coupled.iter().enumerate().skip(1) {
+            let factor = x / pivot;
+            work::count(coupled.len() - place);
+            coupled[place..].iter().for_each(|&(j, y)| *matrix[i].entry(j).or_insert(0.0) -= factor * y);
+            right_sides.iter_mut().for_each(|side| side[i] -= factor * side[k]);
+        }
     }
-    right_side
+    for side in right_sides {
+        for k in (0..n).rev() {
+            let known: f64 = matrix[k].range(k + 1..).map(|(&j, x)| x * side[j]).sum();
+            side[k] = (side[k] - known) / matrix[k][&k];
+        }
+    }
 }

@@ -6,6 +6,9 @@
 //!
 //! Source: Frobenius, J. reine angew. Math. 82 (1877); as in Bloch, Nonholonomic Mechanics and Control, ch. 2.
 
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::basis::{Basis, Row, largest};
 use super::{DEPENDENT, RandomState, SAMPLES};
 use crate::diag::{Diagnostics, equations as message};
 use crate::mechanics::rows::Demand;
@@ -17,112 +20,136 @@ use crate::symbolic::{SumId, Symbol};
 const CLOSED: f64 = 1e-9;
 
 pub fn rows(model: &Model, equations: &mut Equations, reported: &mut Vec<usize>, diag: &mut Diagnostics) {
-    let forms: Vec<Form> = (0..equations.constraints.rows.len()).map(|row| Form::new(equations, row)).collect();
-    for (i, row) in equations.constraints.rows.iter().enumerate() {
-        let velocity = matches!(row.demand, Demand::Velocity(_));
-        if velocity
-            && !reported.contains(&row.family)
-            && (0..SAMPLES).all(|seed| integrates(equations, &forms, i, seed))
-        {
+    let n_h = equations.constraints.n_position_rows;
+    let n_c = equations.constraints.rows.len();
+    if n_h == n_c {
+        return;
+    }
+    let forms: Vec<Form> = (0..n_c).map(|row| Form::new(equations, row)).collect();
+    let samples: Vec<Sample> = (0..SAMPLES).map(|seed| Sample::new(equations, &forms[..n_h], seed)).collect();
+    for (row, form) in equations.constraints.rows.iter().zip(&forms).skip(n_h) {
+        if !reported.contains(&row.family) && samples.iter().all(|sample| sample.integrates(equations, form)) {
             diag.warning(message::integrates(&model.rows[row.family].name, row.kind, &row.name));
             reported.push(row.family);
         }
     }
 }
 
-/// A row as a form on coordinates and time, with its slopes.
+/// A row as a form on coordinates and time, with its slopes; zeros are left out.
 struct Form {
-    entries: Vec<SumId>,
-    /// `slopes[j][i]` = ∂ω_j/∂q_i; empty for position rows, which are closed.
-    slopes: Vec<Vec<SumId>>,
+    entries: Vec<(usize, SumId)>,
+    /// (j, i, ∂ω_j/∂q_i); empty for position rows, which are closed.
+    slopes: Vec<(usize, usize, SumId)>,
 }
 
 impl Form {
     fn new(equations: &mut Equations, row: usize) -> Self {
-        let n_q = equations.mass.len();
-        let constraints = &equations.constraints;
-        let mut entries = vec![SumId::ZERO; n_q + 1];
-        for &(column, entry) in &constraints.jacobian[row] {
-            entries[column] = entry;
-        }
-        let (algebra, symbols) = (&mut equations.algebra, &equations.symbols);
+        let Equations { algebra, symbols, constraints, .. } = equations;
+        let time = symbols.n_coordinates();
+        let mut entries = constraints.jacobian[row].clone();
         // the rate without its part in velocities
         let mut drift = constraints.velocity[row];
-        for (i, &entry) in entries[..n_q].iter().enumerate() {
+        for &(i, entry) in &constraints.jacobian[row] {
             let velocity = algebra.symbol(symbols.velocity_at(i));
             let part = algebra.mul(entry, velocity);
             drift = algebra.sub(drift, part);
         }
-        entries[n_q] = drift;
-        let slopes = match constraints.rows[row].demand {
-            Demand::Position(_) => Vec::new(),
-            Demand::Velocity(_) => {
-                let coordinate = |i| if i < n_q { symbols.coordinate_at(i) } else { Symbol::TIME };
-                let slope = |entry: SumId| (0..=n_q).map(|i| algebra.diff(entry, coordinate(i))).collect();
-                entries.iter().copied().map(slope).collect()
+        if !drift.is_zero() {
+            entries.push((time, drift));
+        }
+        let mut slopes = Vec::new();
+        if matches!(constraints.rows[row].demand, Demand::Velocity(_)) {
+            for &(j, entry) in &entries {
+                for symbol in algebra.symbols_of(entry) {
+                    let i = if symbol == Symbol::TIME { Some(time) } else { symbols.coordinate_of(symbol) };
+                    slopes.extend(i.map(|i| (j, i, algebra.diff(entry, symbol))));
+                }
             }
-        };
+        }
         Self { entries, slopes }
     }
-}
 
-fn integrates(equations: &Equations, forms: &[Form], row: usize, seed: u64) -> bool {
-    let state = RandomState { symbols: &equations.symbols, seed };
-    let value = |sum: SumId| equations.algebra.evaluate(sum, &state);
-    let values = |sums: &[SumId]| sums.iter().map(|&sum| value(sum)).collect::<Vec<f64>>();
-    let n_h = equations.constraints.n_position_rows;
-    let mut rows: Vec<Vec<f64>> = forms[..n_h].iter().map(|form| values(&form.entries)).collect();
-    rows.push(values(&forms[row].entries));
-    let mut motions = null_space(rows.clone());
-    if motions.len() < 3 {
-        rows.pop();
-        motions = null_space(rows);
+    fn at(&self, equations: &Equations, state: &RandomState<'_>) -> Row {
+        self.entries.iter().map(|&(column, entry)| (column, equations.algebra.evaluate(entry, state))).collect()
     }
-    let slopes: Vec<Vec<f64>> = forms[row].slopes.iter().map(|slopes| values(slopes)).collect();
-    let size = slopes.iter().flatten().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    let curl = |x: &[f64], y: &[f64]| {
-        let n = slopes.len();
-        (0..n)
-            .flat_map(|i| (0..n).map(move |j| (i, j)))
-            .map(|(i, j)| (slopes[j][i] - slopes[i][j]) * x[i] * y[j])
-            .sum::<f64>()
-    };
-    let pairs = motions.iter().enumerate().flat_map(|(i, x)| motions[..i].iter().map(move |y| (x, y)));
-    motions.len() > 2 && pairs.into_iter().all(|(x, y)| curl(x, y).abs() <= CLOSED * size.max(f64::MIN_POSITIVE))
 }
 
-/// Motions that all rows allow, each with largest entry one.
-fn null_space(mut rows: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-    let n = rows.first().map_or(0, Vec::len);
-    let mut pivots: Vec<usize> = Vec::new();
-    let mut rank = 0;
-    while rank < rows.len() {
-        let entries = (rank..rows.len()).flat_map(|i| (0..n).map(move |j| (i, j)));
-        let size = |&(i, j): &(usize, usize)| rows[i][j].abs();
-        let Some((i, j)) = entries.max_by(|a, b| size(a).total_cmp(&size(b))).filter(|at| size(at) > DEPENDENT) else {
-            break;
-        };
-        rows.swap(rank, i);
-        let pivot = rows[rank].clone();
-        for (other, row) in rows.iter_mut().enumerate() {
-            if other != rank {
-                let factor = row[j] / pivot[j];
-                row.iter_mut().zip(&pivot).for_each(|(x, y)| *x -= factor * y);
+/// The motions that the position rows allow at a random state.
+struct Sample {
+    seed: u64,
+    /// Each coordinate, and time, as a combination of free ones.
+    space: Vec<Row>,
+    /// Largest entry of the motion of each free coordinate.
+    sizes: Row,
+}
+
+impl Sample {
+    fn new(equations: &Equations, position_rows: &[Form], seed: u64) -> Self {
+        let state = RandomState { symbols: &equations.symbols, seed };
+        let mut basis = Basis::default();
+        for form in position_rows {
+            let reduced = basis.reduce(form.at(equations, &state));
+            if reduced.size() > DEPENDENT {
+                basis.push(reduced);
             }
         }
-        pivots.push(j);
-        rank += 1;
-    }
-    let free = (0..n).filter(|j| !pivots.contains(j));
-    let motion = |free: usize| {
-        let mut motion = vec![0.0; n];
-        motion[free] = 1.0;
-        for (row, &pivot) in rows.iter().zip(&pivots) {
-            motion[pivot] = -row[free] / row[pivot];
+        let space = basis.null_space(equations.symbols.n_coordinates() + 1);
+        let mut sizes = Row::new();
+        for (&free, x) in space.iter().flatten() {
+            let size = sizes.entry(free).or_insert(0.0);
+            *size = x.abs().max(*size);
         }
-        let largest = motion.iter().fold(1.0, |largest: f64, x| largest.max(x.abs()));
-        motion.iter_mut().for_each(|x| *x /= largest);
-        motion
-    };
-    free.map(motion).collect()
+        Self { seed, space, sizes }
+    }
+
+    fn integrates(&self, equations: &Equations, form: &Form) -> bool {
+        let state = RandomState { symbols: &equations.symbols, seed: self.seed };
+        let slopes = form.slopes.iter().map(|&(j, i, slope)| (j, i, equations.algebra.evaluate(slope, &state)));
+        let slopes: Vec<(usize, usize, f64)> = slopes.collect();
+        let size = slopes.iter().fold(f64::MIN_POSITIVE, |largest, (.., x)| largest.max(x.abs()));
+        let n_motions = self.sizes.len();
+        // along the row of velocities itself, where enough motions are left
+        let mut along = Row::new();
+        for (column, x) in form.at(equations, &state) {
+            self.space[column].iter().for_each(|(&free, y)| *along.entry(free).or_insert(0.0) += x * y);
+        }
+        let (free, rate) = largest(&along);
+        let crossed = (rate.abs() > DEPENDENT && n_motions > 3).then_some(free);
+        let motions = self.motions(&slopes, &along, crossed);
+        let curl = |x: &Row, y: &Row| {
+            let product = |i: &usize, j: &usize| Some(x.get(i)? * y.get(j)?);
+            let part = |i, j| product(i, j).unwrap_or(0.0) - product(j, i).unwrap_or(0.0);
+            slopes.iter().map(|(j, i, slope)| slope * part(i, j)).sum::<f64>()
+        };
+        let pairs = motions.iter().enumerate().flat_map(|(i, x)| motions[..i].iter().map(move |y| (x, y)));
+        n_motions > 2 && pairs.into_iter().all(|(x, y)| curl(x, y).abs() <= CLOSED * size)
+    }
+
+    /// The motions that move what the slopes read, by those coordinates, none with an entry far above one. Each is that of
+    /// a free coordinate; `crossed` is moved besides so that `along` stays zero.
+    fn motions(&self, slopes: &[(usize, usize, f64)], along: &Row, crossed: Option<usize>) -> Vec<Row> {
+        let columns: BTreeSet<usize> = slopes.iter().flat_map(|&(j, i, _)| [j, i]).collect();
+        let mut motions: BTreeMap<usize, Row> = BTreeMap::new();
+        for &column in &columns {
+            for (&free, &x) in &self.space[column] {
+                motions.entry(free).or_default().insert(column, x);
+            }
+        }
+        if let Some(crossed) = crossed {
+            let besides = motions.remove(&crossed).unwrap_or_default();
+            for (&free, rate) in along.iter().filter(|(free, _)| **free != crossed) {
+                let factor = rate / along[&crossed];
+                let motion = motions.entry(free).or_default();
+                for (&column, x) in &besides {
+                    *motion.entry(column).or_insert(0.0) -= factor * x;
+                }
+                let size = self.sizes[&free] + (factor * self.sizes[&crossed]).abs();
+                motion.values_mut().for_each(|x| *x *= self.sizes[&free] / size);
+            }
+        }
+        for (free, motion) in &mut motions {
+            motion.values_mut().for_each(|x| *x /= self.sizes[free]);
+        }
+        motions.into_values().collect()
+    }
 }

@@ -11,24 +11,27 @@ use crate::symbolic::evaluate::Point;
 const HOLDS: f64 = 1e-3;
 
 /// Reports rows that the given values break, with the declared parameters.
-pub fn start(model: &Model, scene: &Scene, equations: &Equations, diag: &mut Diagnostics) {
+pub fn start(model: &Model, scene: &Scene, equations: &mut Equations, diag: &mut Diagnostics) {
     let n_q = equations.mass.len();
     let counts = model.counts.iter().map(|count| count.default as f64);
     let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).chain(counts).collect();
-    let mut state = Given { symbols: &equations.symbols, defaults, q: vec![None; n_q], v: vec![None; n_q] };
-    for given in equations.start.iter().filter(|given| !given.near) {
-        let value = equations.algebra.evaluate(given.value, &state);
+    let Equations { algebra, symbols, constraints, start, .. } = equations;
+    let mut state = Given { symbols, defaults, q: vec![None; n_q], v: vec![None; n_q] };
+    for given in start.iter().filter(|given| !given.near) {
+        let value = algebra.evaluate(given.value, &state);
         let target = if given.rate { &mut state.v } else { &mut state.q };
         target[given.index] = Some(value);
     }
-    let constraints = &equations.constraints;
     for (i, row) in constraints.rows.iter().enumerate() {
         let mut columns = constraints.jacobian[i].iter().map(|(column, _)| *column);
         let all_given = columns.clone().all(|column| state.q[column].is_some());
         let (value, level) = match constraints.position.get(i) {
-            Some(&c) if all_given => (equations.algebra.evaluate(c, &state), "position"),
-            None if all_given && columns.all(|column| state.v[column].is_some()) && state.knows(equations, i) => {
-                (equations.algebra.evaluate(constraints.velocity[i], &state), "velocity")
+            Some(&c) if all_given => (algebra.evaluate(c, &state), "position"),
+            None if all_given
+                && columns.all(|column| state.v[column].is_some())
+                && state.knows(&algebra.symbols_of(constraints.velocity[i])) =>
+            {
+                (algebra.evaluate(constraints.velocity[i], &state), "velocity")
             }
             _ => continue,
         };
@@ -49,13 +52,9 @@ struct Given<'a> {
 }
 
 impl Given<'_> {
-    /// Whether the rate of a row depends on given coordinates alone.
-    fn knows(&self, equations: &Equations, row: usize) -> bool {
-        let form = equations.algebra.symbols_of(equations.constraints.velocity[row]);
-        form.into_iter().all(|symbol| match self.symbols.meaning(symbol) {
-            Meaning::Coordinate(i) => self.q[i].is_some(),
-            _ => true,
-        })
+    /// Whether every coordinate among them is given.
+    fn knows(&self, symbols: &[Symbol]) -> bool {
+        symbols.iter().filter_map(|&symbol| self.symbols.coordinate_of(symbol)).all(|i| self.q[i].is_some())
     }
 }
 

@@ -11,6 +11,8 @@ mod torque;
 mod torsion;
 mod tyre;
 
+use std::collections::BTreeSet;
+
 use super::expression::Writer;
 use super::kinematics::Vector;
 use crate::model::{BodyId, Component, Coordinate, Force, Place};
@@ -59,8 +61,10 @@ impl Load {
 
     /// Q_i += f · ∂r/∂q_i
     fn along_slopes(&mut self, writer: &mut Writer<'_>, position: Vector, force: Vector) {
-        for (i, entry) in self.work_force.iter_mut().enumerate() {
-            let coordinate = writer.symbols.coordinate_at(i);
+        let symbols: BTreeSet<Symbol> = position.iter().flat_map(|&r| writer.algebra.symbols_of(r)).collect();
+        for coordinate in symbols {
+            let Some(i) = writer.symbols.coordinate_of(coordinate) else { continue };
+            let entry = &mut self.work_force[i];
             let slope = position.map(|r| writer.algebra.diff(r, coordinate));
             let part = writer.dot(force, slope);
             *entry = writer.algebra.add(*entry, part);

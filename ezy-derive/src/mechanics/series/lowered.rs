@@ -1,5 +1,7 @@
 //! The values of a scene or an item that have series, written in one program.
 
+use std::collections::BTreeMap;
+
 use super::level::{Level, Source};
 use super::product::{Factor, Product, RightFactor, Term as SumTerm, terms};
 use super::slot::Slots;
@@ -7,6 +9,7 @@ use super::{Step, Symbols};
 use crate::function::Function;
 use crate::mechanics::constraints::Constraints;
 use crate::mechanics::symbols::Meaning;
+use crate::symbolic::interner::Interner;
 use crate::symbolic::lower::Lowering;
 use crate::symbolic::program::{NodeId, Program, Value};
 use crate::symbolic::{Algebra, SumId};
@@ -47,20 +50,15 @@ impl Sums {
         let velocity_rows = constraints.n_position_rows..constraints.rows.len();
         let velocity = velocity_rows.map(|row| (constraints.drift[row], terms(algebra, &constraints.jacobian[row])));
         let velocity = velocity.collect();
-        let entries = || {
-            let rows = constraints.jacobian.iter().enumerate();
-            rows.flat_map(|(row, entries)| entries.iter().map(move |&(column, g)| (row, column, g)))
-        };
-        let mut touched: Vec<usize> = entries().map(|(_, column, _)| column).collect();
-        touched.extend(force.iter().map(|&(i, _)| i));
-        touched.sort_unstable();
-        touched.dedup();
-        let of_coordinate = |i: usize| {
-            let column = entries().filter(|&(_, column, _)| column == i).map(|(row, _, g)| (row, g));
-            let column: Vec<_> = column.collect();
-            let force = force.iter().find(|(other, _)| *other == i).map_or(SumId::ZERO, |(_, force)| *force);
-            (i, force, terms(algebra, &column))
-        };
+        // of each coordinate that is touched: its force, and the rows that touch it
+        let mut touched: BTreeMap<usize, (SumId, Vec<(usize, SumId)>)> = BTreeMap::new();
+        for (row, entries) in constraints.jacobian.iter().enumerate() {
+            entries.iter().for_each(|&(column, g)| touched.entry(column).or_default().1.push((row, g)));
+        }
+        for &(i, force) in force.iter().rev() {
+            touched.entry(i).or_default().0 = force;
+        }
+        let of_coordinate = |(i, (force, column)): (usize, (SumId, Vec<_>))| (i, force, terms(algebra, &column));
         let force = touched.into_iter().map(of_coordinate).collect();
         Self { position: constraints.position.clone(), velocity, force, convective: constraints.convective.clone() }
     }
@@ -104,7 +102,15 @@ impl Lowered {
             Meaning::Velocity(_) | Meaning::Named(_) => Level::Velocity,
         };
         let source = Source::new(program, &self.roots(), level_of)?;
-        Ok(Step { source, symbols, slots, products: Vec::new(), base: Vec::new(), kept: Vec::new(), of_item: false })
+        Ok(Step {
+            source,
+            symbols,
+            slots,
+            products: Interner::default(),
+            base: Interner::default(),
+            kept: Interner::default(),
+            of_item: false,
+        })
     }
 
     fn roots(&self) -> Vec<NodeId> {

@@ -3,7 +3,7 @@
 //!
 //! At every order k the equations of motion are `[M G₀ᵀ; G₀ 0] [a_k; λ_k] = [f_k; r_k]`. What is emitted are four
 //! programs: values and factors at the start of a step, the right side of an order, its solution, and what follows from
-//! it. `ezy_core::model::Series` says how they are called.
+//! it. `ezy_core::__private::Series` says how they are called.
 
 mod level;
 mod lowered;
@@ -16,8 +16,9 @@ mod solution;
 use crate::function::Function;
 use crate::mechanics::constraints::Constraints;
 use crate::mechanics::scene::Equations;
-use crate::mechanics::solve::Elimination;
+use crate::mechanics::solve::{self, Elimination};
 use crate::mechanics::symbols::Symbols;
+use crate::symbolic::interner::Interner;
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::{Count, Node, NodeId, Program, Value};
 use crate::symbolic::{Algebra, SumId};
@@ -49,14 +50,21 @@ pub struct Recurrences {
     pub n_products: usize,
 }
 
-/// The recurrences of a scene with an elimination.
+/// The recurrences of a scene.
 #[derive(Debug)]
 pub struct Series {
     pub recurrences: Recurrences,
+    /// `None` for a scene without elimination, whose solver finds a and λ.
+    pub solution: Option<Solution>,
+}
+
+/// How a scene with an elimination solves.
+#[derive(Debug)]
+pub struct Solution {
     /// Rows of each watched pivot.
     pub pivots: Vec<Vec<usize>>,
     /// a and λ of order k.
-    pub solution: Kernel,
+    pub kernel: Kernel,
 }
 
 /// What the programs of a step share.
@@ -65,11 +73,11 @@ pub struct Step<'e> {
     source: Source,
     symbols: &'e mut Symbols,
     slots: Slots,
-    products: Vec<Product>,
+    products: Interner<Product>,
     /// Values at the start that are read later.
-    base: Vec<NodeId>,
+    base: Interner<NodeId>,
     /// Values whose coefficients are read later.
-    kept: Vec<NodeId>,
+    kept: Interner<NodeId>,
     /// Whether q of an order is found outside, for all items together.
     of_item: bool,
 }
@@ -84,28 +92,33 @@ impl Series {
             (0..n).map(|i| slots.symbol(&mut equations.symbols, slot(i))).collect()
         };
         let (force, row) = (all(Slot::Force, n_q), all(Slot::Row, n_c));
-        let elimination = Elimination::of_right_side(equations, &force, &row);
+        let elimination =
+            solve::is_worth_writing(equations).then(|| Elimination::of_right_side(equations, &force, &row));
         let force: Vec<_> = equations.force.iter().copied().enumerate().collect();
         let sums = Sums::new(&mut equations.algebra, Some(&equations.constraints), &force);
         let mut extended = constants.clone();
         let mut lowering = Lowering::new(&equations.algebra, &mut extended);
         let lowered = sums.lower(&mut lowering);
-        let written = elimination.write(&mut lowering, &|symbol| equations.symbols.code_name(symbol));
+        let name_of = |symbol| equations.symbols.code_name(symbol);
+        let written = elimination.map(|elimination| elimination.write(&mut lowering, &name_of));
         let program = lowering.program;
         let mut step = lowered.step(program, &mut equations.symbols, slots)?;
         *constants = extended;
         let right_side = orders::right_side(&mut step, &lowered);
         let finish = orders::finish(&mut step, 0..n_q);
-        let solution = solution::kernel(&mut step, &written);
-        let begin = orders::begin(&mut step, &lowered, &written.pivots);
-        let pivots = written.pivots.into_iter().map(|(rows, ..)| rows).collect();
-        Ok(Self { recurrences: step.recurrences(begin, right_side, finish), pivots, solution })
+        let solution = written.as_ref().map(|written| solution::kernel(&mut step, written));
+        let pivots = written.map(|written| written.pivots).unwrap_or_default();
+        let begin = orders::begin(&mut step, &lowered, &pivots);
+        let pivots = pivots.into_iter().map(|(rows, ..)| rows).collect();
+        let solution = solution.map(|kernel| Solution { pivots, kernel });
+        Ok(Self { recurrences: step.recurrences(begin, right_side, finish), solution })
     }
 
     /// Products and operations of one order.
     pub fn cost(&self) -> (usize, Count) {
         let (n_products, count) = self.recurrences.cost();
-        (n_products, [count, self.solution.program.count()].into_iter().sum())
+        let solution = self.solution.iter().map(|solution| solution.kernel.program.count());
+        (n_products, std::iter::once(count).chain(solution).sum())
     }
 }
 
@@ -151,12 +164,12 @@ impl Step<'_> {
 
     /// Place of a product among all.
     fn product(&mut self, product: Product) -> usize {
-        place(&mut self.products, product)
+        self.products.intern(product) as usize
     }
 
     /// Place of a value among those whose coefficients are kept.
     fn keep(&mut self, id: NodeId) -> usize {
-        place(&mut self.kept, id)
+        self.kept.intern(id) as usize
     }
 
     /// The value at the start of the step, in a program of later orders.
@@ -166,7 +179,7 @@ impl Step<'_> {
             Node::Constant(_) | Node::Literal(_) => return program.leaf(node.clone()),
             Node::Input(symbol) if self.source.level(id) == Level::Fixed => *symbol,
             _ => {
-                let i = place(&mut self.base, id);
+                let i = self.base.intern(id) as usize;
                 self.slots.symbol(self.symbols, Slot::Base(i))
             }
         };
@@ -204,12 +217,4 @@ impl Step<'_> {
             _ => program.literal(1.0),
         }
     }
-}
-
-fn place<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
-    let found = list.iter().position(|other| *other == item);
-    found.unwrap_or_else(|| {
-        list.push(item);
-        list.len() - 1
-    })
 }

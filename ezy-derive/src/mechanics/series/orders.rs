@@ -74,7 +74,7 @@ pub fn right_side(step: &mut Step<'_>, lowered: &Lowered) -> Kernel {
     let mut i = 0;
     // what is written may need further products
     while i < of.step.products.len() {
-        let Product { left, right } = of.step.products[i].clone();
+        let Product { left, right } = of.step.products.values()[i].clone();
         if let RightFactor::Velocity(right) = right {
             let (left, right, zero) = (of.factor(left), of.of(right), of.program.literal(0.0));
             outputs.push(Slot::Left(0, i), left);
@@ -97,7 +97,7 @@ pub fn finish(step: &mut Step<'_>, coordinates: std::ops::Range<usize>) -> Kerne
     }
     let (mut i, mut k) = (0, 0);
     while i < of.step.products.len() || k < of.step.kept.len() {
-        if let Some(Product { left, right }) = of.step.products.get(i).cloned() {
+        if let Some(Product { left, right }) = of.step.products.values().get(i).cloned() {
             let right = match right {
                 RightFactor::Velocity(_) => None,
                 RightFactor::Position(node) => Some(of.of(node)),
@@ -119,7 +119,7 @@ pub fn finish(step: &mut Step<'_>, coordinates: std::ops::Range<usize>) -> Kerne
             }
             i += 1;
         } else {
-            let value = of.of(of.step.kept[k]);
+            let value = of.of(of.step.kept.values()[k]);
             outputs.push(Slot::Kept(2, k), value);
             k += 1;
         }
@@ -141,7 +141,8 @@ fn combination(of: &mut Coefficients<'_, '_>, parts: Vec<(Value, Value)>) -> Val
 /// Order 0 and 1 of everything; then the watched pivots.
 pub fn begin(step: &mut Step<'_>, lowered: &Lowered, pivots: &[(Vec<usize>, Value, Value)]) -> Kernel {
     let mut outputs = Outputs::default();
-    let (products, kept, base) = (step.products.clone(), step.kept.clone(), step.base.clone());
+    let (products, kept, base) =
+        (step.products.values().to_vec(), step.kept.values().to_vec(), step.base.values().to_vec());
     let mut of = Coefficients::new(step, Target::First);
     base.into_iter().enumerate().for_each(|(i, node)| outputs.push(Slot::Base(i), plus(node)));
     lowered.force.iter().for_each(|&(i, value, _)| outputs.push(Slot::Force(i), value));

@@ -32,13 +32,14 @@ impl<'t> Store<'t> {
             store.numbers.insert((Slot::Coordinate(0, i), 1), state.v[i]);
         }
         store.run(&series.recurrences.begin, -1);
-        store.run(&series.solution, 0);
+        let solution = series.solution.as_ref().expect("a small mechanism has an elimination");
+        store.run(&solution.kernel, 0);
         store.sums(2);
         store.run(&series.recurrences.finish, 0);
         for k in 1..N_ORDERS as isize {
             store.sums(k as usize + 2);
             store.run(&series.recurrences.right_side, k);
-            store.run(&series.solution, k);
+            store.run(&solution.kernel, k);
             store.run(&series.recurrences.finish, k);
         }
         store

@@ -78,3 +78,15 @@ fn with_messages(case: &str, model: impl Fn(&str) -> String) -> String {
     let kept = kept.into_iter().map(str::to_owned);
     kept.chain(messages).collect::<Vec<_>>().join("\n")
 }
+
+/// Effect k stands in scenes k to 40: each but the first repeats the parameter of another one.
+#[test]
+fn invariant_a_shared_parameter_is_reported_once_for_each_effect() {
+    let effects: String = (0..40).map(|k| format!("effect e{k} {{ param p = 1; torque seat: p * t; }} ")).collect();
+    let with = |k: usize| (0..=k).map(|i| format!("e{i}")).collect::<Vec<_>>().join(", ");
+    let scenes: String =
+        (0..40).map(|k| format!("scene s{k} {{ start begin; until 1 s; with {}; }} ", with(k))).collect();
+    let (_, messages) = resolve(&format!("{BEFORE}{effects}{scenes}{BEHIND}"));
+    let of_p = messages.iter().filter(|message| message.contains("which both declare `p`")).count();
+    assert_eq!((of_p, messages.len()), (39, 39), "{messages:#?}");
+}

@@ -1,8 +1,8 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Swing {
+impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
-        let parameters = ::ezy_core::kernel::array::<3usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<7usize, T>(c);
+        let parameters = ezy::array::<3usize, T>(parameters);
+        let c = ezy::array_mut::<7usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m = parameters[1usize];
         let parameter_l = parameters[0usize];

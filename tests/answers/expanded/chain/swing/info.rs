@@ -23,7 +23,7 @@ impl ::core::default::Default for Swing {
 }
 impl Swing {
     /// What is known of the scene when it is compiled: everything but its sizes.
-    const FIXED: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+    const FIXED: ezy::SceneInfo = ezy::SceneInfo {
         model: "Chain",
         name: "swing",
         documentation: "Released level and straight.",
@@ -33,40 +33,40 @@ impl Swing {
         rows: &[],
         n_position_rows: 0,
         parameters: &[
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "l",
                 unit: "m",
                 default: 1f64,
                 default_text: "1.0",
                 documentation: "length of a rod",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "l",
                     latex: "l",
                     mathml: "<mi>l</mi>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "m",
                 unit: "kg",
                 default: 1f64,
                 default_text: "1.0",
                 documentation: "mass of a rod",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "m",
                     latex: "m",
                     mathml: "<mi>m</mi>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "g",
                 unit: "m/s^2",
                 default: 9.81f64,
                 default_text: "9.81",
                 documentation: "gravity, downwards",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "g",
                     latex: "g",
                     mathml: "<mi>g</mi>",
@@ -81,37 +81,37 @@ impl Swing {
         effects: &[],
         until_s: 1f64,
         n_constants: 7usize,
-        jacobian: ::ezy_core::model::SparsityPattern {
+        jacobian: ezy::SparsityPattern {
             starts: &[0],
             columns: &[],
         },
         jacobian_entries: &[],
         mass_entries: &[],
         force_entries: &[],
-        potential_energy: ::ezy_core::model::Formula {
+        potential_energy: ezy::Formula {
             text: "0",
             latex: "0",
             mathml: "<mn>0</mn>",
         },
         abbreviations: &[],
         elimination: &[],
-        acceleration_operations: ::ezy_core::model::Operations {
+        acceleration_operations: ezy::Operations {
             add: 0,
             mul: 0,
             div: 0,
             trig: 0,
             calls: 0,
         },
-        correction_operations: ::ezy_core::model::Operations {
+        correction_operations: ezy::Operations {
             add: 0,
             mul: 0,
             div: 0,
             trig: 0,
             calls: 0,
         },
-        series: ::ezy_core::model::SeriesInfo::Analytic {
+        series: ezy::SeriesInfo::Analytic {
             n_products: 12usize,
-            operations: ::ezy_core::model::Operations {
+            operations: ezy::Operations {
                 add: 16usize,
                 mul: 37usize,
                 div: 0usize,
@@ -119,9 +119,9 @@ impl Swing {
                 calls: 0usize,
             },
         },
-        repeats: ::core::option::Option::Some(::ezy_core::model::Repeats {
+        repeats: ::core::option::Option::Some(ezy::Repeats {
             counts: &[
-                ::ezy_core::model::CountInfo {
+                ezy::CountInfo {
                     name: "n",
                     default: 10usize,
                     documentation: "number of rods",
@@ -132,8 +132,8 @@ impl Swing {
             fault: ::core::option::Option::None,
         }),
     };
-    const TEMPLATES: &'static [::ezy_core::model::TemplateInfo] = &[
-        ::ezy_core::model::TemplateInfo {
+    const TEMPLATES: &'static [ezy::TemplateInfo] = &[
+        ezy::TemplateInfo {
             name: "link",
             word: "body",
             ranges: &["i in 0..n"],
@@ -142,48 +142,48 @@ impl Swing {
             forces: &[],
             masses: &[
                 (
-                    ::ezy_core::model::SlotCoordinate {
+                    ezy::SlotCoordinate {
                         slot: 0,
                         component: 0usize,
-                        symbol: ::ezy_core::model::Formula {
+                        symbol: ezy::Formula {
                             text: "link[i].x",
                             latex: "x_{\\mathrm{link[i]}}",
                             mathml: "<msub><mi>x</mi><mtext>link[i]</mtext></msub>",
                         },
                     },
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "m",
                         latex: "m",
                         mathml: "<mrow><mi>m</mi></mrow>",
                     },
                 ),
                 (
-                    ::ezy_core::model::SlotCoordinate {
+                    ezy::SlotCoordinate {
                         slot: 0,
                         component: 1usize,
-                        symbol: ::ezy_core::model::Formula {
+                        symbol: ezy::Formula {
                             text: "link[i].y",
                             latex: "y_{\\mathrm{link[i]}}",
                             mathml: "<msub><mi>y</mi><mtext>link[i]</mtext></msub>",
                         },
                     },
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "m",
                         latex: "m",
                         mathml: "<mrow><mi>m</mi></mrow>",
                     },
                 ),
                 (
-                    ::ezy_core::model::SlotCoordinate {
+                    ezy::SlotCoordinate {
                         slot: 0,
                         component: 2usize,
-                        symbol: ::ezy_core::model::Formula {
+                        symbol: ezy::Formula {
                             text: "link[i].phi",
                             latex: "\\varphi_{\\mathrm{link[i]}}",
                             mathml: "<msub><mi>φ</mi><mtext>link[i]</mtext></msub>",
                         },
                     },
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "m*l^2/12",
                         latex: "\\frac{m \\, l^{2}}{12}",
                         mathml: "<mrow><mfrac><mrow><mi>m</mi><mspace width=\"0.17em\"/><msup><mrow><mi>l</mi></mrow><mn>2</mn></msup></mrow><mrow><mn>12</mn></mrow></mfrac></mrow>",
@@ -191,24 +191,24 @@ impl Swing {
                 ),
             ],
         },
-        ::ezy_core::model::TemplateInfo {
+        ezy::TemplateInfo {
             name: "top",
             word: "hinge",
             ranges: &[],
             effect: ::core::option::Option::None,
             rows: &[
-                ::ezy_core::model::RowTemplate {
+                ezy::RowTemplate {
                     suffix: ".x",
-                    row: ::ezy_core::model::RowInfo {
+                    row: ezy::RowInfo {
                         name: "top.x",
                         kind: "hinge",
                         multiplier_unit: "N",
-                        constraint: ::ezy_core::model::Formula {
+                        constraint: ezy::Formula {
                             text: "-link[0].x + l*cos(link[0].phi)/2",
                             latex: "-x_{\\mathrm{link[0]}} + \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[0]}}}}{2}",
                             mathml: "<mrow><mo>−</mo><msub><mi>x</mi><mtext>link[0]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
                         },
-                        convective_term: ::ezy_core::model::Formula {
+                        convective_term: ezy::Formula {
                             text: "-l*link[0].omega^2*cos(link[0].phi)/2",
                             latex: "-\\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[0]}}^{2} \\, \\cos{\\varphi_{\\mathrm{link[0]}}}}{2}",
                             mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[0]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
@@ -217,32 +217,32 @@ impl Swing {
                     position: true,
                     entries: &[
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 0usize,
                                 component: 0usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[0].x",
                                     latex: "x_{\\mathrm{link[0]}}",
                                     mathml: "<msub><mi>x</mi><mtext>link[0]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "-1",
                                 latex: "-1",
                                 mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
                             },
                         ),
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 0usize,
                                 component: 2usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[0].phi",
                                     latex: "\\varphi_{\\mathrm{link[0]}}",
                                     mathml: "<msub><mi>φ</mi><mtext>link[0]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "-l*sin(link[0].phi)/2",
                                 latex: "-\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[0]}}}}{2}",
                                 mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
@@ -250,18 +250,18 @@ impl Swing {
                         ),
                     ],
                 },
-                ::ezy_core::model::RowTemplate {
+                ezy::RowTemplate {
                     suffix: ".y",
-                    row: ::ezy_core::model::RowInfo {
+                    row: ezy::RowInfo {
                         name: "top.y",
                         kind: "hinge",
                         multiplier_unit: "N",
-                        constraint: ::ezy_core::model::Formula {
+                        constraint: ezy::Formula {
                             text: "-link[0].y + l*sin(link[0].phi)/2",
                             latex: "-y_{\\mathrm{link[0]}} + \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[0]}}}}{2}",
                             mathml: "<mrow><mo>−</mo><msub><mi>y</mi><mtext>link[0]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
                         },
-                        convective_term: ::ezy_core::model::Formula {
+                        convective_term: ezy::Formula {
                             text: "-l*link[0].omega^2*sin(link[0].phi)/2",
                             latex: "-\\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[0]}}^{2} \\, \\sin{\\varphi_{\\mathrm{link[0]}}}}{2}",
                             mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[0]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
@@ -270,32 +270,32 @@ impl Swing {
                     position: true,
                     entries: &[
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 0usize,
                                 component: 1usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[0].y",
                                     latex: "y_{\\mathrm{link[0]}}",
                                     mathml: "<msub><mi>y</mi><mtext>link[0]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "-1",
                                 latex: "-1",
                                 mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
                             },
                         ),
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 0usize,
                                 component: 2usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[0].phi",
                                     latex: "\\varphi_{\\mathrm{link[0]}}",
                                     mathml: "<msub><mi>φ</mi><mtext>link[0]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "l*cos(link[0].phi)/2",
                                 latex: "\\frac{l \\, \\cos{\\varphi_{\\mathrm{link[0]}}}}{2}",
                                 mathml: "<mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
@@ -307,24 +307,24 @@ impl Swing {
             forces: &[],
             masses: &[],
         },
-        ::ezy_core::model::TemplateInfo {
+        ezy::TemplateInfo {
             name: "pin",
             word: "hinge",
             ranges: &["i in 1..n"],
             effect: ::core::option::Option::None,
             rows: &[
-                ::ezy_core::model::RowTemplate {
+                ezy::RowTemplate {
                     suffix: ".x",
-                    row: ::ezy_core::model::RowInfo {
+                    row: ezy::RowInfo {
                         name: "pin[i].x",
                         kind: "hinge",
                         multiplier_unit: "N",
-                        constraint: ::ezy_core::model::Formula {
+                        constraint: ezy::Formula {
                             text: "link[i-1].x + l*cos(link[i-1].phi)/2 - link[i].x + l*cos(link[i].phi)/2",
                             latex: "x_{\\mathrm{link[i-1]}} + \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i-1]}}}}{2} - x_{\\mathrm{link[i]}} + \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i]}}}}{2}",
                             mathml: "<mrow><msub><mi>x</mi><mtext>link[i-1]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac><mo>−</mo><msub><mi>x</mi><mtext>link[i]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
                         },
-                        convective_term: ::ezy_core::model::Formula {
+                        convective_term: ezy::Formula {
                             text: "-l*link[i-1].omega^2*cos(link[i-1].phi)/2 - l*link[i].omega^2*cos(link[i].phi)/2",
                             latex: "-\\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[i-1]}}^{2} \\, \\cos{\\varphi_{\\mathrm{link[i-1]}}}}{2} - \\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[i]}}^{2} \\, \\cos{\\varphi_{\\mathrm{link[i]}}}}{2}",
                             mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[i-1]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[i]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
@@ -333,64 +333,64 @@ impl Swing {
                     position: true,
                     entries: &[
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 0usize,
                                 component: 0usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[i-1].x",
                                     latex: "x_{\\mathrm{link[i-1]}}",
                                     mathml: "<msub><mi>x</mi><mtext>link[i-1]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "1",
                                 latex: "1",
                                 mathml: "<mrow><mn>1</mn></mrow>",
                             },
                         ),
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 0usize,
                                 component: 2usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[i-1].phi",
                                     latex: "\\varphi_{\\mathrm{link[i-1]}}",
                                     mathml: "<msub><mi>φ</mi><mtext>link[i-1]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "-l*sin(link[i-1].phi)/2",
                                 latex: "-\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i-1]}}}}{2}",
                                 mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
                             },
                         ),
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 1usize,
                                 component: 0usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[i].x",
                                     latex: "x_{\\mathrm{link[i]}}",
                                     mathml: "<msub><mi>x</mi><mtext>link[i]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "-1",
                                 latex: "-1",
                                 mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
                             },
                         ),
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 1usize,
                                 component: 2usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[i].phi",
                                     latex: "\\varphi_{\\mathrm{link[i]}}",
                                     mathml: "<msub><mi>φ</mi><mtext>link[i]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "-l*sin(link[i].phi)/2",
                                 latex: "-\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i]}}}}{2}",
                                 mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
@@ -398,18 +398,18 @@ impl Swing {
                         ),
                     ],
                 },
-                ::ezy_core::model::RowTemplate {
+                ezy::RowTemplate {
                     suffix: ".y",
-                    row: ::ezy_core::model::RowInfo {
+                    row: ezy::RowInfo {
                         name: "pin[i].y",
                         kind: "hinge",
                         multiplier_unit: "N",
-                        constraint: ::ezy_core::model::Formula {
+                        constraint: ezy::Formula {
                             text: "link[i-1].y + l*sin(link[i-1].phi)/2 - link[i].y + l*sin(link[i].phi)/2",
                             latex: "y_{\\mathrm{link[i-1]}} + \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i-1]}}}}{2} - y_{\\mathrm{link[i]}} + \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i]}}}}{2}",
                             mathml: "<mrow><msub><mi>y</mi><mtext>link[i-1]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac><mo>−</mo><msub><mi>y</mi><mtext>link[i]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
                         },
-                        convective_term: ::ezy_core::model::Formula {
+                        convective_term: ezy::Formula {
                             text: "-l*link[i-1].omega^2*sin(link[i-1].phi)/2 - l*link[i].omega^2*sin(link[i].phi)/2",
                             latex: "-\\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[i-1]}}^{2} \\, \\sin{\\varphi_{\\mathrm{link[i-1]}}}}{2} - \\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[i]}}^{2} \\, \\sin{\\varphi_{\\mathrm{link[i]}}}}{2}",
                             mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[i-1]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[i]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
@@ -418,64 +418,64 @@ impl Swing {
                     position: true,
                     entries: &[
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 0usize,
                                 component: 1usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[i-1].y",
                                     latex: "y_{\\mathrm{link[i-1]}}",
                                     mathml: "<msub><mi>y</mi><mtext>link[i-1]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "1",
                                 latex: "1",
                                 mathml: "<mrow><mn>1</mn></mrow>",
                             },
                         ),
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 0usize,
                                 component: 2usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[i-1].phi",
                                     latex: "\\varphi_{\\mathrm{link[i-1]}}",
                                     mathml: "<msub><mi>φ</mi><mtext>link[i-1]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "l*cos(link[i-1].phi)/2",
                                 latex: "\\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i-1]}}}}{2}",
                                 mathml: "<mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
                             },
                         ),
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 1usize,
                                 component: 1usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[i].y",
                                     latex: "y_{\\mathrm{link[i]}}",
                                     mathml: "<msub><mi>y</mi><mtext>link[i]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "-1",
                                 latex: "-1",
                                 mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
                             },
                         ),
                         (
-                            ::ezy_core::model::SlotCoordinate {
+                            ezy::SlotCoordinate {
                                 slot: 1usize,
                                 component: 2usize,
-                                symbol: ::ezy_core::model::Formula {
+                                symbol: ezy::Formula {
                                     text: "link[i].phi",
                                     latex: "\\varphi_{\\mathrm{link[i]}}",
                                     mathml: "<msub><mi>φ</mi><mtext>link[i]</mtext></msub>",
                                 },
                             },
-                            ::ezy_core::model::Formula {
+                            ezy::Formula {
                                 text: "l*cos(link[i].phi)/2",
                                 latex: "\\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i]}}}}{2}",
                                 mathml: "<mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
@@ -487,7 +487,7 @@ impl Swing {
             forces: &[],
             masses: &[],
         },
-        ::ezy_core::model::TemplateInfo {
+        ezy::TemplateInfo {
             name: "",
             word: "gravity",
             ranges: &["i in 0..n"],
@@ -495,16 +495,16 @@ impl Swing {
             rows: &[],
             forces: &[
                 (
-                    ::ezy_core::model::SlotCoordinate {
+                    ezy::SlotCoordinate {
                         slot: 0usize,
                         component: 1usize,
-                        symbol: ::ezy_core::model::Formula {
+                        symbol: ezy::Formula {
                             text: "link[i].y",
                             latex: "y_{\\mathrm{link[i]}}",
                             mathml: "<msub><mi>y</mi><mtext>link[i]</mtext></msub>",
                         },
                     },
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "-m*g",
                         latex: "-m \\, g",
                         mathml: "<mrow><mo>−</mo><mi>m</mi><mspace width=\"0.17em\"/><mi>g</mi></mrow>",
@@ -513,7 +513,7 @@ impl Swing {
             ],
             masses: &[],
         },
-        ::ezy_core::model::TemplateInfo {
+        ezy::TemplateInfo {
             name: "top",
             word: "point",
             ranges: &[],
@@ -522,7 +522,7 @@ impl Swing {
             forces: &[],
             masses: &[],
         },
-        ::ezy_core::model::TemplateInfo {
+        ezy::TemplateInfo {
             name: "tip",
             word: "point",
             ranges: &[],
@@ -531,7 +531,7 @@ impl Swing {
             forces: &[],
             masses: &[],
         },
-        ::ezy_core::model::TemplateInfo {
+        ezy::TemplateInfo {
             name: "pin",
             word: "point",
             ranges: &["i in 1..n"],
@@ -540,7 +540,7 @@ impl Swing {
             forces: &[],
             masses: &[],
         },
-        ::ezy_core::model::TemplateInfo {
+        ezy::TemplateInfo {
             name: "sag",
             word: "output",
             ranges: &[],
@@ -549,7 +549,7 @@ impl Swing {
             forces: &[],
             masses: &[],
         },
-        ::ezy_core::model::TemplateInfo {
+        ezy::TemplateInfo {
             name: "",
             word: "start",
             ranges: &["i in 0..n"],
@@ -559,7 +559,7 @@ impl Swing {
             masses: &[],
         },
     ];
-    fn describe(&self, layout: &mut ::ezy_core::layout::Layout) {
+    fn describe(&self, layout: &mut ezy::Layout) {
         let lengths_link: &[usize] = &[usize::try_from((self.n as i64)).unwrap_or(0)];
         let bodies_link = layout.bodies("link", lengths_link);
         {
@@ -619,11 +619,11 @@ impl Swing {
                         &[((self.n as i64) - 1)],
                     ),
             ];
-            const OUTPUT: ::ezy_core::model::OutputInfo = ::ezy_core::model::OutputInfo {
+            const OUTPUT: ezy::OutputInfo = ezy::OutputInfo {
                 name: "sag",
                 unit: "1",
                 documentation: "How low the tip is, as part of the whole length.",
-                formula: ::ezy_core::model::Formula {
+                formula: ezy::Formula {
                     text: "-link[n-1].y/(n*l) - l*sin(link[n-1].phi)/(2*n*l)",
                     latex: "-\\frac{y_{\\mathrm{link[n-1]}}}{n \\, l} - \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[n-1]}}}}{2 \\, n \\, l}",
                     mathml: "<mrow><mo>−</mo><mfrac><mrow><msub><mi>y</mi><mtext>link[n-1]</mtext></msub></mrow><mrow><mi>n</mi><mspace width=\"0.17em\"/><mi>l</mi></mrow></mfrac><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[n-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn><mspace width=\"0.17em\"/><mi>n</mi><mspace width=\"0.17em\"/><mi>l</mi></mrow></mfrac></mrow>",

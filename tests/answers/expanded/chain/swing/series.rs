@@ -1,9 +1,9 @@
 #[automatically_derived]
 #[allow(unused_assignments, unused_mut)]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Swing {
-    fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-        let info = ::ezy_core::model::Scene::info(self);
-        let mut size = ::ezy_core::model::SeriesSize {
+impl<T: ezy::Scalar> ezy::Series<T> for Swing {
+    fn series_size(&self) -> ezy::SeriesSize {
+        let info = ezy::Scene::info(self);
+        let mut size = ezy::SeriesSize {
             n_coordinates: info.n_coordinates(),
             n_rows: info.n_rows(),
             n_products: 0,
@@ -25,19 +25,12 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Swing {
             size.n_base += 0usize;
             size.n_kept += 0usize;
         }
-        size.n_products = size
-            .n_products
-            .next_multiple_of(::ezy_core::model::PRODUCT_GROUP);
+        size.n_products = size.n_products.next_multiple_of(ezy::PRODUCT_GROUP);
         size
     }
-    fn begin(
-        &self,
-        c: &[T],
-        t: T,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::Pivots {
+    fn begin(&self, c: &[T], t: T, store: &mut ezy::SeriesStore<T>) -> ezy::Pivots {
         let first_link: i64 = 0;
-        let ::ezy_core::model::SeriesStore {
+        let ezy::SeriesStore {
             q,
             lambda,
             left,
@@ -158,16 +151,11 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Swing {
             base_place += 0usize;
             kept_place += 0usize;
         }
-        ::ezy_core::model::Pivots::ALL_VANISHED
+        ezy::Pivots::ALL_VANISHED
     }
-    fn right_side(
-        &self,
-        c: &[T],
-        k: usize,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) {
+    fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
         let first_link: i64 = 0;
-        let ::ezy_core::model::SeriesStore {
+        let ezy::SeriesStore {
             q,
             lambda,
             left,
@@ -269,10 +257,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Swing {
             kept_place += 0usize;
         }
     }
-    fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {}
-    fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
+    fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {}
+    fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
         let first_link: i64 = 0;
-        let ::ezy_core::model::SeriesStore {
+        let ezy::SeriesStore {
             q,
             lambda,
             left,

@@ -1,8 +1,8 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Coast {
+impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
-        let parameters = ::ezy_core::kernel::array::<8usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<32usize, T>(c);
+        let parameters = ezy::array::<8usize, T>(parameters);
+        let c = ezy::array_mut::<32usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -95,8 +95,8 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         c[31usize] = k59;
     }
     fn mass_matrix(&self, c: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let c = ezy::array::<32usize, T>(c);
+        let out = ezy::array_mut::<6usize, T>(out);
         out[0usize] = c[23usize];
         out[1usize] = c[23usize];
         out[2usize] = c[24usize];
@@ -105,9 +105,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[5usize] = c[26usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -126,10 +126,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<4usize, T>(out);
         let seat_vx = v[0usize];
         let seat_omega = v[2usize];
         let product_5 = c[4usize] * seat_omega;
@@ -160,9 +160,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[3usize] = sum_39;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<14usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let product_4 = c[4usize] * sin_seat_phi;
@@ -193,10 +193,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[13usize] = c[28usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<4usize, T>(out);
         let seat_omega = v[2usize];
         let product_3 = c[4usize] * seat_omega;
         let product_4 = seat_omega * product_3;
@@ -231,10 +231,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         out[3usize] = value_37;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<6usize, T>(out);
         out[0usize] = T::from_f64(0f64);
         out[1usize] = T::from_f64(0f64);
         out[2usize] = T::from_f64(0f64);
@@ -251,12 +251,12 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
-        let lambda = ::ezy_core::kernel::array_mut::<4usize, T>(lambda);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let a = ezy::array_mut::<6usize, T>(a);
+        let lambda = ezy::array_mut::<4usize, T>(lambda);
         let seat_vx = v[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -344,7 +344,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         lambda[1usize] = value_118;
         lambda[2usize] = value_119;
         lambda[3usize] = value_120;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[16usize], c[17usize]))
             .see(&[3usize], T::least_ratio(c[18usize], c[19usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_64, c[20usize]))
@@ -357,11 +357,11 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let residual = ::ezy_core::kernel::array::<4usize, T>(residual);
-        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let residual = ezy::array::<4usize, T>(residual);
+        let delta = ezy::array_mut::<6usize, T>(delta);
         let right_side_rear = residual[2usize];
         let right_side_front = residual[3usize];
         let seat_phi = q[2usize];
@@ -423,7 +423,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Co
         delta[3usize] = product_81;
         delta[4usize] = product_84;
         delta[5usize] = value_96;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[16usize], c[17usize]))
             .see(&[3usize], T::least_ratio(c[18usize], c[19usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_42, c[20usize]))

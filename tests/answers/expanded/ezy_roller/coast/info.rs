@@ -36,97 +36,97 @@ impl ::core::default::Default for Coast {
 }
 impl Coast {
     /// What is known of the scene when it is compiled.
-    pub const INFO: ::ezy_core::model::SceneInfo = ::ezy_core::model::SceneInfo {
+    pub const INFO: ezy::SceneInfo = ezy::SceneInfo {
         model: "EzyRoller",
         name: "coast",
         documentation: "No forces: the bar stands across, the seat moves at 1 m/s.",
         bodies: &["seat", "bar"],
         coordinates: &[
-            ::ezy_core::model::CoordinateInfo {
+            ezy::CoordinateInfo {
                 name: "seat.x",
                 velocity_name: "seat.vx",
                 unit: "m",
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "seat.x",
                     latex: "x_{\\mathrm{seat}}",
                     mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
                 },
-                velocity_symbol: ::ezy_core::model::Formula {
+                velocity_symbol: ezy::Formula {
                     text: "seat.vx",
                     latex: "\\dot{x}_{\\mathrm{seat}}",
                     mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                 },
             },
-            ::ezy_core::model::CoordinateInfo {
+            ezy::CoordinateInfo {
                 name: "seat.y",
                 velocity_name: "seat.vy",
                 unit: "m",
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "seat.y",
                     latex: "y_{\\mathrm{seat}}",
                     mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
                 },
-                velocity_symbol: ::ezy_core::model::Formula {
+                velocity_symbol: ezy::Formula {
                     text: "seat.vy",
                     latex: "\\dot{y}_{\\mathrm{seat}}",
                     mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                 },
             },
-            ::ezy_core::model::CoordinateInfo {
+            ezy::CoordinateInfo {
                 name: "seat.phi",
                 velocity_name: "seat.omega",
                 unit: "rad",
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "seat.phi",
                     latex: "\\varphi_{\\mathrm{seat}}",
                     mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
                 },
-                velocity_symbol: ::ezy_core::model::Formula {
+                velocity_symbol: ezy::Formula {
                     text: "seat.omega",
                     latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
                     mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
                 },
             },
-            ::ezy_core::model::CoordinateInfo {
+            ezy::CoordinateInfo {
                 name: "bar.x",
                 velocity_name: "bar.vx",
                 unit: "m",
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "bar.x",
                     latex: "x_{\\mathrm{bar}}",
                     mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
                 },
-                velocity_symbol: ::ezy_core::model::Formula {
+                velocity_symbol: ezy::Formula {
                     text: "bar.vx",
                     latex: "\\dot{x}_{\\mathrm{bar}}",
                     mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                 },
             },
-            ::ezy_core::model::CoordinateInfo {
+            ezy::CoordinateInfo {
                 name: "bar.y",
                 velocity_name: "bar.vy",
                 unit: "m",
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "bar.y",
                     latex: "y_{\\mathrm{bar}}",
                     mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
                 },
-                velocity_symbol: ::ezy_core::model::Formula {
+                velocity_symbol: ezy::Formula {
                     text: "bar.vy",
                     latex: "\\dot{y}_{\\mathrm{bar}}",
                     mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
                 },
             },
-            ::ezy_core::model::CoordinateInfo {
+            ezy::CoordinateInfo {
                 name: "bar.phi",
                 velocity_name: "bar.omega",
                 unit: "rad",
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "bar.phi",
                     latex: "\\varphi_{\\mathrm{bar}}",
                     mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
                 },
-                velocity_symbol: ::ezy_core::model::Formula {
+                velocity_symbol: ezy::Formula {
                     text: "bar.omega",
                     latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
                     mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
@@ -134,48 +134,48 @@ impl Coast {
             },
         ],
         points: &[
-            ::ezy_core::model::PointInfo {
+            ezy::PointInfo {
                 name: "A",
                 body: ::core::option::Option::Some(0usize),
                 position: ::core::option::Option::Some([
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "seat.x - a*cos(seat.phi)",
                         latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                         mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "seat.y - a*sin(seat.phi)",
                         latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                         mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
                 ]),
             },
-            ::ezy_core::model::PointInfo {
+            ezy::PointInfo {
                 name: "C",
                 body: ::core::option::Option::Some(1usize),
                 position: ::core::option::Option::Some([
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "bar.x + c*cos(bar.phi)",
                         latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "bar.y + c*sin(bar.phi)",
                         latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                         mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
                 ]),
             },
-            ::ezy_core::model::PointInfo {
+            ezy::PointInfo {
                 name: "B",
                 body: ::core::option::Option::Some(0usize),
                 position: ::core::option::Option::Some([
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "seat.x + b*cos(seat.phi)",
                         latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                         mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
-                    ::ezy_core::model::Formula {
+                    ezy::Formula {
                         text: "seat.y + b*sin(seat.phi)",
                         latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                         mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
@@ -184,61 +184,61 @@ impl Coast {
             },
         ],
         rows: &[
-            ::ezy_core::model::RowInfo {
+            ezy::RowInfo {
                 name: "B.x",
                 kind: "hinge",
                 multiplier_unit: "N",
-                constraint: ::ezy_core::model::Formula {
+                constraint: ezy::Formula {
                     text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
                     latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                convective_term: ::ezy_core::model::Formula {
+                convective_term: ezy::Formula {
                     text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
                     latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
             },
-            ::ezy_core::model::RowInfo {
+            ezy::RowInfo {
                 name: "B.y",
                 kind: "hinge",
                 multiplier_unit: "N",
-                constraint: ::ezy_core::model::Formula {
+                constraint: ezy::Formula {
                     text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
                     latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                convective_term: ::ezy_core::model::Formula {
+                convective_term: ezy::Formula {
                     text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
                     latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
             },
-            ::ezy_core::model::RowInfo {
+            ezy::RowInfo {
                 name: "rear",
                 kind: "skate",
                 multiplier_unit: "N",
-                constraint: ::ezy_core::model::Formula {
+                constraint: ezy::Formula {
                     text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
                     latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
-                convective_term: ::ezy_core::model::Formula {
+                convective_term: ezy::Formula {
                     text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
                     latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                     mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                 },
             },
-            ::ezy_core::model::RowInfo {
+            ezy::RowInfo {
                 name: "front",
                 kind: "skate",
                 multiplier_unit: "N",
-                constraint: ::ezy_core::model::Formula {
+                constraint: ezy::Formula {
                     text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
                     latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                convective_term: ::ezy_core::model::Formula {
+                convective_term: ezy::Formula {
                     text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
                     latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                     mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
@@ -247,105 +247,105 @@ impl Coast {
         ],
         n_position_rows: 2usize,
         parameters: &[
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "a",
                 unit: "m",
                 default: 0.2f64,
                 default_text: "0.2",
                 documentation: "rear wheel A, behind the seat's centre of mass",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "a",
                     latex: "a",
                     mathml: "<mi>a</mi>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "b",
                 unit: "m",
                 default: 0.6f64,
                 default_text: "0.6",
                 documentation: "hinge B, ahead of the seat's centre of mass",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "b",
                     latex: "b",
                     mathml: "<mi>b</mi>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "c",
                 unit: "m",
                 default: 0.1f64,
                 default_text: "0.1",
                 documentation: "front wheel C, beyond the bar's centre of mass",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "c",
                     latex: "c",
                     mathml: "<mi>c</mi>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "d",
                 unit: "m",
                 default: 0.1f64,
                 default_text: "0.1",
                 documentation: "bar's centre of mass, beyond the hinge",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "d",
                     latex: "d",
                     mathml: "<mi>d</mi>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "m1",
                 unit: "kg",
                 default: 46f64,
                 default_text: "46.0",
                 documentation: "mass of seat and rider",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "m1",
                     latex: "m_{1}",
                     mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "i1",
                 unit: "kg*m^2",
                 default: 10f64,
                 default_text: "10.0",
                 documentation: "moment of inertia of seat and rider",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "i1",
                     latex: "i_{1}",
                     mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "m2",
                 unit: "kg",
                 default: 1f64,
                 default_text: "1.0",
                 documentation: "mass of the bar",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "m2",
                     latex: "m_{2}",
                     mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
                 },
             },
-            ::ezy_core::model::ParameterInfo {
+            ezy::ParameterInfo {
                 name: "i2",
                 unit: "kg*m^2",
                 default: 0.005f64,
                 default_text: "0.005",
                 documentation: "moment of inertia of the bar",
                 effect: ::core::option::Option::None,
-                symbol: ::ezy_core::model::Formula {
+                symbol: ezy::Formula {
                     text: "i2",
                     latex: "i_{2}",
                     mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
@@ -360,7 +360,7 @@ impl Coast {
         effects: &[],
         until_s: 1f64,
         n_constants: 32usize,
-        jacobian: ::ezy_core::model::SparsityPattern {
+        jacobian: ezy::SparsityPattern {
             starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
             columns: &[
                 0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize, 0usize,
@@ -368,178 +368,178 @@ impl Coast {
             ],
         },
         jacobian_entries: &[
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "1",
                 latex: "1",
                 mathml: "<mrow><mn>1</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "-b*sin(seat.phi)",
                 latex: "-b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
                 mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "-1",
                 latex: "-1",
                 mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "-d*sin(bar.phi)",
                 latex: "-d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
                 mathml: "<mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "1",
                 latex: "1",
                 mathml: "<mrow><mn>1</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "b*cos(seat.phi)",
                 latex: "b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
                 mathml: "<mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "-1",
                 latex: "-1",
                 mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "d*cos(bar.phi)",
                 latex: "d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
                 mathml: "<mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "-sin(seat.phi)",
                 latex: "-\\sin{\\varphi_{\\mathrm{seat}}}",
                 mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "cos(seat.phi)",
                 latex: "\\cos{\\varphi_{\\mathrm{seat}}}",
                 mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "-a",
                 latex: "-a",
                 mathml: "<mrow><mo>−</mo><mi>a</mi></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "-sin(bar.phi)",
                 latex: "-\\sin{\\varphi_{\\mathrm{bar}}}",
                 mathml: "<mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "cos(bar.phi)",
                 latex: "\\cos{\\varphi_{\\mathrm{bar}}}",
                 mathml: "<mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "c",
                 latex: "c",
                 mathml: "<mrow><mi>c</mi></mrow>",
             },
         ],
         mass_entries: &[
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "m1",
                 latex: "m_{1}",
                 mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "m1",
                 latex: "m_{1}",
                 mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "i1",
                 latex: "i_{1}",
                 mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "m2",
                 latex: "m_{2}",
                 mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "m2",
                 latex: "m_{2}",
                 mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "i2",
                 latex: "i_{2}",
                 mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
             },
         ],
         force_entries: &[
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "0",
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "0",
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "0",
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "0",
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "0",
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
-            ::ezy_core::model::Formula {
+            ezy::Formula {
                 text: "0",
                 latex: "0",
                 mathml: "<mrow><mn>0</mn></mrow>",
             },
         ],
-        potential_energy: ::ezy_core::model::Formula {
+        potential_energy: ezy::Formula {
             text: "0",
             latex: "0",
             mathml: "<mrow><mn>0</mn></mrow>",
         },
         abbreviations: &[],
         elimination: &[
-            ::ezy_core::model::EliminationStep {
+            ezy::EliminationStep {
                 rows: &[2usize],
                 constant_pivot: true,
             },
-            ::ezy_core::model::EliminationStep {
+            ezy::EliminationStep {
                 rows: &[3usize],
                 constant_pivot: true,
             },
-            ::ezy_core::model::EliminationStep {
+            ezy::EliminationStep {
                 rows: &[0usize, 1usize],
                 constant_pivot: false,
             },
         ],
-        acceleration_operations: ::ezy_core::model::Operations {
+        acceleration_operations: ezy::Operations {
             add: 29usize,
             mul: 56usize,
             div: 1usize,
             trig: 2usize,
             calls: 0usize,
         },
-        correction_operations: ::ezy_core::model::Operations {
+        correction_operations: ezy::Operations {
             add: 23usize,
             mul: 42usize,
             div: 1usize,
             trig: 2usize,
             calls: 0usize,
         },
-        series: ::ezy_core::model::SeriesInfo::Analytic {
+        series: ezy::SeriesInfo::Analytic {
             n_products: 16usize,
-            operations: ::ezy_core::model::Operations {
+            operations: ezy::Operations {
                 add: 49usize,
                 mul: 86usize,
                 div: 0usize,

@@ -1,7 +1,7 @@
 #[automatically_derived]
-impl ::ezy_core::model::Scene for Coast {
-    fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-        static INFO: ::ezy_core::model::SceneInfo = Coast::INFO;
+impl ezy::Scene for Coast {
+    fn info(&self) -> &'static ezy::SceneInfo {
+        static INFO: ezy::SceneInfo = Coast::INFO;
         &INFO
     }
     fn parameter(&self, index: usize) -> f64 {
@@ -39,16 +39,16 @@ impl ::ezy_core::model::Scene for Coast {
         lambda: &[f64],
         out: &mut [f64],
     ) {
-        let c = ::ezy_core::kernel::array::<32usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-        let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
-        let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
+        let c = ezy::array::<32usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let v = ezy::array::<6usize, f64>(v);
+        let lambda = ezy::array::<4usize, f64>(lambda);
+        let out = ezy::array_mut::<0usize, f64>(out);
     }
     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-        let c = ::ezy_core::kernel::array::<32usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
+        let c = ezy::array::<32usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let out = ezy::array_mut::<6usize, f64>(out);
         let seat_x = q[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
@@ -77,162 +77,21 @@ impl ::ezy_core::model::Scene for Coast {
         out[5usize] = sum_26;
     }
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let c = ::ezy_core::kernel::array::<32usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-        let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
+        let c = ezy::array::<32usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let v = ezy::array::<6usize, f64>(v);
+        let out = ezy::array_mut::<0usize, f64>(out);
     }
     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
         0f64
     }
-    fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-        let c = ::ezy_core::kernel::array::<32usize, f64>(c);
+    fn start(&self, c: &[f64], start: &mut ezy::Start) {
+        let c = ezy::array::<32usize, f64>(c);
         start.give_position(0usize, c[27usize]);
         start.give_position(1usize, 0f64);
         start.give_position(2usize, 0f64);
         start.give_position(5usize, c[29usize]);
         start.give_velocity(0usize, 1f64);
         start.give_velocity(2usize, 0f64);
-    }
-    fn slope_places(&self) -> ::core::option::Option<::ezy_core::model::SlopePlaces> {
-        ::core::option::Option::Some(::ezy_core::model::SlopePlaces {
-            by_q: ::std::vec![
-                (0usize, 2usize), (1usize, 2usize), (2usize, 2usize), (3usize, 5usize),
-                (4usize, 5usize), (5usize, 5usize), (6usize, 2usize), (6usize, 5usize),
-                (7usize, 2usize), (7usize, 5usize), (8usize, 2usize), (9usize, 5usize)
-            ],
-            by_v: ::std::vec![
-                (6usize, 2usize), (6usize, 5usize), (7usize, 2usize), (7usize, 5usize),
-                (8usize, 0usize), (8usize, 1usize), (8usize, 2usize), (9usize, 3usize),
-                (9usize, 4usize), (9usize, 5usize)
-            ],
-        })
-    }
-    fn slopes(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        lambda: &[f64],
-        by_q: &mut [f64],
-        by_v: &mut [f64],
-    ) {
-        let c = ::ezy_core::kernel::array::<32usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-        let a = ::ezy_core::kernel::array::<6usize, f64>(a);
-        let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
-        let by_q = ::ezy_core::kernel::array_mut::<12usize, f64>(by_q);
-        let by_v = ::ezy_core::kernel::array_mut::<10usize, f64>(by_v);
-        let multiplier_2 = lambda[2usize];
-        let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-        let product_4 = multiplier_2 * cos_seat_phi;
-        let product_6 = multiplier_2 * sin_seat_phi;
-        let multiplier_0 = lambda[0usize];
-        let product_9 = cos_seat_phi * multiplier_0;
-        let multiplier_1 = lambda[1usize];
-        let product_11 = sin_seat_phi * multiplier_1;
-        let sum_12 = product_9 + product_11;
-        let product_14 = sum_12 * c[4usize];
-        let multiplier_3 = lambda[3usize];
-        let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-        let product_18 = multiplier_3 * cos_bar_phi;
-        let product_20 = multiplier_3 * sin_bar_phi;
-        let product_21 = multiplier_0 * cos_bar_phi;
-        let product_22 = multiplier_1 * sin_bar_phi;
-        let sum_23 = product_21 + product_22;
-        let product_25 = sum_23 * c[5usize];
-        let seat_omega = v[2usize];
-        let product_27 = seat_omega * seat_omega;
-        let product_28 = sin_seat_phi * product_27;
-        let acceleration_2 = a[2usize];
-        let product_30 = cos_seat_phi * acceleration_2;
-        let difference_31 = product_30 - product_28;
-        let product_32 = c[4usize] * difference_31;
-        let bar_omega = v[5usize];
-        let product_34 = bar_omega * bar_omega;
-        let product_35 = sin_bar_phi * product_34;
-        let acceleration_5 = a[5usize];
-        let product_37 = cos_bar_phi * acceleration_5;
-        let difference_38 = product_37 - product_35;
-        let product_39 = c[5usize] * difference_38;
-        let product_40 = cos_seat_phi * product_27;
-        let product_41 = sin_seat_phi * acceleration_2;
-        let sum_42 = product_40 + product_41;
-        let product_43 = c[4usize] * sum_42;
-        let product_44 = cos_bar_phi * product_34;
-        let product_45 = sin_bar_phi * acceleration_5;
-        let sum_46 = product_44 + product_45;
-        let product_47 = c[5usize] * sum_46;
-        let seat_vx = v[0usize];
-        let product_49 = seat_omega * seat_vx;
-        let acceleration_1 = a[1usize];
-        let difference_51 = acceleration_1 - product_49;
-        let product_52 = sin_seat_phi * difference_51;
-        let seat_vy = v[1usize];
-        let product_54 = seat_omega * seat_vy;
-        let acceleration_0 = a[0usize];
-        let sum_56 = product_54 + acceleration_0;
-        let product_57 = cos_seat_phi * sum_56;
-        let sum_58 = product_52 + product_57;
-        let bar_vx = v[3usize];
-        let product_60 = bar_omega * bar_vx;
-        let acceleration_4 = a[4usize];
-        let difference_62 = acceleration_4 - product_60;
-        let product_63 = sin_bar_phi * difference_62;
-        let bar_vy = v[4usize];
-        let product_65 = bar_omega * bar_vy;
-        let acceleration_3 = a[3usize];
-        let sum_67 = product_65 + acceleration_3;
-        let product_68 = cos_bar_phi * sum_67;
-        let sum_69 = product_63 + product_68;
-        let product_71 = seat_omega * c[30usize];
-        let product_72 = cos_seat_phi * product_71;
-        let product_74 = bar_omega * c[31usize];
-        let product_75 = cos_bar_phi * product_74;
-        let product_76 = sin_seat_phi * product_71;
-        let product_77 = sin_bar_phi * product_74;
-        let product_78 = cos_seat_phi * seat_omega;
-        let product_79 = sin_seat_phi * seat_omega;
-        let product_80 = cos_seat_phi * seat_vx;
-        let product_81 = sin_seat_phi * seat_vy;
-        let sum_82 = product_80 + product_81;
-        let product_83 = cos_bar_phi * bar_omega;
-        let product_84 = sin_bar_phi * bar_omega;
-        let product_85 = cos_bar_phi * bar_vx;
-        let product_86 = sin_bar_phi * bar_vy;
-        let sum_87 = product_85 + product_86;
-        by_q[0usize] = product_4;
-        by_q[1usize] = product_6;
-        by_q[2usize] = product_14;
-        by_q[3usize] = product_18;
-        by_q[4usize] = product_20;
-        by_q[5usize] = product_25;
-        by_q[6usize] = product_32;
-        by_q[7usize] = product_39;
-        by_q[8usize] = product_43;
-        by_q[9usize] = product_47;
-        by_q[10usize] = sum_58;
-        by_q[11usize] = sum_69;
-        by_v[0usize] = product_72;
-        by_v[1usize] = product_75;
-        by_v[2usize] = product_76;
-        by_v[3usize] = product_77;
-        by_v[4usize] = product_78;
-        by_v[5usize] = product_79;
-        by_v[6usize] = sum_82;
-        by_v[7usize] = product_83;
-        by_v[8usize] = product_84;
-        by_v[9usize] = sum_87;
-    }
-    fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
-        ::core::option::Option::Some(self)
-    }
-    fn precise(&self) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
-        ::core::option::Option::Some(self)
     }
 }

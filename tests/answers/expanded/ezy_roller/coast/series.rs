@@ -1,7 +1,7 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
-    fn series_size(&self) -> ::ezy_core::model::SeriesSize {
-        ::ezy_core::model::SeriesSize {
+impl<T: ezy::Scalar> ezy::Series<T> for Coast {
+    fn series_size(&self) -> ezy::SeriesSize {
+        ezy::SeriesSize {
             n_coordinates: 6usize,
             n_rows: 4usize,
             n_products: 16usize,
@@ -9,15 +9,10 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
             n_kept: 0usize,
         }
     }
-    fn begin(
-        &self,
-        c: &[T],
-        t: T,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let q = ::ezy_core::kernel::row::<6usize, T>(&store.q, 0);
-        let v = ::ezy_core::kernel::row::<6usize, T>(&store.q, 1);
+    fn begin(&self, c: &[T], t: T, store: &mut ezy::SeriesStore<T>) -> ezy::Pivots {
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::row::<6usize, T>(&store.q, 0);
+        let v = ezy::row::<6usize, T>(&store.q, 1);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let bar_phi = q[5usize];
@@ -61,7 +56,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         let product_180 = sin_bar_phi * bar_omega;
         let value_181 = -product_178;
         let value_182 = -product_180;
-        let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
+        let target = ezy::array_mut::<8usize, T>(&mut store.base);
         target[0usize] = cos_seat_phi;
         target[1usize] = sin_seat_phi;
         target[2usize] = cos_bar_phi;
@@ -70,14 +65,14 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         target[5usize] = difference_89;
         target[6usize] = sum_87;
         target[7usize] = sum_82;
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+        let target = ezy::array_mut::<6usize, T>(&mut store.force);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
         target[3usize] = T::from_f64(0f64);
         target[4usize] = T::from_f64(0f64);
         target[5usize] = T::from_f64(0f64);
-        let target = ::ezy_core::kernel::row_mut::<16usize, T>(&mut store.left, 1usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.left, 1usize);
         target[0usize] = product_177;
         target[1usize] = value_181;
         target[2usize] = product_177;
@@ -94,7 +89,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         target[13usize] = value_181;
         target[14usize] = product_179;
         target[15usize] = value_182;
-        let target = ::ezy_core::kernel::row_mut::<16usize, T>(&mut store.right, 1usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.right, 1usize);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
@@ -111,25 +106,20 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         target[13usize] = seat_vy;
         target[14usize] = bar_vx;
         target[15usize] = bar_vy;
-        let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+        let target = ezy::array_mut::<4usize, T>(&mut store.row);
         target[0usize] = sum_32;
         target[1usize] = sum_35;
         target[2usize] = product_41;
         target[3usize] = product_47;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[16usize], c[17usize]))
             .see(&[3usize], T::least_ratio(c[18usize], c[19usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_120, c[20usize]))
     }
     #[inline(always)]
-    fn right_side(
-        &self,
-        c: &[T],
-        k: usize,
-        store: &mut ::ezy_core::model::SeriesStore<T>,
-    ) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+    fn right_side(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<32usize, T>(c);
+        let sums = ezy::array::<16usize, T>(&store.sums);
         let convolved_0 = sums[0usize];
         let convolved_1 = sums[1usize];
         let convolved_2 = sums[2usize];
@@ -171,25 +161,25 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         let value_46 = -convolved_1;
         let value_47 = -convolved_5;
         let value_48 = -product_37;
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
+        let target = ezy::array_mut::<6usize, T>(&mut store.force);
         target[0usize] = convolved_0;
         target[1usize] = value_46;
         target[2usize] = difference_9;
         target[3usize] = convolved_4;
         target[4usize] = value_47;
         target[5usize] = difference_17;
-        let target = ::ezy_core::kernel::array_mut::<4usize, T>(&mut store.row);
+        let target = ezy::array_mut::<4usize, T>(&mut store.row);
         target[0usize] = product_29;
         target[1usize] = value_48;
         target[2usize] = product_41;
         target[3usize] = product_45;
     }
     #[inline(always)]
-    fn solve(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let c = ::ezy_core::kernel::array::<32usize, T>(c);
-        let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
-        let force = ::ezy_core::kernel::array::<6usize, T>(&store.force);
-        let row = ::ezy_core::kernel::array::<4usize, T>(&store.row);
+    fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let c = ezy::array::<32usize, T>(c);
+        let base = ezy::array::<8usize, T>(&store.base);
+        let force = ezy::array::<6usize, T>(&store.force);
+        let row = ezy::array::<4usize, T>(&store.row);
         let force_0 = force[0usize];
         let base_4 = base[4usize];
         let base_5 = base[5usize];
@@ -264,28 +254,25 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         let product_107 = force_5 * c[22usize];
         let difference_109 = T::fused(-c[14usize], difference_94, product_107);
         let difference_111 = T::fused(-c[15usize], lambda_front, difference_109);
-        let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
+        let target = ezy::array_mut::<6usize, T>(&mut store.a);
         target[0usize] = product_80;
         target[1usize] = product_84;
         target[2usize] = sum_90;
         target[3usize] = product_101;
         target[4usize] = product_105;
         target[5usize] = difference_111;
-        let target = ::ezy_core::kernel::row_mut::<
-            4usize,
-            T,
-        >(&mut store.lambda, k + 0usize);
+        let target = ezy::row_mut::<4usize, T>(&mut store.lambda, k + 0usize);
         target[0usize] = lambda_B_x;
         target[1usize] = lambda_B_y;
         target[2usize] = lambda_rear;
         target[3usize] = lambda_front;
     }
     #[inline(always)]
-    fn finish(&self, c: &[T], k: usize, store: &mut ::ezy_core::model::SeriesStore<T>) {
-        let a = ::ezy_core::kernel::array::<6usize, T>(&store.a);
-        let base = ::ezy_core::kernel::array::<8usize, T>(&store.base);
-        let lambda_0 = ::ezy_core::kernel::row::<4usize, T>(&store.lambda, k + 0usize);
-        let sums = ::ezy_core::kernel::array::<16usize, T>(&store.sums);
+    fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
+        let a = ezy::array::<6usize, T>(&store.a);
+        let base = ezy::array::<8usize, T>(&store.base);
+        let lambda_0 = ezy::row::<4usize, T>(&store.lambda, k + 0usize);
+        let sums = ezy::array::<16usize, T>(&store.sums);
         let a_0 = a[0usize];
         let inverse_order_next = T::from_f64(1f64) / T::from_f64((k + 1usize) as f64);
         let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2usize) as f64);
@@ -330,10 +317,7 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         let product_47 = product_12 * order_ahead;
         let value_48 = -sum_27;
         let value_49 = -sum_40;
-        let target = ::ezy_core::kernel::row_mut::<
-            16usize,
-            T,
-        >(&mut store.left, k + 2usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.left, k + 2usize);
         target[0usize] = sum_22;
         target[1usize] = value_48;
         target[2usize] = sum_22;
@@ -350,17 +334,14 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Series<T> for Coast {
         target[13usize] = value_48;
         target[14usize] = sum_35;
         target[15usize] = value_49;
-        let target = ::ezy_core::kernel::row_mut::<6usize, T>(&mut store.q, k + 2usize);
+        let target = ezy::row_mut::<6usize, T>(&mut store.q, k + 2usize);
         target[0usize] = product_4;
         target[1usize] = product_6;
         target[2usize] = product_8;
         target[3usize] = product_10;
         target[4usize] = product_12;
         target[5usize] = product_14;
-        let target = ::ezy_core::kernel::row_mut::<
-            16usize,
-            T,
-        >(&mut store.right, k + 2usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.right, k + 2usize);
         target[0usize] = lambda_2;
         target[1usize] = lambda_2;
         target[2usize] = lambda_0;

@@ -1,9 +1,8 @@
 #[automatically_derived]
-impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T>
-for self::SlidesLeft {
+impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
-        let parameters = ::ezy_core::kernel::array::<11usize, T>(parameters);
-        let c = ::ezy_core::kernel::array_mut::<35usize, T>(c);
+        let parameters = ezy::array::<11usize, T>(parameters);
+        let c = ezy::array_mut::<35usize, T>(c);
         let k1 = T::from_f64(1f64);
         let parameter_m1 = parameters[4usize];
         let parameter_i1 = parameters[5usize];
@@ -95,8 +94,8 @@ for self::SlidesLeft {
         c[34usize] = k55;
     }
     fn mass_matrix(&self, c: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let c = ezy::array::<35usize, T>(c);
+        let out = ezy::array_mut::<6usize, T>(out);
         out[0usize] = c[26usize];
         out[1usize] = c[26usize];
         out[2usize] = c[27usize];
@@ -105,9 +104,9 @@ for self::SlidesLeft {
         out[5usize] = c[29usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<2usize, T>(out);
+        let c = ezy::array::<35usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<2usize, T>(out);
         let seat_x = q[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -126,10 +125,10 @@ for self::SlidesLeft {
         out[1usize] = sum_23;
     }
     fn velocity_constraint(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+        let c = ezy::array::<35usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<3usize, T>(out);
         let seat_vx = v[0usize];
         let bar_vx = v[3usize];
         let difference_4 = seat_vx - bar_vx;
@@ -156,9 +155,9 @@ for self::SlidesLeft {
         out[2usize] = sum_33;
     }
     fn velocity_jacobian(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
+        let c = ezy::array::<35usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let out = ezy::array_mut::<11usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let product_4 = c[12usize] * sin_seat_phi;
@@ -184,10 +183,10 @@ for self::SlidesLeft {
         out[10usize] = c[30usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
+        let c = ezy::array::<35usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<3usize, T>(out);
         let seat_omega = v[2usize];
         let product_3 = c[12usize] * seat_omega;
         let product_4 = seat_omega * product_3;
@@ -215,10 +214,10 @@ for self::SlidesLeft {
         out[2usize] = value_30;
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
-        let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
+        let c = ezy::array::<35usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<6usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
         let product_4 = c[24usize] * sin_seat_phi;
@@ -245,12 +244,12 @@ for self::SlidesLeft {
         v: &[T],
         a: &mut [T],
         lambda: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let v = ::ezy_core::kernel::array::<6usize, T>(v);
-        let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
-        let lambda = ::ezy_core::kernel::array_mut::<3usize, T>(lambda);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<35usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let a = ezy::array_mut::<6usize, T>(a);
+        let lambda = ezy::array_mut::<3usize, T>(lambda);
         let product_4 = c[1usize] * t;
         let cos_4 = T::cos(product_4);
         let force_seat_phi = T::fused(c[0usize], cos_4, c[2usize]);
@@ -338,7 +337,7 @@ for self::SlidesLeft {
         lambda[0usize] = lambda_B_x;
         lambda[1usize] = value_123;
         lambda[2usize] = value_124;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_74, c[23usize]))
     }
@@ -350,11 +349,11 @@ for self::SlidesLeft {
         q: &[T],
         residual: &[T],
         delta: &mut [T],
-    ) -> ::ezy_core::model::Pivots {
-        let c = ::ezy_core::kernel::array::<35usize, T>(c);
-        let q = ::ezy_core::kernel::array::<6usize, T>(q);
-        let residual = ::ezy_core::kernel::array::<3usize, T>(residual);
-        let delta = ::ezy_core::kernel::array_mut::<6usize, T>(delta);
+    ) -> ezy::Pivots {
+        let c = ezy::array::<35usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let residual = ezy::array::<3usize, T>(residual);
+        let delta = ezy::array_mut::<6usize, T>(delta);
         let right_side_front = residual[2usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
@@ -408,7 +407,7 @@ for self::SlidesLeft {
         delta[3usize] = product_63;
         delta[4usize] = product_66;
         delta[5usize] = value_77;
-        ::ezy_core::model::Pivots::new()
+        ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_35, c[23usize]))
     }

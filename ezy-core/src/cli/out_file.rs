@@ -4,7 +4,7 @@ use std::fs::{File, OpenOptions};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use ezy_core::record::{CsvWriter, RecordError, Recorder, Sample};
+use crate::record::{CsvWriter, RecordError, Recorder, Sample};
 
 use super::failure::Failure;
 

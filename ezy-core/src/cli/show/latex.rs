@@ -1,8 +1,8 @@
 //! A scene as a fragment of LaTeX: text, tables and displayed equations; needs the package `amsmath`.
 
-use ezy_core::model::{EliminationStep, SceneInfo};
-use ezy_core::report::equations::{Equation, equations};
-use ezy_core::report::templates::templates;
+use crate::model::{EliminationStep, SceneInfo};
+use crate::report::equations::{Equation, equations};
+use crate::report::templates::templates;
 
 use super::{OPERATIONS, freedom, kernels, pattern, pivot};
 

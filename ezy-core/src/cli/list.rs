@@ -1,20 +1,21 @@
-//! `ezy list`.
+//! The command `list`.
 
-use ezy_core::model::{ModelInfo, SceneInfo};
-use ezy_core::report::table::Table;
-use ezy_models::registry::{MODELS, typed};
+use crate::model::{ModelInfo, SceneInfo};
+use crate::report::table::Table;
 
+use super::Models;
 use super::arguments::ListArguments;
 use super::failure::Failure;
 use super::json::Json;
 use super::output::print;
+use super::selection::typed;
 
-pub fn list(arguments: &ListArguments) -> Result<(), Failure> {
+pub fn list(models: Models<'_>, arguments: &ListArguments) -> Result<(), Failure> {
     if arguments.json {
-        let models = Json::list(MODELS.iter().map(|model| model_json(model)));
+        let models = Json::list(models.iter().map(|model| model_json(model)));
         return print(&format!("{}\n", Json::object([("models", models)])));
     }
-    print(&MODELS.iter().map(|model| model_text(model) + "\n").collect::<String>())
+    print(&models.iter().map(|model| model_text(model) + "\n").collect::<String>())
 }
 
 /// Independent velocities: coordinates less rows, which are independent in a sound scene.
@@ -49,7 +50,7 @@ fn model_text(model: &ModelInfo) -> String {
 
 /// Names and declared values of the counts of a scene.
 pub fn counts_json(info: &SceneInfo) -> Json {
-    let count = |count: &ezy_core::model::CountInfo| {
+    let count = |count: &crate::model::CountInfo| {
         Json::object([
             ("name", Json::text(count.name)),
             ("default", Json::Count(count.default as u64)),
@@ -60,10 +61,9 @@ pub fn counts_json(info: &SceneInfo) -> Json {
 }
 
 fn model_json(model: &ModelInfo) -> Json {
-    let names =
-        |effects: &[ezy_core::model::EffectInfo]| Json::list(effects.iter().map(|effect| Json::text(effect.name)));
+    let names = |effects: &[crate::model::EffectInfo]| Json::list(effects.iter().map(|effect| Json::text(effect.name)));
     let scene = |info: &SceneInfo| {
-        let parameter = |p: &ezy_core::model::ParameterInfo| {
+        let parameter = |p: &crate::model::ParameterInfo| {
             Json::object([
                 ("name", Json::text(p.name)),
                 ("unit", Json::text(p.unit)),

@@ -4,10 +4,18 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 const N_PARTS: u64 = 1000;
 
-/// A bar that is shown when standard error is a terminal.
+/// A progress bar that is shown when standard error is a terminal.
+#[derive(Debug)]
 pub struct Progress(ProgressBar);
 
+impl Default for Progress {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Progress {
+    /// A bar at zero.
     pub fn new() -> Self {
         let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}");
         let bar = ProgressBar::new(N_PARTS);

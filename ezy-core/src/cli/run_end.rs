@@ -1,12 +1,12 @@
 //! Where a run ends, as JSON and as text.
 
-use ezy_core::dynamics::MotionError;
-use ezy_core::integrate::{Method, Tolerance};
-use ezy_core::model::SceneInfo;
-use ezy_core::record::{EnergyState, Sample};
-use ezy_core::report::table::{Table, fixed};
-use ezy_core::scalar::{legible, rounded};
-use ezy_core::simulate::{Cost, ExceededLimit, Outcome, RankSpell, Run, StopReason};
+use crate::dynamics::MotionError;
+use crate::integrate::{Method, Tolerance};
+use crate::model::SceneInfo;
+use crate::record::{EnergyState, Sample};
+use crate::report::table::{Table, fixed};
+use crate::scalar::{legible, rounded};
+use crate::simulate::{Cost, ExceededLimit, Outcome, RankSpell, Run, StopReason};
 
 use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};

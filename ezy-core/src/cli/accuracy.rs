@@ -1,20 +1,24 @@
-//! `ezy accuracy`.
+//! The command `accuracy`.
 
 use std::path::PathBuf;
 
-use ezy_core::accuracy::{Accuracy, AccuracyError, WorkPrecision};
-use ezy_core::simulate::SetupError;
-use ezy_models::registry::typed;
+use crate::accuracy::{Accuracy, AccuracyError, WorkPrecision};
+use crate::simulate::SetupError;
 
+use super::Models;
 use super::accuracy_json::accuracy_json;
 use super::arguments::AccuracyArguments;
 use super::failure::Failure;
 use super::names::{check_input, refuse_twice, scene_entry, scene_with};
 use super::output::print;
 use super::progress::Progress;
+use super::selection::typed;
 
-pub fn accuracy(arguments: &AccuracyArguments) -> Result<(), Failure> {
-    let (model, entry) = scene_entry(&arguments.path)?;
+/// What is named when it is written.
+const WRITTEN: &str = if cfg!(feature = "figures") { "page" } else { "numbers" };
+
+pub fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Result<(), Failure> {
+    let (model, entry) = scene_entry(models, &arguments.path)?;
     refuse_twice("--start", &arguments.start)?;
     refuse_twice("--input", &arguments.input)?;
     for assignment in &arguments.input {
@@ -40,10 +44,10 @@ pub fn accuracy(arguments: &AccuracyArguments) -> Result<(), Failure> {
     });
     drop(progress);
     let measured = measured?;
-    let page = measured.save(&directory)?;
+    let written = measured.save(&directory)?;
     match arguments.json {
         true => print(&format!("{}\n", accuracy_json(&measured)))?,
-        false => print(&format!("{}\nThe page: {}\n", text(&measured), page.display()))?,
+        false => print(&format!("{}\nThe {WRITTEN}: {}\n", text(&measured), written.display()))?,
     }
     if measured.is_empty() {
         let budget_s = measured.budget_s;
@@ -57,8 +61,9 @@ impl From<AccuracyError> for Failure {
         match error {
             AccuracyError::Setup(SetupError::Motion(_) | SetupError::Record(_))
             | AccuracyError::NoReference { .. }
-            | AccuracyError::NothingKnown { .. }
-            | AccuracyError::Figure(_) => Self::stopped(error),
+            | AccuracyError::NothingKnown { .. } => Self::stopped(error),
+            #[cfg(feature = "figures")]
+            AccuracyError::Figure(_) => Self::stopped(error),
             AccuracyError::Write { .. } => Self::wrong_use(format!("{error} with --out")),
             AccuracyError::Budget { .. } => Self::wrong_use(format!("{error} with --budget")),
             AccuracyError::Setup(_) | AccuracyError::NoTime { .. } => Self::wrong_use(error),

@@ -1,11 +1,12 @@
-//! `ezy run`.
+//! The command `run`.
 
 use std::fs::File;
 
-use ezy_core::integrate::{Method, Tolerance};
-use ezy_core::model::{Scene, SceneInfo};
-use ezy_core::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
+use crate::integrate::{Method, Tolerance};
+use crate::model::{Scene, SceneInfo};
+use crate::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
 
+use super::Models;
 use super::arguments::{MethodName, RunArguments};
 use super::failure::Failure;
 use super::names::{check_input, refuse_twice, scene_entry, scene_with};
@@ -17,8 +18,8 @@ use super::run_end::{remarks, run_json, run_text};
 /// Rows of `--out` when `--every` is not given, besides the first.
 const N_ROWS: f64 = 1000.0;
 
-pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
-    let (model, entry) = scene_entry(&arguments.path)?;
+pub fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Failure> {
+    let (model, entry) = scene_entry(models, &arguments.path)?;
     refuse_twice("--start", &arguments.start)?;
     refuse_twice("--input", &arguments.input)?;
     if let Some(every_s) = arguments.every.filter(|every_s| *every_s <= 0.0) {

@@ -1,11 +1,11 @@
 //! A scene as JSON.
 
-use ezy_core::model::{
+use crate::model::{
     Abbreviation, EliminationStep, EventInfo, EventKind, Formula, InputInfo, OutputInfo, ParameterInfo, PointInfo,
     RowInfo, SceneInfo, StopInfo,
 };
 
-use ezy_core::report::templates::{TemplateEquations, templates};
+use crate::report::templates::{TemplateEquations, templates};
 
 use super::{freedom, kernels};
 use crate::cli::json::Json;

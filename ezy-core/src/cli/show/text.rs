@@ -1,9 +1,9 @@
 //! A scene as text.
 
-use ezy_core::model::{Direction, EffectInfo, EliminationStep, EventKind, SceneInfo};
-use ezy_core::report::equations::{Equation, equations};
-use ezy_core::report::table::Table;
-use ezy_core::report::templates::templates;
+use crate::model::{Direction, EffectInfo, EliminationStep, EventKind, SceneInfo};
+use crate::report::equations::{Equation, equations};
+use crate::report::table::Table;
+use crate::report::templates::templates;
 
 use super::{OPERATIONS, freedom, kernels, pattern, pivot, series};
 

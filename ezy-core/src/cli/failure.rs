@@ -34,8 +34,8 @@ impl Failure {
     }
 }
 
-impl From<ezy_core::record::UnknownName> for Failure {
-    fn from(unknown: ezy_core::record::UnknownName) -> Self {
+impl From<crate::record::UnknownName> for Failure {
+    fn from(unknown: crate::record::UnknownName) -> Self {
         Self::wrong_use(unknown)
     }
 }

@@ -1,14 +1,15 @@
-//! `ezy check`.
+//! The command `check`.
 
-use ezy_core::testing::{CheckError, check_scene};
-use ezy_models::registry::find;
+use crate::testing::{CheckError, check_scene};
 
+use super::Models;
 use super::arguments::CheckArguments;
 use super::failure::Failure;
 use super::output::print;
+use super::selection::find;
 
-pub fn check(arguments: &CheckArguments) -> Result<(), Failure> {
-    let selection = find(&arguments.path)?;
+pub fn check(models: Models<'_>, arguments: &CheckArguments) -> Result<(), Failure> {
+    let selection = find(models, &arguments.path)?;
     let mut failed = Vec::new();
     for entry in selection.model.scenes {
         if selection.scene.is_some_and(|chosen| chosen.name != entry.name) {

@@ -1,10 +1,11 @@
 //! Names that the command line gives values to.
 
-use ezy_core::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
-use ezy_core::record::{UnknownName, find_name, input_index};
-use ezy_models::registry::{find, typed};
+use crate::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
+use crate::record::{UnknownName, find_name, input_index};
 
+use super::Models;
 use super::failure::Failure;
+use super::selection::{find, typed};
 use super::value::Assignment;
 
 /// A name that is given two values has none.
@@ -21,8 +22,8 @@ pub fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Fail
 }
 
 /// The scene that `MODEL/SCENE` names.
-pub fn scene_entry(text: &str) -> Result<(&'static ModelInfo, &'static SceneEntry), Failure> {
-    let selection = find(text)?;
+pub fn scene_entry(models: Models<'_>, text: &str) -> Result<(&'static ModelInfo, &'static SceneEntry), Failure> {
+    let selection = find(models, text)?;
     let model = selection.model;
     let entry = selection.scene.ok_or_else(|| {
         let scenes: Vec<String> = model.scenes.iter().map(|entry| path(model, entry)).collect();

@@ -1,19 +1,20 @@
-//! `ezy show`: what is known of a scene before it runs, in three formats.
+//! The command `show`: what is known of a scene before it runs, in three formats.
 
 mod json;
 mod latex;
 mod text;
 
-use ezy_core::model::{EliminationStep, SceneInfo, SeriesInfo};
-use ezy_models::registry::find;
+use crate::model::{EliminationStep, SceneInfo, SeriesInfo};
 
+use super::Models;
 use super::arguments::{Format, ShowArguments};
 use super::failure::Failure;
 use super::json::Json;
 use super::output::print;
+use super::selection::find;
 
-pub fn show(arguments: &ShowArguments) -> Result<(), Failure> {
-    let selection = find(&arguments.path)?;
+pub fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), Failure> {
+    let selection = find(models, &arguments.path)?;
     let all = selection.model.scenes.iter();
     let chosen = all.filter(|entry| selection.scene.is_none_or(|scene| scene.name == entry.name));
     let infos: Vec<&SceneInfo> = chosen.map(|entry| (entry.info)()).collect();
@@ -47,7 +48,7 @@ fn kernels(info: &SceneInfo) -> [(&'static str, [usize; 6]); 2] {
 fn series(info: &SceneInfo) -> String {
     match info.series {
         SeriesInfo::Analytic { n_products, operations } => {
-            let of = if info.has_elimination() { "" } else { " of one member of each row and force" };
+            let of = if info.repeats.is_none() { "" } else { " of one member of each row and force" };
             let n_operations = operations.arithmetic();
             format!(
                 "Taylor series: {n_products} products of series and {n_operations} operations besides at each order{of}"

@@ -1,6 +1,6 @@
 //! What accuracy costs, as JSON.
 
-use ezy_core::accuracy::{Advice, Candidate, Comparison, Errors, Point, PointResult, Size, WorkPrecision, setting};
+use crate::accuracy::{Advice, Candidate, Comparison, Errors, Point, PointResult, Size, WorkPrecision, setting};
 
 use super::json::Json;
 

@@ -1,107 +1,10 @@
 #[automatically_derived]
-impl ::ezy_core::model::Scene for Skid {
-    fn info(&self) -> &'static ::ezy_core::model::SceneInfo {
-        static INFO: ::ezy_core::model::SceneInfo = Skid::INFO;
-        &INFO
-    }
-    fn parameter(&self, index: usize) -> f64 {
-        match index {
-            0usize => self.a,
-            1usize => self.b,
-            2usize => self.c,
-            3usize => self.d,
-            4usize => self.m1,
-            5usize => self.i1,
-            6usize => self.m2,
-            7usize => self.i2,
-            8usize => self.m0,
-            9usize => self.omega,
-            10usize => self.hold,
-            _ => f64::NAN,
-        }
-    }
-    fn set_parameter(&mut self, index: usize, value: f64) {
-        match index {
-            0usize => self.a = value,
-            1usize => self.b = value,
-            2usize => self.c = value,
-            3usize => self.d = value,
-            4usize => self.m1 = value,
-            5usize => self.i1 = value,
-            6usize => self.m2 = value,
-            7usize => self.i2 = value,
-            8usize => self.m0 = value,
-            9usize => self.omega = value,
-            10usize => self.hold = value,
-            _ => {}
-        }
-    }
-    fn power(
-        &self,
-        c: &[f64],
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        lambda: &[f64],
-        out: &mut [f64],
-    ) {
-        let c = ::ezy_core::kernel::array::<41usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-        let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
-        let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
-        let seat_omega = v[2usize];
-        let bar_omega = v[5usize];
-        let difference_4 = seat_omega - bar_omega;
-        let product_7 = c[1usize] * t;
-        let cos_7 = f64::cos(product_7);
-        let product_9 = difference_4 * cos_7;
-        let product_11 = product_9 * c[28usize];
-        out[0usize] = product_11;
-        out[1usize] = 0f64;
-    }
-    fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
-        let c = ::ezy_core::kernel::array::<41usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let out = ::ezy_core::kernel::array_mut::<6usize, f64>(out);
-        let seat_x = q[0usize];
-        let seat_phi = q[2usize];
-        let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-        let product_6 = c[36usize] * cos_seat_phi;
-        let difference_7 = seat_x - product_6;
-        let seat_y = q[1usize];
-        let product_10 = c[36usize] * sin_seat_phi;
-        let difference_11 = seat_y - product_10;
-        let bar_x = q[3usize];
-        let bar_phi = q[5usize];
-        let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-        let product_16 = c[35usize] * cos_bar_phi;
-        let sum_17 = bar_x + product_16;
-        let bar_y = q[4usize];
-        let product_20 = c[35usize] * sin_bar_phi;
-        let sum_21 = bar_y + product_20;
-        let product_23 = cos_seat_phi * c[11usize];
-        let sum_24 = seat_x + product_23;
-        let product_25 = sin_seat_phi * c[11usize];
-        let sum_26 = seat_y + product_25;
-        out[0usize] = difference_7;
-        out[1usize] = difference_11;
-        out[2usize] = sum_17;
-        out[3usize] = sum_21;
-        out[4usize] = sum_24;
-        out[5usize] = sum_26;
-    }
-    fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let c = ::ezy_core::kernel::array::<41usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-        let out = ::ezy_core::kernel::array_mut::<0usize, f64>(out);
-    }
+impl ezy::Derived for Skid {
     fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        let c = ::ezy_core::kernel::array::<41usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-        let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
+        let c = ezy::array::<41usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let v = ezy::array::<6usize, f64>(v);
+        let out = ezy::array_mut::<2usize, f64>(out);
         let seat_omega = v[2usize];
         let product_4 = c[36usize] * seat_omega;
         let seat_vx = v[0usize];
@@ -115,18 +18,8 @@ impl ::ezy_core::model::Scene for Skid {
         out[0usize] = c[40usize];
         out[1usize] = difference_14;
     }
-    fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
-        0f64
-    }
-    fn start(&self, c: &[f64], start: &mut ::ezy_core::model::Start) {
-        let c = ::ezy_core::kernel::array::<41usize, f64>(c);
-        start.give_position(0usize, 0f64);
-        start.give_position(1usize, 0f64);
-        start.give_position(2usize, 0f64);
-        start.give_position(5usize, c[37usize]);
-    }
-    fn slope_places(&self) -> ::core::option::Option<::ezy_core::model::SlopePlaces> {
-        ::core::option::Option::Some(::ezy_core::model::SlopePlaces {
+    fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
+        ::core::option::Option::Some(ezy::SlopePlaces {
             by_q: ::std::vec![
                 (0usize, 2usize), (1usize, 2usize), (2usize, 2usize), (3usize, 5usize),
                 (4usize, 5usize), (5usize, 5usize), (6usize, 2usize), (6usize, 5usize),
@@ -150,13 +43,13 @@ impl ::ezy_core::model::Scene for Skid {
         by_q: &mut [f64],
         by_v: &mut [f64],
     ) {
-        let c = ::ezy_core::kernel::array::<41usize, f64>(c);
-        let q = ::ezy_core::kernel::array::<6usize, f64>(q);
-        let v = ::ezy_core::kernel::array::<6usize, f64>(v);
-        let a = ::ezy_core::kernel::array::<6usize, f64>(a);
-        let lambda = ::ezy_core::kernel::array::<4usize, f64>(lambda);
-        let by_q = ::ezy_core::kernel::array_mut::<12usize, f64>(by_q);
-        let by_v = ::ezy_core::kernel::array_mut::<10usize, f64>(by_v);
+        let c = ezy::array::<41usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let v = ezy::array::<6usize, f64>(v);
+        let a = ezy::array::<6usize, f64>(a);
+        let lambda = ezy::array::<4usize, f64>(lambda);
+        let by_q = ezy::array_mut::<12usize, f64>(by_q);
+        let by_v = ezy::array_mut::<10usize, f64>(by_v);
         let multiplier_3 = lambda[3usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
@@ -260,13 +153,13 @@ impl ::ezy_core::model::Scene for Skid {
         by_v[8usize] = product_84;
         by_v[9usize] = sum_87;
     }
-    fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
+    fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }
-    fn precise(&self) -> ::core::option::Option<&dyn ::ezy_core::model::PreciseScene> {
+    fn precise(&self) -> ::core::option::Option<&dyn ezy::PreciseScene> {
         ::core::option::Option::Some(self)
     }
-    fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ::ezy_core::model::Scene>> {
+    fn modes(&self) -> ::std::vec::Vec<::std::boxed::Box<dyn ezy::Scene>> {
         ::std::vec![
             ::std::boxed::Box::new(* self),
             ::std::boxed::Box::new(modes_of_skid::SlidesLeft { a : self.a, b : self.b, c

@@ -1,7 +1,7 @@
 //! What a run watched, as JSON and as text.
 
-use ezy_core::report::table::fixed;
-use ezy_core::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run};
+use crate::report::table::fixed;
+use crate::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run};
 
 use super::json::Json;
 

@@ -1,48 +1,21 @@
-//! The commands, their arguments and their help.
+//! The commands of every program, their arguments and their help.
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
-use ezy_core::dynamics::{Metric, Projection};
+use crate::dynamics::{Metric, Projection};
+use clap::{Args, Subcommand, ValueEnum};
 
 use super::value::{Assignment, parse_assignment, parse_count, parse_number};
 
-/// Simulates planar mechanisms with wheels from equations that are derived when the program is compiled
-///
-/// Without a command, does the EzyRoller study: figures, tables and a page in out/ezyroller/.
-#[derive(Debug, Parser)]
-#[command(
-    name = "ezy",
-    version,
-    after_help = "\
-Examples:
-  ezy                                          the study; open out/ezyroller/index.html afterwards
-  ezy list                                     which models and scenes there are
-  ezy show ezyroller/driven                    its equations
-  ezy run ezyroller/driven --out driven.csv    its motion
-  ezy accuracy ezyroller/driven                which method and tolerance it takes
-
-Exit status: 0 done; 1 stopped before the end (what was computed is kept); 2 wrong use."
-)]
-pub struct Arguments {
-    #[command(subcommand)]
-    pub command: Option<Command>,
-}
-
+// what a command does is said at its arguments
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Lists models and scenes with their effects, sizes and freedom
     List(ListArguments),
-    /// Prints the derived equations of a model or scene
     Show(ShowArguments),
-    /// Runs a scene and prints where it ends
     Run(RunArguments),
-    /// Checks the generated equations of a model or scene against independent computations
     Check(CheckArguments),
-    /// Measures what accuracy costs in time: every method, tolerance and projection against a reference
     Accuracy(AccuracyArguments),
-    /// Does the EzyRoller study: equations, figures, numbers and a page
-    Study(StudyArguments),
 }
 
 #[derive(Debug, Args)]
@@ -58,10 +31,6 @@ pub struct ListArguments {
 /// motion, all printed from the expressions that are compiled; then the sparsity of the Jacobian, the order of
 /// elimination and the operations of one evaluation.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  ezy show ezyroller                           every scene
-  ezy show ezyroller/coast --format latex      to paste into a document")]
 pub struct ShowArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
@@ -86,16 +55,6 @@ pub enum Format {
 ///
 /// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  ezy run ezyroller/driven                                         as the scene says
-  ezy run ezyroller/driven --until 600 --set m0=3                  longer, with more torque
-  ezy run ezyroller/coast --start bar.phi=pi/3 --start seat.vx=2   from another start
-  ezy run ezyroller/driven --out driven.csv --every 0.01           all of the motion, as CSV
-  ezy run ezyroller/driven --step 1e-4 --json                      the end, for another program
-  ezy run ezyroller/coast --project none --max-drift 1e-9          only as long as the constraints hold
-  ezy run ezyroller/ridden --input torque=-0.5                     an input, held
-  ezy run ezyroller/ridden --inputs torque.csv                     inputs from a table of times and values")]
 pub struct RunArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
@@ -225,10 +184,6 @@ impl From<MetricName> for Metric {
 /// elimination against the dense and the sparse solver, the power of the effects against force times velocity; then
 /// the rank of the constraints at the start and the energy balance of a short run. Exit status 1 when a check fails.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  ezy check ezyroller
-  ezy check ezyroller/driven")]
 pub struct CheckArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
@@ -237,15 +192,15 @@ pub struct CheckArguments {
 
 /// Measures what accuracy costs in time: every method, tolerance and projection against a reference
 ///
-/// Prints which method to use for an error of 1e-3, 1e-6, 1e-9 and 1e-12, and writes index.html, which needs nothing else,
-/// its figures as SVG and PNG, and accuracy.csv. Errors are those achieved against a reference that a second method
+/// Prints which method to use for an error of 1e-3, 1e-6, 1e-9 and 1e-12.
+#[cfg_attr(
+    feature = "figures",
+    doc = "Writes index.html, which needs nothing else, its figures as SVG and PNG, and accuracy.csv."
+)]
+#[cfg_attr(not(feature = "figures"), doc = "Writes accuracy.csv (with the feature `figures` of ezy-core also a page).")]
+/// Errors are those achieved against a reference that a second method
 /// confirms; times are those of repeated runs that keep nothing on their way.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  ezy accuracy ezyroller/driven
-  ezy accuracy ezyroller/driven --set m0=3 --until 10 --budget 20
-  ezy accuracy doublependulum/swing --out out/pendulum --json")]
 pub struct AccuracyArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
@@ -256,7 +211,7 @@ pub struct AccuracyArguments {
     /// Change a parameter or a count; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub set: Vec<Assignment>,
-    /// Hold a start value, as in `ezy run`; may be repeated
+    /// Hold a start value, as in `run`; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub start: Vec<Assignment>,
     /// Set an input for the whole run, in its unit; may be repeated
@@ -271,23 +226,4 @@ pub struct AccuracyArguments {
     /// Print one JSON object with 17 significant digits
     #[arg(long)]
     pub json: bool,
-}
-
-/// Does the EzyRoller study: equations, figures, numbers and a page
-///
-/// Writes index.html, which needs nothing else, each figure as SVG and PNG, and the numbers behind it as CSV.
-/// Every number that the page states is measured in this run.
-#[derive(Debug, Args)]
-pub struct StudyArguments {
-    /// Directory to write into; made if it does not exist
-    #[arg(long, value_name = "DIR", default_value = DEFAULT_STUDY_DIRECTORY)]
-    pub out: PathBuf,
-}
-
-const DEFAULT_STUDY_DIRECTORY: &str = "out/ezyroller";
-
-impl Default for StudyArguments {
-    fn default() -> Self {
-        Self { out: PathBuf::from(DEFAULT_STUDY_DIRECTORY) }
-    }
 }

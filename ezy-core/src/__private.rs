@@ -1,0 +1,16 @@
+//! What the code calls that `model!` emits. No part of the interface: it changes with the macro.
+
+pub use crate::__faulty_model as faulty_model;
+pub use crate::kernel::{array, array_mut, row, row_mut, sign};
+pub use crate::layout::{Bodies, Known, Layout};
+pub use crate::model::equations::PreciseScene;
+pub use crate::model::pivots::{PIVOT_TOLERANCE, Pivots};
+pub use crate::model::repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
+pub use crate::model::series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
+pub use crate::model::{
+    Abbreviation, CoordinateInfo, CountInfo, Derived, Direction, EffectInfo, EliminationStep, Equations, EventInfo,
+    EventKind, Formula, GripInfo, InputInfo, ModelInfo, Operations, OutputInfo, ParameterInfo, PointInfo, RowInfo,
+    Scene, SceneEntry, SceneInfo, SeriesInfo, SlopePlaces, SparsityPattern, Start, StopInfo,
+};
+pub use crate::scalar::Scalar;
+pub use ezy_derive::model as derive_model;

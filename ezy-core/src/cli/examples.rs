@@ -1,0 +1,102 @@
+//! The examples of help, in the names of the program's own models.
+
+use super::Models;
+use super::names::path;
+use super::selection::{first_scene, typed};
+use crate::model::{SceneEntry, SceneInfo};
+
+/// Examples: commands, each with what it does.
+pub struct Examples {
+    program: String,
+    /// The first model as it is typed.
+    model: String,
+    /// Its first scene: as it is typed, its file, and what it knows.
+    scene: String,
+    file: String,
+    info: Option<&'static SceneInfo>,
+    /// The first scene with an input, and the input.
+    input: Option<(String, &'static str)>,
+}
+
+impl Examples {
+    pub fn new(program: &str, models: Models<'_>) -> Self {
+        let first = first_scene(models);
+        let entries = models.iter().flat_map(|&model| model.scenes.iter().map(move |entry| (model, entry)));
+        let info = |entry: &SceneEntry| (entry.info)();
+        let input = entries.filter_map(|(model, entry)| Some((path(model, entry), info(entry).inputs.first()?.name)));
+        Self {
+            program: program.to_owned(),
+            model: first.map_or("MODEL".to_owned(), |(model, _)| typed(model.name)),
+            scene: first.map_or("MODEL/SCENE".to_owned(), |(model, entry)| path(model, entry)),
+            file: first.map_or("motion.csv".to_owned(), |(_, entry)| format!("{}.csv", entry.name)),
+            info: first.map(|(_, entry)| info(entry)),
+            input: { input }.next(),
+        }
+    }
+
+    pub fn of_program(&self) -> String {
+        let Self { model, scene, file, .. } = self;
+        self.lines(&[
+            ("list".to_owned(), "which models and scenes there are"),
+            (format!("show {scene}"), "its equations"),
+            (format!("run {scene} --out {file}"), "its motion"),
+            (format!("check {model}"), "whether its equations are right"),
+            (format!("accuracy {scene}"), "which method and tolerance it takes"),
+        ])
+    }
+
+    pub fn of_show(&self) -> String {
+        let Self { model, scene, .. } = self;
+        self.lines(&[
+            (format!("show {model}"), "every scene"),
+            (format!("show {scene} --format latex"), "to paste into a document"),
+        ])
+    }
+
+    pub fn of_run(&self) -> String {
+        let Self { scene, file, .. } = self;
+        let mut examples = vec![(format!("run {scene}"), "as the scene says")];
+        if let Some(info) = self.info {
+            examples.push((format!("run {scene} --until {}", 10.0 * info.until_s), "ten times as long"));
+            if let Some(parameter) = info.parameters.first() {
+                let set = format!("run {scene} --set {}={}", parameter.name, parameter.default);
+                examples.push((set, "with another value of a parameter"));
+            }
+            if let Some(angle) = info.coordinates.iter().find(|coordinate| coordinate.unit == "rad") {
+                examples.push((format!("run {scene} --start {}=pi/3", angle.name), "from another start"));
+            }
+        }
+        examples.extend([
+            (format!("run {scene} --out {file} --every 0.01"), "all of the motion, as CSV"),
+            (format!("run {scene} --step 1e-4 --json"), "the end, for another program"),
+            (format!("run {scene} --project none --max-drift 1e-9"), "only as long as the constraints hold"),
+        ]);
+        if let Some((scene, input)) = &self.input {
+            examples.extend([
+                (format!("run {scene} --input {input}=-0.5"), "an input, held"),
+                (format!("run {scene} --inputs {input}.csv"), "inputs from a table of times and values"),
+            ]);
+        }
+        self.lines(&examples)
+    }
+
+    pub fn of_check(&self) -> String {
+        let Self { model, scene, .. } = self;
+        self.lines(&[(format!("check {model}"), "every scene"), (format!("check {scene}"), "one")])
+    }
+
+    pub fn of_accuracy(&self) -> String {
+        let Self { scene, .. } = self;
+        self.lines(&[
+            (format!("accuracy {scene}"), "in a minute"),
+            (format!("accuracy {scene} --until 10 --budget 20"), "other runs, in 20 s"),
+            (format!("accuracy {scene} --out out/accuracy --json"), "for another program"),
+        ])
+    }
+
+    fn lines(&self, examples: &[(String, &str)]) -> String {
+        let width = examples.iter().map(|(command, _)| command.chars().count()).max().unwrap_or_default();
+        let line = |(command, what): &(String, &str)| format!("\n  {} {command:width$}   {what}", self.program);
+        format!("Examples:{}", examples.iter().map(line).collect::<String>())
+    }
+}

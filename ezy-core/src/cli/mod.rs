@@ -1,0 +1,55 @@
+//! The command line of a crate with models: `list`, `show`, `run`, `check`, `accuracy` and `help`.
+//!
+//! A crate gets a program of its own in one line:
+//!
+//! ```no_run
+//! # mod my_model { pub static MODEL: ezy_core::model::ModelInfo = ezy_core::model::ModelInfo {
+//! #     name: "Nothing", documentation: "", effects: &[], scenes: &[] }; }
+//! fn main() -> std::process::ExitCode {
+//!     ezy_core::cli::main(&[&my_model::MODEL])
+//! }
+//! ```
+//!
+//! Each `model!` emits the `MODEL`. [`CommandLine`] takes further commands and another text of help. One command is one file
+//! here; everything that a command does is done through the public parts of this crate.
+
+mod accuracy;
+mod accuracy_json;
+mod arguments;
+mod check;
+mod command_line;
+mod examples;
+mod failure;
+mod json;
+mod list;
+mod names;
+mod out_file;
+mod output;
+mod progress;
+mod run;
+mod run_end;
+mod run_monitors;
+mod selection;
+mod show;
+mod value;
+
+use std::process::ExitCode;
+
+pub use clap;
+pub use command_line::CommandLine;
+pub use failure::Failure;
+pub use output::print;
+pub use progress::Progress;
+pub use selection::{Selection, find};
+
+use crate::model::ModelInfo;
+
+/// The models of a program, in the order in which they are listed.
+type Models<'m> = &'m [&'static ModelInfo];
+
+/// Reads the arguments of the program, does what they ask of `models`, and returns the exit status.
+///
+/// The status is 0 when the command is done, 1 when it stopped before its end, 2 for wrong use.
+pub fn main(models: &[&'static ModelInfo]) -> ExitCode {
+    CommandLine::new(models).main()
+}

@@ -1,0 +1,78 @@
+//! What `model!` derives besides the equations.
+
+use super::{Equations, PreciseScene, Scene, Series, SlopePlaces};
+
+/// What a scene may know besides its equations of motion; `model!` derives it.
+///
+/// Each method has a default that says "not known", so that a scene written by hand may leave the block empty. What it then
+/// does without: Radau needs the slopes and Taylor's method the series; events, stops, sliding skates and counts are none.
+pub trait Derived: Equations<f64> {
+    /// Value of count `index` of [`SceneInfo::counts`](super::SceneInfo::counts); zero past the last.
+    fn count(&self, index: usize) -> usize {
+        let _ = index;
+        0
+    }
+
+    /// Changes count `index`; the description and all constants are then others.
+    fn set_count(&mut self, index: usize, value: usize) {
+        let _ = (index, value);
+    }
+
+    /// Where the slopes of the equations of motion stand; `None` for a scene that does not know them. Scenes that `model!`
+    /// generates do.
+    fn slope_places(&self) -> Option<SlopePlaces> {
+        None
+    }
+
+    /// R_q and R_v in the order of [`Derived::slope_places`], for accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`).
+    /// At a kink of a law the slope is the mean of those on both sides.
+    #[expect(clippy::too_many_arguments, reason = "the variables of R and its two derivatives")]
+    fn slopes(
+        &self,
+        c: &[f64],
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        lambda: &[f64],
+        by_q: &mut [f64],
+        by_v: &mut [f64],
+    ) {
+        let _ = (c, t, q, v, a, lambda, by_q, by_v);
+    }
+
+    /// Values of [`SceneInfo::events`](super::SceneInfo::events), which pass zero where the event takes place. Writes `n_s`.
+    fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
+    }
+
+    /// What the skate of [`SceneInfo::grip`](super::SceneInfo::grip) holds up to, N, and the velocity across it, to the left of
+    /// its direction, m/s. Writes 2.
+    fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
+    }
+
+    /// For each end of the stop of [`SceneInfo::stop`](super::SceneInfo::stop) the distance to it, negative beyond, and its rate;
+    /// last the restitution. Writes `2 n_ends + 1`.
+    fn stop(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
+    }
+
+    /// What the scene is while it runs, of which it begins as the first: with the skate of
+    /// [`SceneInfo::grip`](super::SceneInfo::grip) itself, then without its row, sliding to the left and to the right; with the
+    /// stop of [`SceneInfo::stop`](super::SceneInfo::stop) itself, then with a row more for each end, which holds the quantity
+    /// there. Empty where it stays what it is.
+    fn modes(&self) -> Vec<Box<dyn Scene>> {
+        Vec::new()
+    }
+
+    /// The recurrences of its Taylor series; none where a law of the scene is not analytic.
+    fn series(&self) -> Option<&dyn Series<f64>> {
+        None
+    }
+
+    /// The scene in numbers of twice the length, where it has a Taylor series.
+    fn precise(&self) -> Option<&dyn PreciseScene> {
+        None
+    }
+}

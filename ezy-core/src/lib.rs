@@ -55,6 +55,9 @@
 //! Each knows only those on its left: `scalar ← model ← linalg ← dynamics ← integrate ← simulate` and
 //! `model ← record ← simulate`; [`report`] reads records and names; [`accuracy`] runs, compares and reports.
 
+// who works on this crate reads the links to what is private
+#![allow(rustdoc::private_intra_doc_links)]
+
 #[doc(hidden)]
 pub mod __private;
 pub mod accuracy;
@@ -85,7 +88,7 @@ pub mod prelude {
     pub use crate::integrate::{Method, Tolerance};
     pub use crate::linalg::Backend;
     pub use crate::model::{Derived, Equations, ModelInfo, Scene};
-    pub use crate::record::{CsvWriter, RecordError, Recorder, Sample, input_index, output_index};
+    pub use crate::record::{CsvWriter, RecordError, Recorder, Sample, coordinate_index, input_index, output_index};
     pub use crate::simulate::{Ensemble, InputTable, Outcome, Run, Sensitivities, Simulation, Stepper, read_inputs};
     pub use crate::testing::{check_model, check_scene};
 }

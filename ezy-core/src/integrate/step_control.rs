@@ -29,7 +29,7 @@ impl Tolerance {
 
     /// What can be kept where rows nearly depend on each other.
     #[must_use]
-    pub fn at_rank_loss(self) -> Self {
+    pub(crate) fn at_rank_loss(self) -> Self {
         Self {
             relative: self.relative.max(Self::SMALLEST_AT_RANK_LOSS),
             absolute: self.absolute.max(Self::SMALLEST_AT_RANK_LOSS),

@@ -28,11 +28,6 @@ impl Record {
         self.numbers.len() / self.n_numbers
     }
 
-    /// Whether there is no sample.
-    pub fn is_empty(&self) -> bool {
-        self.numbers.is_empty()
-    }
-
     /// Sample `i`, `None` past the last.
     pub fn get(&self, i: usize) -> Option<Sample<'_>> {
         (i < self.len()).then(|| self.at(i))

@@ -112,7 +112,7 @@ impl<T: Scalar> Dop853<T> {
     ///
     /// # Errors
     /// As [`Dop853::attempt`].
-    pub fn first_step(
+    pub(crate) fn first_step(
         &mut self,
         system: &mut impl Dynamics<T>,
         from: Knot<'_, T>,
@@ -190,7 +190,7 @@ impl<T: Scalar> Dop853<T> {
     ///
     /// # Source
     /// Eich, SIAM J. Numer. Anal. 30 (1993).
-    pub fn tangential_error(
+    pub(crate) fn tangential_error(
         &mut self,
         system: &mut impl Dynamics<T>,
         h: f64,

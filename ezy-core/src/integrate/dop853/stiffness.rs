@@ -63,7 +63,7 @@ impl StiffnessWatch {
 impl<T: Scalar> Dop853<T> {
     /// `h |λ|` of the largest eigenvalue λ of the motion, from the last two slopes of the step of length `h` that was accepted
     /// last and ended at `to`: both belong to its end.
-    pub fn stability(&mut self, h: f64, to: Knot<'_, T>) -> f64 {
+    pub(crate) fn stability(&mut self, h: f64, to: Knot<'_, T>) -> f64 {
         let last = N_STAGES - 1;
         self.combine(h, Self::STAGES[last - 1]);
         let n = 2 * self.n_q;

@@ -55,6 +55,7 @@
 //! Each knows only those on its left: `scalar ← model ← linalg ← dynamics ← integrate ← simulate` and
 //! `model ← record ← simulate`; [`report`] reads records and names; [`accuracy`] runs, compares and reports.
 
+#![warn(unreachable_pub)]
 // who works on this crate reads the links to what is private
 #![allow(rustdoc::private_intra_doc_links)]
 

@@ -74,7 +74,7 @@ pub(super) enum Threshold {
 
 impl Threshold {
     /// ε of [`DampedKkt`].
-    pub const fn share(self) -> f64 {
+    pub(super) const fn share(self) -> f64 {
         match self {
             Self::Motion => COARSE,
             Self::Position => FINE,

@@ -23,7 +23,7 @@ use newton::Newton;
 use stages::Stages;
 use tableau::{N_STAGES, NODES, Triple};
 
-pub use control::{RadauControl, tolerance_of_estimate};
+pub(crate) use control::{RadauControl, tolerance_of_estimate};
 
 /// Stages of the method for q' = v, v' = a, w' = power of each effect, where a and the multipliers λ solve the equations of
 /// motion.

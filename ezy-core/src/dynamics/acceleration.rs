@@ -239,7 +239,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Errors
     /// As [`System::accelerations`].
     #[inline]
-    pub fn begin_series(
+    pub(crate) fn begin_series(
         &mut self,
         series: &dyn Series<f64>,
         t: f64,
@@ -260,7 +260,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Errors
     /// As [`System::accelerations`].
-    pub fn factorize(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
+    pub(crate) fn factorize(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
         self.at_with(t, q, Rows::Projected).factor()
     }
 
@@ -271,7 +271,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors that were made last, by [`System::factorize`] or
     /// [`System::begin_series`].
-    pub fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Solved {
+    pub(crate) fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Solved {
         let right_side = &mut self.factors.right_side;
         right_side[..force.len()].copy_from_slice(force);
         right_side[force.len()..].copy_from_slice(row);
@@ -287,14 +287,14 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// As [`System::accelerations`].
     /// # Cost
     /// One correction; no allocation.
-    pub fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
+    pub(crate) fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
         self.buffers.residual.fill(0.0);
         self.remove_residual_from(t, q, x)
     }
 
     /// Smallest pivot, as in [`Solved`], of the rows that a step goes on with, at positions that no row has to hold; zero where they
     /// depend on each other.
-    pub fn pivot_at(&mut self, t: f64, q: &[f64]) -> f64 {
+    pub(crate) fn pivot_at(&mut self, t: f64, q: &[f64]) -> f64 {
         let least = self.least_pivot;
         let at = self.at_with(t, q, Rows::Held);
         let pivot = if at.may_eliminate() {
@@ -310,12 +310,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Storage for [`System::conditioning`].
-    pub fn condition_estimator(&self) -> ConditionEstimator {
+    pub(crate) fn condition_estimator(&self) -> ConditionEstimator {
         ConditionEstimator::new(&self.geometry.units, &self.info.jacobian)
     }
 
     /// How well K can be solved with at a state, by an estimator for this scene.
-    pub fn conditioning(&mut self, t: f64, q: &[f64], estimator: &mut ConditionEstimator) -> Conditioning {
+    pub(crate) fn conditioning(&mut self, t: f64, q: &[f64], estimator: &mut ConditionEstimator) -> Conditioning {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         estimator.estimate(&self.mass, &self.info.jacobian, &self.buffers.jacobian)
     }
@@ -329,7 +329,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// As [`System::accelerations`].
     /// # Cost
     /// One correction; no allocation.
-    pub fn refine_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
+    pub(crate) fn refine_accelerations(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+    ) -> Result<(), MotionError> {
         self.scene.convective_term(&self.fixed, t, q, v, &mut self.buffers.residual);
         self.remove_residual_from(t, q, a)
     }

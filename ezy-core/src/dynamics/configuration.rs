@@ -29,7 +29,7 @@ impl Solved {
 
 /// Which rows a system takes for independent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rows {
+pub(crate) enum Rows {
     /// Those that are so at the configuration, which is taken as exact.
     Exact,
     /// Those that are so at the configuration, which was projected and carries rounding.
@@ -69,7 +69,7 @@ enum Made {
 }
 
 impl Factors {
-    pub fn new(n_q: usize, n_rows: usize, jacobian: Vec<f64>) -> Self {
+    pub(super) fn new(n_q: usize, n_rows: usize, jacobian: Vec<f64>) -> Self {
         Self {
             t: f64::NAN,
             q: vec![0.0; n_q],
@@ -85,11 +85,11 @@ impl Factors {
     }
 
     /// What was computed with other inputs is not good.
-    pub fn forget(&mut self) {
+    pub(super) fn forget(&mut self) {
         self.t = f64::NAN;
     }
 
-    pub fn holds_no_rows(&self) -> bool {
+    pub(super) fn holds_no_rows(&self) -> bool {
         self.held.is_empty()
     }
 

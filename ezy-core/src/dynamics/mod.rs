@@ -21,10 +21,11 @@ mod strain;
 mod system;
 mod worst;
 
-pub use any::{Dynamics, SystemOf};
-pub use configuration::{Configuration, Rows, Solved};
+pub(crate) use any::{Dynamics, SystemOf};
+pub(crate) use configuration::Rows;
+pub use configuration::{Configuration, Solved};
 pub use error::{MotionError, StartError, SystemError};
-pub use on_rows::OnRows;
+pub(crate) use on_rows::OnRows;
 pub use projection::{Metric, Projection};
 pub use rank::RankLoss;
 pub use residual::Slopes;

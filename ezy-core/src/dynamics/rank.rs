@@ -60,7 +60,7 @@ const NEARLY_DEPENDENT: f64 = 0.1;
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Whether rows nearly depend on each other at a state, whatever the masses are. Slow.
-    pub fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
+    pub(crate) fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
         match self.independence(t, q) {
             Some(independence) => independence <= NEARLY_DEPENDENT * NEARLY_DEPENDENT,
             None => self.at_with(t, q, Rows::Projected).vanished_row().is_some(),
@@ -70,13 +70,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// Square of the smallest pivot of G, rows scaled to one and angles in units of their levers: how far rows are from depending on each
     /// other, whatever the masses are. Masses far apart make small pivots of G M⁻¹ Gᵀ everywhere, and no position singular.
     /// `None` in a system too large to tell. Slow.
-    pub fn independence(&mut self, t: f64, q: &[f64]) -> Option<f64> {
+    pub(crate) fn independence(&mut self, t: f64, q: &[f64]) -> Option<f64> {
         self.pivot_of_rows(t, q)
     }
 
     /// What to say when a motion cannot be continued from a state: where rows nearly depend on each other, that they do.
     #[cold]
-    pub fn locked_up(&mut self, t: f64, q: &[f64], cause: MotionError) -> MotionError {
+    pub(crate) fn locked_up(&mut self, t: f64, q: &[f64], cause: MotionError) -> MotionError {
         let may_lock = matches!(cause, MotionError::StepCollapsed { .. } | MotionError::ProjectionStalled { .. });
         if !may_lock {
             return cause;

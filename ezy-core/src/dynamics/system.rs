@@ -141,7 +141,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
 
     /// The least [`Solved::smallest_pivot`](super::Solved) since this was asked before: at ends and stages of steps, also of those that
     /// were taken back.
-    pub fn take_least_pivot(&mut self) -> f64 {
+    pub(crate) fn take_least_pivot(&mut self) -> f64 {
         std::mem::replace(&mut self.least_pivot, 1.0)
     }
 

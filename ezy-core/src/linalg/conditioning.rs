@@ -5,17 +5,17 @@ use crate::model::SparsityPattern;
 
 /// What an estimate found; of the scaled K, in which lengths and angles, heavy and light bodies compare.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Conditioning {
+pub(crate) struct Conditioning {
     /// Condition number in the 1-norm, estimated from below; infinite where a pivot vanishes.
-    pub condition: f64,
+    pub(crate) condition: f64,
     /// Smallest pivot of G, of rows scaled to one.
-    pub pivot: f64,
+    pub(crate) pivot: f64,
     /// The row that it belongs to; none where rows depend on each other.
-    pub row: Option<usize>,
+    pub(crate) row: Option<usize>,
 }
 
 /// Estimates the condition number of K from a dense factorisation and a few solves.
-pub struct ConditionEstimator {
+pub(crate) struct ConditionEstimator {
     kkt: NullSpaceKkt,
     /// D.
     scale: Vec<f64>,
@@ -29,7 +29,7 @@ const MAX_SOLVES: usize = 5;
 
 impl ConditionEstimator {
     /// Storage; `unit` (`n_q`) is the lever of each angle, m, and one for lengths.
-    pub fn new(unit: &[f64], pattern: &SparsityPattern) -> Self {
+    pub(crate) fn new(unit: &[f64], pattern: &SparsityPattern) -> Self {
         let n = unit.len() + pattern.n_rows();
         let kkt = NullSpaceKkt::new(unit, pattern, pattern.n_rows());
         Self { kkt, scale: vec![1.0; n], x: vec![0.0; n], sums: vec![0.0; n] }
@@ -40,7 +40,7 @@ impl ConditionEstimator {
     /// # Source
     /// Hager, SIAM J. Sci. Stat. Comput. 5 (1984); Higham, Accuracy and Stability of Numerical Algorithms (2002), algorithm
     /// 15.1, for a symmetric matrix.
-    pub fn estimate(&mut self, mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Conditioning {
+    pub(crate) fn estimate(&mut self, mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Conditioning {
         let factored = self.kkt.factor(mass, jacobian, Independent::Above(INDEPENDENT));
         if factored.is_err() || self.kkt.rank().n_redundant() > 0 {
             return Conditioning { condition: f64::INFINITY, pivot: 0.0, row: None };

@@ -15,7 +15,7 @@ use crate::model::SparsityPattern;
 /// # Source
 /// The method of multipliers; for rigid bodies Bayo, Avello, Nonlinear Dynamics 5 (1994); Carpentier, Budhiraja, Mansard,
 /// Robotics: Science and Systems (2021).
-pub struct DampedKkt {
+pub(crate) struct DampedKkt {
     /// M, with a substitute in place of each zero.
     weight: Vec<f64>,
     /// D.
@@ -39,7 +39,7 @@ const CONVERGED: f64 = 1e-15;
 impl DampedKkt {
     /// Storage for the diagonal of M and the rows of `pattern`. A zero is replaced by the least positive entry of its kind, mass or
     /// inertia.
-    pub fn new(mass: &[f64], pattern: &SparsityPattern) -> Self {
+    pub(crate) fn new(mass: &[f64], pattern: &SparsityPattern) -> Self {
         let (n_q, n_rows) = (mass.len(), pattern.n_rows());
         Self {
             weight: weights(mass),
@@ -55,7 +55,7 @@ impl DampedKkt {
     ///
     /// # Errors
     /// [`VanishedPivot`] when a coordinate has neither mass nor a row that holds it, or a number is not finite.
-    pub fn factor(
+    pub(crate) fn factor(
         &mut self,
         kkt: &mut dyn KktFactorization,
         pattern: &SparsityPattern,
@@ -68,7 +68,7 @@ impl DampedKkt {
     }
 
     /// Replaces `[r; s]` by `[x; y]` with the factors of the last [`Self::factor`].
-    pub fn solve(
+    pub(crate) fn solve(
         &mut self,
         kkt: &mut dyn KktFactorization,
         mass: &[f64],
@@ -98,7 +98,7 @@ impl DampedKkt {
 }
 
 /// Diagonal of `G W⁻¹ Gᵀ` for the entries of G; one for a row without any.
-pub fn write_diagonal(
+pub(crate) fn write_diagonal(
     entries: impl Iterator<Item = (usize, usize, usize)>,
     weight: &[f64],
     jacobian: &[f64],
@@ -112,7 +112,7 @@ pub fn write_diagonal(
 }
 
 /// The diagonal of M; a coordinate without mass takes the smallest positive entry of its kind, or one.
-pub fn weights(mass: &[f64]) -> Vec<f64> {
+pub(crate) fn weights(mass: &[f64]) -> Vec<f64> {
     let substitute = |angle: bool| {
         let of_kind = mass.iter().enumerate().filter(|(i, m)| (i % 3 == 2) == angle && **m > 0.0).map(|(_, m)| *m);
         of_kind.min_by(f64::total_cmp).unwrap_or(1.0)

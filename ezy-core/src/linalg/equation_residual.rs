@@ -7,13 +7,13 @@ use crate::model::SparsityPattern;
 ///
 /// # Source
 /// Oettli, Prager, Numer. Math. 6 (1964), for the measure.
-pub struct EquationResidual {
+pub(crate) struct EquationResidual {
     entries: Vec<(usize, usize, usize)>,
     n_q: usize,
     /// What is left of each equation, `n_q + n_c`.
-    pub left: Vec<f64>,
+    pub(crate) left: Vec<f64>,
     /// Sum of the magnitudes of its terms.
-    pub size: Vec<f64>,
+    pub(crate) size: Vec<f64>,
     row_size: Vec<f64>,
 }
 
@@ -22,13 +22,13 @@ const NEGLIGIBLE: f64 = 1e-2;
 
 impl EquationResidual {
     /// Storage for `n_q` coordinates and the first `n_rows` rows of `pattern`.
-    pub fn new(n_q: usize, n_rows: usize, pattern: &SparsityPattern) -> Self {
+    pub(crate) fn new(n_q: usize, n_rows: usize, pattern: &SparsityPattern) -> Self {
         let entries = pattern.entries().take_while(|(_, row, _)| *row < n_rows).collect();
         Self { entries, n_q, left: vec![0.0; n_q + n_rows], size: vec![0.0; n_q + n_rows], row_size: vec![0.0; n_rows] }
     }
 
     /// Puts a solution into the equations.
-    pub fn write(&mut self, mass: &[f64], jacobian: &[f64], right_side: &[f64], solution: &[f64]) {
+    pub(crate) fn write(&mut self, mass: &[f64], jacobian: &[f64], right_side: &[f64], solution: &[f64]) {
         let Self { entries, n_q, left, size, .. } = self;
         left.copy_from_slice(right_side);
         size.iter_mut().zip(right_side).for_each(|(size, b)| *size = b.abs());
@@ -46,7 +46,7 @@ impl EquationResidual {
     }
 
     /// What is left of the counted rows, whose largest entries become one, with angles in units of `unit` (`n_q`).
-    pub fn rows_left(
+    pub(crate) fn rows_left(
         &mut self,
         mass: &[f64],
         jacobian: &[f64],
@@ -76,7 +76,7 @@ impl EquationResidual {
     }
 
     /// The largest part that is left of the terms of an equation.
-    pub fn share(&self) -> f64 {
+    pub(crate) fn share(&self) -> f64 {
         largest(
             self.left.iter().zip(&self.size).filter(|(left, _)| **left != 0.0).map(|(left, size)| left.abs() / size),
         )
@@ -84,7 +84,7 @@ impl EquationResidual {
 
     /// As [`Self::share`], where terms that may be rounding altogether are not counted; NaN where a number is none. In units of the roots
     /// of `weight` (`n_q`), M with substitutes for zeros, and of the diagonal of `G W⁻¹ Gᵀ` all equations are comparable.
-    pub fn share_of_what_matters(&self, weight: &[f64], diagonal: &[f64]) -> f64 {
+    pub(crate) fn share_of_what_matters(&self, weight: &[f64], diagonal: &[f64]) -> f64 {
         let units = || weight.iter().chain(diagonal).map(|square| square.sqrt());
         let in_units = largest(self.size.iter().zip(units()).map(|(size, unit)| size / unit));
         // a substitute for a mass may be far from all masses: then the numbers as they stand are the limit

@@ -24,24 +24,26 @@ mod singular;
 mod sparse;
 mod sparse_lu;
 
-pub use conditioning::{ConditionEstimator, Conditioning};
-pub use damped::{DampedKkt, weights, write_diagonal};
-pub use equation_residual::EquationResidual;
-pub use lu::Lu;
-pub use null_space::NullSpaceKkt;
-pub use rank::{Dependencies, INDEPENDENT, INDEPENDENT_EXACTLY, Independent, RankRevealing, undetermined_coordinates};
+pub(crate) use conditioning::{ConditionEstimator, Conditioning};
+pub(crate) use damped::{DampedKkt, weights, write_diagonal};
+pub(crate) use equation_residual::EquationResidual;
+pub(crate) use lu::Lu;
+pub(crate) use null_space::NullSpaceKkt;
+pub(crate) use rank::{INDEPENDENT, INDEPENDENT_EXACTLY, Independent, RankRevealing, undetermined_coordinates};
 pub(crate) use singular::singular_values;
+#[doc(hidden)]
 pub use sparse::{SparseKkt, SparseKktError};
-pub use sparse_lu::SparseLu;
+pub(crate) use sparse_lu::SparseLu;
 
 /// Largest n_q + n_c for which a dense K is made: 70 MB and some seconds a factorisation.
-pub const LARGEST_DENSE: usize = 3_000;
+pub(crate) const LARGEST_DENSE: usize = 3_000;
 
 /// Largest n_q + n_c of a scene with counts whose rank is asked: full pivoting of larger ones takes longer than anyone waits.
-pub const LARGEST_DIAGNOSED: usize = 500;
+pub(crate) const LARGEST_DIAGNOSED: usize = 500;
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Backend {
     /// [`Backend::Generated`], in scenes with counts [`Backend::Sparse`]; [`Backend::Dense`] when a mass or inertia is
     /// zero or, in a scene without counts or with at most 100 equations, less than 1e-4 of the largest; inertias count by
@@ -89,12 +91,12 @@ pub struct VanishedPivot {
 
 /// K is singular whatever rows are redundant: a number is not finite, or nothing moves a coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SingularKkt;
+pub(crate) struct SingularKkt;
 
 /// What a solution leaves of rows that depend on others: not small only where they contradict each other. Rows are scaled to one,
 /// angles in units of their levers.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Left {
+pub(crate) struct Left {
     /// The largest.
     pub rows: f64,
     /// To compare with: the largest number of the solution, of `M⁻¹ r`, or of the terms of a row.

@@ -23,7 +23,7 @@ use nalgebra::{DMatrix, DVectorView, DVectorViewMut, Dyn};
 /// # Source
 /// Wehage, Haug, J. Mech. Design 104 (1982), coordinate partitioning by full pivoting; Benzi, Golub, Liesen, Acta Numerica 14
 /// (2005), section 6; Skeel, Math. Comp. 35 (1980), for the refinement.
-pub struct NullSpaceKkt {
+pub(crate) struct NullSpaceKkt {
     /// Unit of each coordinate: its lever for an angle, one for a length.
     unit: Vec<f64>,
     rank: RankRevealing,
@@ -54,7 +54,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl NullSpaceKkt {
     /// Storage for the first `n_rows` rows of `pattern`; `unit` (`n_q`) is the lever of each angle, m, and one for lengths.
-    pub fn new(unit: &[f64], pattern: &SparsityPattern, n_rows: usize) -> Self {
+    pub(crate) fn new(unit: &[f64], pattern: &SparsityPattern, n_rows: usize) -> Self {
         let n_q = unit.len();
         let zeros = |n: usize| vec![0.0; n];
         Self {
@@ -76,7 +76,7 @@ impl NullSpaceKkt {
     }
 
     /// What the last successful factorisation found about the rows of G.
-    pub fn rank(&self) -> &RankRevealing {
+    pub(crate) fn rank(&self) -> &RankRevealing {
         &self.rank
     }
 
@@ -86,7 +86,12 @@ impl NullSpaceKkt {
     /// [`SingularKkt`] when a number is not finite, nothing moves a coordinate, or rows that are taken for independent are not.
     /// # Cost
     /// `n_c² n_q` comparisons and as many multiplications; no allocation unless the rank changed.
-    pub fn factor(&mut self, mass: &[f64], jacobian: &[f64], independent: Independent<'_>) -> Result<(), SingularKkt> {
+    pub(crate) fn factor(
+        &mut self,
+        mass: &[f64],
+        jacobian: &[f64],
+        independent: Independent<'_>,
+    ) -> Result<(), SingularKkt> {
         self.mass.copy_from_slice(mass);
         self.jacobian.copy_from_slice(jacobian);
         if !self.rank.factor(jacobian, &self.unit, mass, independent) {
@@ -144,7 +149,7 @@ impl NullSpaceKkt {
 
     /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]` with the factors of the last successful [`Self::factor`]; tells what redundant rows
     /// leave.
-    pub fn solve(&mut self, solution: &mut [f64]) -> Left {
+    pub(crate) fn solve(&mut self, solution: &mut [f64]) -> Left {
         self.right_side.copy_from_slice(solution);
         self.substitute(solution);
         let (mut left, mut share) = self.put_in(solution);

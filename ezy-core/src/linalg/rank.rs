@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DMatrixView, DVectorViewMut, linalg};
 /// Rounding ε of positions changes accelerations by ε/p³ where p is the smallest pivot. Below p = 1e-5, about ε^(1/3), no digit
 /// of what a row decides is left, and it counts as dependent. p² is comparable with the pivots of eliminations of G M⁻¹ Gᵀ:
 /// [`INDEPENDENT`] is the root of [`PIVOT_TOLERANCE`](crate::model::PIVOT_TOLERANCE).
-pub struct RankRevealing {
+pub(crate) struct RankRevealing {
     entries: Vec<(usize, usize, usize)>,
     factors: DMatrix<f64>,
     row_scale: Vec<f64>,
@@ -28,14 +28,14 @@ pub struct RankRevealing {
 const PIVOT_SHARE: f64 = 0.1;
 
 /// Pivots of rows that count as independent at positions that carry rounding, of rows scaled to one; see [`RankRevealing`].
-pub const INDEPENDENT: f64 = 1e-5;
+pub(crate) const INDEPENDENT: f64 = 1e-5;
 
 /// The same at positions that are exact: half of the digits of what the row decides are left, ε/p = √ε.
-pub const INDEPENDENT_EXACTLY: f64 = 1e-8;
+pub(crate) const INDEPENDENT_EXACTLY: f64 = 1e-8;
 
 /// Which rows a factorisation takes for independent.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Independent<'r> {
+pub(crate) enum Independent<'r> {
     /// Those whose pivots exceed this.
     Above(f64),
     /// These, whatever their pivots are.
@@ -47,16 +47,16 @@ const PARTICIPATION: f64 = 1e-4;
 
 /// Rows that depend on each other.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Dependencies {
+pub(crate) struct Dependencies {
     /// Rows that take part in a dependency, in declared order.
-    pub rows: Vec<usize>,
+    pub(crate) rows: Vec<usize>,
     /// How many rows are redundant.
-    pub n: usize,
+    pub(crate) n: usize,
 }
 
 impl RankRevealing {
     /// Storage for the first `n_rows` rows of a pattern with `n_columns` columns.
-    pub fn new(n_rows: usize, n_columns: usize, pattern: &SparsityPattern) -> Self {
+    pub(crate) fn new(n_rows: usize, n_columns: usize, pattern: &SparsityPattern) -> Self {
         Self {
             entries: pattern.entries().take_while(|(_, row, _)| *row < n_rows).collect(),
             factors: DMatrix::zeros(n_rows, n_columns),
@@ -73,7 +73,13 @@ impl RankRevealing {
     /// dependent, so that heavy and light bodies are not mixed.
     ///
     /// False when a number is not finite, or a pivot of rows that are asked for vanishes.
-    pub fn factor(&mut self, jacobian: &[f64], unit: &[f64], mass: &[f64], independent: Independent<'_>) -> bool {
+    pub(crate) fn factor(
+        &mut self,
+        jacobian: &[f64],
+        unit: &[f64],
+        mass: &[f64],
+        independent: Independent<'_>,
+    ) -> bool {
         let (n_rows, n_columns) = self.factors.shape();
         self.write(jacobian, unit);
         let (n_candidates, tolerance) = match independent {
@@ -164,57 +170,57 @@ impl RankRevealing {
     }
 
     /// Number of independent rows.
-    pub fn rank(&self) -> usize {
+    pub(crate) fn rank(&self) -> usize {
         self.rank
     }
 
     /// Number of rows that depend on others.
-    pub fn n_redundant(&self) -> usize {
+    pub(crate) fn n_redundant(&self) -> usize {
         self.rows.len() - self.rank
     }
 
     /// The independent rows.
-    pub fn independent_rows(&self) -> &[usize] {
+    pub(crate) fn independent_rows(&self) -> &[usize] {
         &self.rows[..self.rank]
     }
 
     /// The smallest pivot of an independent row, of rows scaled to one.
-    pub fn smallest_pivot(&self) -> f64 {
+    pub(crate) fn smallest_pivot(&self) -> f64 {
         self.smallest_pivot
     }
 
     /// The row that it belongs to.
-    pub fn weakest_row(&self) -> usize {
+    pub(crate) fn weakest_row(&self) -> usize {
         self.weakest_row
     }
 
     /// The row of G at a place; independent ones first.
-    pub fn row(&self, place: usize) -> usize {
+    pub(crate) fn row(&self, place: usize) -> usize {
         self.rows[place]
     }
 
     /// The column of G at a place; dependent coordinates first.
-    pub fn column(&self, place: usize) -> usize {
+    pub(crate) fn column(&self, place: usize) -> usize {
         self.columns[place]
     }
 
     /// What a row of G was multiplied by.
-    pub fn row_scale(&self, row: usize) -> f64 {
+    pub(crate) fn row_scale(&self, row: usize) -> f64 {
         self.row_scale[row]
     }
 
     /// Z, `rank × (n_columns − rank)`: the dependent coordinates by the independent ones.
-    pub fn dependent_by_independent(&self) -> DMatrixView<'_, f64> {
+    pub(crate) fn dependent_by_independent(&self) -> DMatrixView<'_, f64> {
         self.factors.view((0, self.rank), (self.rank, self.columns.len() - self.rank))
     }
 
     /// T, `n_redundant × rank`: the redundant rows by the independent ones.
-    pub fn redundant_by_independent(&self) -> DMatrixView<'_, f64> {
+    pub(crate) fn redundant_by_independent(&self) -> DMatrixView<'_, f64> {
         self.factors.view((self.rank, 0), (self.n_redundant(), self.rank))
     }
 
     /// Replaces s (`rank`) by `U₁⁻¹ L₁⁻¹ s`.
-    pub fn solve(&self, s: &mut [f64]) {
+    pub(crate) fn solve(&self, s: &mut [f64]) {
         if self.rank == 0 {
             return;
         }
@@ -226,7 +232,7 @@ impl RankRevealing {
     }
 
     /// Replaces r (`rank`) by `(L₁ U₁)⁻ᵀ r`.
-    pub fn solve_transposed(&self, r: &mut [f64]) {
+    pub(crate) fn solve_transposed(&self, r: &mut [f64]) {
         if self.rank == 0 {
             return;
         }
@@ -239,7 +245,7 @@ impl RankRevealing {
     }
 
     /// Rows that take part in dependencies: `[−T I] P G = 0`.
-    pub fn dependencies(&self) -> Dependencies {
+    pub(crate) fn dependencies(&self) -> Dependencies {
         let T = self.redundant_by_independent();
         let takes_part = |place: usize| T.column(place).iter().any(|share| share.abs() > PARTICIPATION);
         let mut rows: Vec<usize> =
@@ -251,7 +257,11 @@ impl RankRevealing {
 }
 
 /// Massless coordinates that take part in a motion which no row sees. `None` when G is not finite.
-pub fn undetermined_coordinates(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Option<Vec<usize>> {
+pub(crate) fn undetermined_coordinates(
+    mass: &[f64],
+    pattern: &SparsityPattern,
+    jacobian: &[f64],
+) -> Option<Vec<usize>> {
     if !jacobian.iter().all(|x| x.is_finite()) {
         return None;
     }

@@ -12,12 +12,12 @@ pub(super) struct AlongSeries<'s> {
 }
 
 impl<'s> AlongSeries<'s> {
-    pub fn new(taylor: Taylor<'s>, tolerance: Tolerance) -> Self {
+    pub(super) fn new(taylor: Taylor<'s>, tolerance: Tolerance) -> Self {
         Self { taylor, tolerance }
     }
 
     /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
-    pub fn step<S: Scene + ?Sized>(
+    pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,
         from: Knot<'_>,

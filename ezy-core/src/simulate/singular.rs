@@ -38,7 +38,7 @@ pub(super) fn about(distance: f64) -> Range<f64> {
 impl Approach<'_> {
     /// Where a singular position may be, as times from now, s; none where it is far. `usual_s` is the length of the steps before, zero when
     /// there were none; `q` is a buffer.
-    pub fn ahead<S: Scene + ?Sized>(
+    pub(super) fn ahead<S: Scene + ?Sized>(
         &self,
         system: &mut System<'_, S>,
         usual_s: f64,
@@ -74,7 +74,7 @@ impl Approach<'_> {
     }
 
     /// Time to where the smallest pivot vanishes on the way that is foreseen, within times from now, s; `q` is a buffer.
-    pub fn find<S: Scene + ?Sized>(
+    pub(super) fn find<S: Scene + ?Sized>(
         &self,
         system: &mut System<'_, S>,
         q: &mut [f64],

@@ -787,22 +787,22 @@ pub mod modes_of_skid {
             let bar_vx = v[3usize];
             let difference_4 = seat_vx - bar_vx;
             let bar_omega = v[5usize];
-            let product_7 = c[13usize] * bar_omega;
+            let c13_bar_omega = c[13usize] * bar_omega;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let difference_11 = T::fused(-product_7, sin_bar_phi, difference_4);
+            let difference_11 = T::fused(-c13_bar_omega, sin_bar_phi, difference_4);
             let seat_omega = v[2usize];
-            let product_14 = c[12usize] * seat_omega;
+            let c12_seat_omega = c[12usize] * seat_omega;
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let difference_18 = T::fused(-product_14, sin_seat_phi, difference_11);
+            let difference_18 = T::fused(-c12_seat_omega, sin_seat_phi, difference_11);
             let seat_vy = v[1usize];
             let bar_vy = v[4usize];
             let difference_21 = seat_vy - bar_vy;
-            let sum_24 = T::fused(product_7, cos_bar_phi, difference_21);
-            let sum_27 = T::fused(product_14, cos_seat_phi, sum_24);
-            let product_29 = bar_omega * c[30usize];
-            let difference_31 = T::fused(-bar_vx, sin_bar_phi, product_29);
+            let sum_24 = T::fused(c13_bar_omega, cos_bar_phi, difference_21);
+            let sum_27 = T::fused(c12_seat_omega, cos_seat_phi, sum_24);
+            let bar_omega_c30 = bar_omega * c[30usize];
+            let difference_31 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c30);
             let sum_33 = T::fused(bar_vy, cos_bar_phi, difference_31);
             out[0usize] = difference_18;
             out[1usize] = sum_27;
@@ -814,24 +814,24 @@ pub mod modes_of_skid {
             let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_4 = c[12usize] * sin_seat_phi;
+            let c12_sin_seat_phi = c[12usize] * sin_seat_phi;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let product_8 = c[13usize] * sin_bar_phi;
-            let product_10 = c[12usize] * cos_seat_phi;
-            let product_12 = c[13usize] * cos_bar_phi;
-            let value_14 = -product_4;
+            let c13_sin_bar_phi = c[13usize] * sin_bar_phi;
+            let c12_cos_seat_phi = c[12usize] * cos_seat_phi;
+            let c13_cos_bar_phi = c[13usize] * cos_bar_phi;
+            let value_14 = -c12_sin_seat_phi;
             let value_15 = -T::from_f64(1f64);
-            let value_16 = -product_8;
+            let value_16 = -c13_sin_bar_phi;
             let value_17 = -sin_bar_phi;
             out[0usize] = T::from_f64(1f64);
             out[1usize] = value_14;
             out[2usize] = value_15;
             out[3usize] = value_16;
             out[4usize] = T::from_f64(1f64);
-            out[5usize] = product_10;
+            out[5usize] = c12_cos_seat_phi;
             out[6usize] = value_15;
-            out[7usize] = product_12;
+            out[7usize] = c13_cos_bar_phi;
             out[8usize] = value_17;
             out[9usize] = cos_bar_phi;
             out[10usize] = c[30usize];
@@ -842,27 +842,35 @@ pub mod modes_of_skid {
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
             let seat_omega = v[2usize];
-            let product_3 = c[12usize] * seat_omega;
-            let product_4 = seat_omega * product_3;
+            let c12_seat_omega = c[12usize] * seat_omega;
+            let product_4 = seat_omega * c12_seat_omega;
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_8 = product_4 * cos_seat_phi;
+            let product_4_cos_seat_phi = product_4 * cos_seat_phi;
             let bar_omega = v[5usize];
-            let product_11 = c[13usize] * bar_omega;
-            let product_12 = bar_omega * product_11;
+            let c13_bar_omega = c[13usize] * bar_omega;
+            let bar_omega_c13_bar_omega = bar_omega * c13_bar_omega;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
-            let product_18 = product_4 * sin_seat_phi;
-            let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+            let sum_16 = T::fused(
+                bar_omega_c13_bar_omega,
+                cos_bar_phi,
+                product_4_cos_seat_phi,
+            );
+            let product_4_sin_seat_phi = product_4 * sin_seat_phi;
+            let sum_21 = T::fused(
+                bar_omega_c13_bar_omega,
+                sin_bar_phi,
+                product_4_sin_seat_phi,
+            );
             let bar_vx = v[3usize];
-            let product_23 = cos_bar_phi * bar_vx;
+            let cos_bar_phi_bar_vx = cos_bar_phi * bar_vx;
             let bar_vy = v[4usize];
-            let sum_26 = T::fused(sin_bar_phi, bar_vy, product_23);
-            let product_27 = bar_omega * sum_26;
+            let sum_26 = T::fused(sin_bar_phi, bar_vy, cos_bar_phi_bar_vx);
+            let bar_omega_sum_26 = bar_omega * sum_26;
             let value_28 = -sum_16;
             let value_29 = -sum_21;
-            let value_30 = -product_27;
+            let value_30 = -bar_omega_sum_26;
             out[0usize] = value_28;
             out[1usize] = value_29;
             out[2usize] = value_30;
@@ -874,15 +882,15 @@ pub mod modes_of_skid {
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_4 = c[24usize] * sin_seat_phi;
-            let product_6 = c[24usize] * cos_seat_phi;
-            let product_11 = c[1usize] * t;
-            let cos_11 = T::cos(product_11);
-            let product_13 = c[0usize] * cos_11;
-            let sum_15 = product_13 + c[2usize];
-            let value_16 = -product_6;
-            let value_17 = -product_13;
-            out[0usize] = product_4;
+            let c24_sin_seat_phi = c[24usize] * sin_seat_phi;
+            let c24_cos_seat_phi = c[24usize] * cos_seat_phi;
+            let c1_t = c[1usize] * t;
+            let cos_11 = T::cos(c1_t);
+            let c0_cos_11 = c[0usize] * cos_11;
+            let sum_15 = c0_cos_11 + c[2usize];
+            let value_16 = -c24_cos_seat_phi;
+            let value_17 = -c0_cos_11;
+            out[0usize] = c24_sin_seat_phi;
             out[1usize] = value_16;
             out[2usize] = sum_15;
             out[3usize] = T::from_f64(0f64);
@@ -904,48 +912,56 @@ pub mod modes_of_skid {
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
             let lambda = ::ezy_core::kernel::array_mut::<3usize, T>(lambda);
-            let product_4 = c[1usize] * t;
-            let cos_4 = T::cos(product_4);
+            let c1_t = c[1usize] * t;
+            let cos_4 = T::cos(c1_t);
             let force_seat_phi = T::fused(c[0usize], cos_4, c[2usize]);
             let bar_vx = v[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let product_13 = bar_vx * cos_bar_phi;
+            let bar_vx_cos_bar_phi = bar_vx * cos_bar_phi;
             let bar_vy = v[4usize];
-            let sum_17 = T::fused(bar_vy, sin_bar_phi, product_13);
+            let sum_17 = T::fused(bar_vy, sin_bar_phi, bar_vx_cos_bar_phi);
             let bar_omega = v[5usize];
-            let product_19 = sum_17 * bar_omega;
-            let minus_right_side_front = T::fused(cos_4, c[3usize], product_19);
+            let sum_17_bar_omega = sum_17 * bar_omega;
+            let minus_right_side_front = T::fused(cos_4, c[3usize], sum_17_bar_omega);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_26 = c[4usize] * cos_seat_phi;
-            let product_29 = cos_bar_phi * c[5usize];
-            let product_30 = cos_bar_phi * product_29;
-            let difference_31 = T::fused(-cos_seat_phi, product_26, product_30);
+            let c4_cos_seat_phi = c[4usize] * cos_seat_phi;
+            let cos_bar_phi_c5 = cos_bar_phi * c[5usize];
+            let product_30 = cos_bar_phi * cos_bar_phi_c5;
+            let difference_31 = T::fused(-cos_seat_phi, c4_cos_seat_phi, product_30);
             let sum_33 = difference_31 + c[6usize];
-            let product_35 = c[4usize] * sin_seat_phi;
-            let product_37 = sin_bar_phi * c[5usize];
-            let product_38 = cos_bar_phi * product_37;
-            let difference_39 = T::fused(-cos_seat_phi, product_35, product_38);
+            let c4_sin_seat_phi = c[4usize] * sin_seat_phi;
+            let sin_bar_phi_c5 = sin_bar_phi * c[5usize];
+            let product_38 = cos_bar_phi * sin_bar_phi_c5;
+            let difference_39 = T::fused(-cos_seat_phi, c4_sin_seat_phi, product_38);
             let difference_41 = c[7usize] - difference_31;
             let difference_45 = T::fused(-force_seat_phi, c[9usize], c[8usize]);
             let product_46 = sin_seat_phi * difference_45;
-            let product_48 = cos_4 * c[10usize];
-            let sum_51 = T::fused(minus_right_side_front, c[11usize], product_48);
+            let cos_4_c10 = cos_4 * c[10usize];
+            let sum_51 = T::fused(minus_right_side_front, c[11usize], cos_4_c10);
             let sum_53 = T::fused(sin_bar_phi, sum_51, product_46);
             let seat_omega = v[2usize];
-            let product_56 = c[12usize] * seat_omega;
-            let product_57 = seat_omega * product_56;
+            let c12_seat_omega = c[12usize] * seat_omega;
+            let product_57 = seat_omega * c12_seat_omega;
             let difference_59 = T::fused(-cos_seat_phi, product_57, sum_53);
-            let product_61 = bar_omega * c[13usize];
-            let product_62 = bar_omega * product_61;
-            let difference_64 = T::fused(-cos_bar_phi, product_62, difference_59);
+            let bar_omega_c13 = bar_omega * c[13usize];
+            let bar_omega_bar_omega_c13 = bar_omega * bar_omega_c13;
+            let difference_64 = T::fused(
+                -cos_bar_phi,
+                bar_omega_bar_omega_c13,
+                difference_59,
+            );
             let product_65 = cos_seat_phi * difference_45;
             let sum_67 = T::fused(cos_bar_phi, sum_51, product_65);
             let sum_69 = T::fused(sin_seat_phi, product_57, sum_67);
-            let sum_71 = T::fused(sin_bar_phi, product_62, sum_69);
-            let product_72 = sum_33 * difference_41;
-            let difference_74 = T::fused(-difference_39, difference_39, product_72);
+            let sum_71 = T::fused(sin_bar_phi, bar_omega_bar_omega_c13, sum_69);
+            let sum_33_difference_41 = sum_33 * difference_41;
+            let difference_74 = T::fused(
+                -difference_39,
+                difference_39,
+                sum_33_difference_41,
+            );
             let quotient_75 = T::from_f64(1f64) / difference_74;
             let product_76 = difference_41 * difference_64;
             let sum_78 = T::fused(difference_39, sum_71, product_76);
@@ -953,40 +969,44 @@ pub mod modes_of_skid {
             let product_80 = difference_39 * difference_64;
             let sum_82 = T::fused(sum_33, sum_71, product_80);
             let minus_lambda_B_y = quotient_75 * sum_82;
-            let product_84 = sin_bar_phi * lambda_B_x;
-            let sum_86 = T::fused(cos_bar_phi, minus_lambda_B_y, product_84);
-            let product_87 = c[11usize] * sum_86;
+            let sin_bar_phi_lambda_B_x = sin_bar_phi * lambda_B_x;
+            let sum_86 = T::fused(cos_bar_phi, minus_lambda_B_y, sin_bar_phi_lambda_B_x);
+            let c11_sum_86 = c[11usize] * sum_86;
             let minus_lambda_front = T::fused(
                 minus_right_side_front,
                 c[14usize],
-                product_87,
+                c11_sum_86,
             );
-            let product_91 = sin_seat_phi * c[8usize];
-            let difference_94 = T::fused(-lambda_B_x, c[15usize], product_91);
-            let product_96 = minus_lambda_B_y * c[15usize];
-            let difference_97 = T::fused(-cos_seat_phi, c[8usize], product_96);
-            let product_98 = sin_seat_phi * lambda_B_x;
-            let sum_100 = T::fused(cos_seat_phi, minus_lambda_B_y, product_98);
-            let product_101 = c[9usize] * sum_100;
-            let sum_104 = T::fused(force_seat_phi, c[16usize], product_101);
+            let sin_seat_phi_c8 = sin_seat_phi * c[8usize];
+            let difference_94 = T::fused(-lambda_B_x, c[15usize], sin_seat_phi_c8);
+            let minus_lambda_B_y_c15 = minus_lambda_B_y * c[15usize];
+            let difference_97 = T::fused(-cos_seat_phi, c[8usize], minus_lambda_B_y_c15);
+            let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+            let sum_100 = T::fused(
+                cos_seat_phi,
+                minus_lambda_B_y,
+                sin_seat_phi_lambda_B_x,
+            );
+            let c9_sum_100 = c[9usize] * sum_100;
+            let sum_104 = T::fused(force_seat_phi, c[16usize], c9_sum_100);
             let difference_106 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
-            let product_108 = difference_106 * c[17usize];
+            let difference_106_c17 = difference_106 * c[17usize];
             let difference_110 = T::fused(
                 cos_bar_phi,
                 minus_lambda_front,
                 -minus_lambda_B_y,
             );
-            let product_111 = c[17usize] * difference_110;
-            let product_113 = sum_86 * c[18usize];
-            let difference_116 = T::fused(-cos_4, c[19usize], product_113);
+            let c17_difference_110 = c[17usize] * difference_110;
+            let sum_86_c18 = sum_86 * c[18usize];
+            let difference_116 = T::fused(-cos_4, c[19usize], sum_86_c18);
             let sum_119 = T::fused(minus_lambda_front, c[20usize], difference_116);
             let value_123 = -minus_lambda_B_y;
             let value_124 = -minus_lambda_front;
             a[0usize] = difference_94;
             a[1usize] = difference_97;
             a[2usize] = sum_104;
-            a[3usize] = product_108;
-            a[4usize] = product_111;
+            a[3usize] = difference_106_c17;
+            a[4usize] = c17_difference_110;
             a[5usize] = sum_119;
             lambda[0usize] = lambda_B_x;
             lambda[1usize] = value_123;
@@ -1011,55 +1031,67 @@ pub mod modes_of_skid {
             let right_side_front = residual[2usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_6 = c[4usize] * cos_seat_phi;
+            let c4_cos_seat_phi = c[4usize] * cos_seat_phi;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let product_11 = c[5usize] * cos_bar_phi;
-            let product_12 = cos_bar_phi * product_11;
-            let difference_13 = T::fused(-cos_seat_phi, product_6, product_12);
+            let c5_cos_bar_phi = c[5usize] * cos_bar_phi;
+            let product_12 = cos_bar_phi * c5_cos_bar_phi;
+            let difference_13 = T::fused(-cos_seat_phi, c4_cos_seat_phi, product_12);
             let sum_15 = difference_13 + c[6usize];
-            let product_17 = c[4usize] * sin_seat_phi;
-            let product_20 = c[5usize] * sin_bar_phi;
-            let product_21 = cos_bar_phi * product_20;
-            let difference_22 = T::fused(-cos_seat_phi, product_17, product_21);
+            let c4_sin_seat_phi = c[4usize] * sin_seat_phi;
+            let c5_sin_bar_phi = c[5usize] * sin_bar_phi;
+            let product_21 = cos_bar_phi * c5_sin_bar_phi;
+            let difference_22 = T::fused(-cos_seat_phi, c4_sin_seat_phi, product_21);
             let difference_24 = c[7usize] - difference_13;
             let residual_0 = residual[0usize];
-            let product_27 = right_side_front * c[11usize];
-            let difference_29 = T::fused(-sin_bar_phi, product_27, residual_0);
+            let right_side_front_c11 = right_side_front * c[11usize];
+            let difference_29 = T::fused(-sin_bar_phi, right_side_front_c11, residual_0);
             let residual_1 = residual[1usize];
-            let sum_32 = T::fused(cos_bar_phi, product_27, residual_1);
-            let product_33 = sum_15 * difference_24;
-            let difference_35 = T::fused(-difference_22, difference_22, product_33);
+            let sum_32 = T::fused(cos_bar_phi, right_side_front_c11, residual_1);
+            let sum_15_difference_24 = sum_15 * difference_24;
+            let difference_35 = T::fused(
+                -difference_22,
+                difference_22,
+                sum_15_difference_24,
+            );
             let quotient_36 = T::from_f64(1f64) / difference_35;
             let product_37 = difference_24 * difference_29;
             let difference_39 = T::fused(-difference_22, sum_32, product_37);
             let lambda_B_x = quotient_36 * difference_39;
-            let product_42 = sum_15 * sum_32;
-            let difference_43 = T::fused(-difference_22, difference_29, product_42);
+            let sum_15_sum_32 = sum_15 * sum_32;
+            let difference_43 = T::fused(-difference_22, difference_29, sum_15_sum_32);
             let lambda_B_y = quotient_36 * difference_43;
-            let product_46 = cos_bar_phi * lambda_B_y;
-            let difference_47 = T::fused(-sin_bar_phi, lambda_B_x, product_46);
-            let product_48 = c[11usize] * difference_47;
-            let lambda_front = T::fused(right_side_front, c[14usize], product_48);
-            let product_53 = lambda_B_x * c[15usize];
-            let product_54 = lambda_B_y * c[15usize];
-            let product_55 = sin_seat_phi * lambda_B_x;
-            let difference_57 = T::fused(-cos_seat_phi, lambda_B_y, product_55);
-            let product_59 = difference_57 * c[9usize];
+            let cos_bar_phi_lambda_B_y = cos_bar_phi * lambda_B_y;
+            let difference_47 = T::fused(
+                -sin_bar_phi,
+                lambda_B_x,
+                cos_bar_phi_lambda_B_y,
+            );
+            let c11_difference_47 = c[11usize] * difference_47;
+            let lambda_front = T::fused(right_side_front, c[14usize], c11_difference_47);
+            let lambda_B_x_c15 = lambda_B_x * c[15usize];
+            let lambda_B_y_c15 = lambda_B_y * c[15usize];
+            let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+            let difference_57 = T::fused(
+                -cos_seat_phi,
+                lambda_B_y,
+                sin_seat_phi_lambda_B_x,
+            );
+            let difference_57_c9 = difference_57 * c[9usize];
             let sum_61 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
-            let product_63 = sum_61 * c[17usize];
+            let sum_61_c17 = sum_61 * c[17usize];
             let difference_65 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
-            let product_66 = c[17usize] * difference_65;
-            let product_68 = difference_47 * c[18usize];
-            let sum_71 = T::fused(lambda_front, c[20usize], product_68);
-            let value_75 = -product_53;
-            let value_76 = -product_54;
+            let c17_difference_65 = c[17usize] * difference_65;
+            let difference_47_c18 = difference_47 * c[18usize];
+            let sum_71 = T::fused(lambda_front, c[20usize], difference_47_c18);
+            let value_75 = -lambda_B_x_c15;
+            let value_76 = -lambda_B_y_c15;
             let value_77 = -sum_71;
             delta[0usize] = value_75;
             delta[1usize] = value_76;
-            delta[2usize] = product_59;
-            delta[3usize] = product_63;
-            delta[4usize] = product_66;
+            delta[2usize] = difference_57_c9;
+            delta[3usize] = sum_61_c17;
+            delta[4usize] = c17_difference_65;
             delta[5usize] = value_77;
             ::ezy_core::model::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
@@ -1121,21 +1153,21 @@ pub mod modes_of_skid {
             let seat_omega = v[2usize];
             let bar_omega = v[5usize];
             let difference_4 = seat_omega - bar_omega;
-            let product_7 = c[1usize] * t;
-            let cos_7 = f64::cos(product_7);
-            let product_9 = difference_4 * cos_7;
-            let product_11 = product_9 * c[0usize];
+            let c1_t = c[1usize] * t;
+            let cos_7 = f64::cos(c1_t);
+            let difference_4_cos_7 = difference_4 * cos_7;
+            let difference_4_cos_7_c0 = difference_4_cos_7 * c[0usize];
             let seat_vx = v[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_15 = seat_vx * sin_seat_phi;
+            let seat_vx_sin_seat_phi = seat_vx * sin_seat_phi;
             let seat_vy = v[1usize];
-            let product_18 = seat_vy * cos_seat_phi;
-            let difference_19 = product_15 - product_18;
-            let product_21 = difference_19 * c[24usize];
-            let product_23 = seat_omega * c[2usize];
-            let sum_24 = product_21 + product_23;
-            out[0usize] = product_11;
+            let seat_vy_cos_seat_phi = seat_vy * cos_seat_phi;
+            let difference_19 = seat_vx_sin_seat_phi - seat_vy_cos_seat_phi;
+            let difference_19_c24 = difference_19 * c[24usize];
+            let seat_omega_c2 = seat_omega * c[2usize];
+            let sum_24 = difference_19_c24 + seat_omega_c2;
+            out[0usize] = difference_4_cos_7_c0;
             out[1usize] = sum_24;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
@@ -1145,23 +1177,23 @@ pub mod modes_of_skid {
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[31usize] * cos_seat_phi;
-            let difference_7 = seat_x - product_6;
+            let c31_cos_seat_phi = c[31usize] * cos_seat_phi;
+            let difference_7 = seat_x - c31_cos_seat_phi;
             let seat_y = q[1usize];
-            let product_10 = c[31usize] * sin_seat_phi;
-            let difference_11 = seat_y - product_10;
+            let c31_sin_seat_phi = c[31usize] * sin_seat_phi;
+            let difference_11 = seat_y - c31_sin_seat_phi;
             let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_16 = c[30usize] * cos_bar_phi;
-            let sum_17 = bar_x + product_16;
+            let c30_cos_bar_phi = c[30usize] * cos_bar_phi;
+            let sum_17 = bar_x + c30_cos_bar_phi;
             let bar_y = q[4usize];
-            let product_20 = c[30usize] * sin_bar_phi;
-            let sum_21 = bar_y + product_20;
-            let product_23 = cos_seat_phi * c[12usize];
-            let sum_24 = seat_x + product_23;
-            let product_25 = sin_seat_phi * c[12usize];
-            let sum_26 = seat_y + product_25;
+            let c30_sin_bar_phi = c[30usize] * sin_bar_phi;
+            let sum_21 = bar_y + c30_sin_bar_phi;
+            let cos_seat_phi_c12 = cos_seat_phi * c[12usize];
+            let sum_24 = seat_x + cos_seat_phi_c12;
+            let sin_seat_phi_c12 = sin_seat_phi * c[12usize];
+            let sum_26 = seat_y + sin_seat_phi_c12;
             out[0usize] = difference_7;
             out[1usize] = difference_11;
             out[2usize] = sum_17;
@@ -1181,15 +1213,15 @@ pub mod modes_of_skid {
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
             let seat_omega = v[2usize];
-            let product_4 = c[31usize] * seat_omega;
+            let c31_seat_omega = c[31usize] * seat_omega;
             let seat_vx = v[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_9 = seat_vx * sin_seat_phi;
-            let sum_10 = product_4 + product_9;
+            let seat_vx_sin_seat_phi = seat_vx * sin_seat_phi;
+            let sum_10 = c31_seat_omega + seat_vx_sin_seat_phi;
             let seat_vy = v[1usize];
-            let product_13 = seat_vy * cos_seat_phi;
-            let difference_14 = product_13 - sum_10;
+            let seat_vy_cos_seat_phi = seat_vy * cos_seat_phi;
+            let difference_14 = seat_vy_cos_seat_phi - sum_10;
             out[0usize] = c[24usize];
             out[1usize] = difference_14;
         }
@@ -1239,84 +1271,84 @@ pub mod modes_of_skid {
             let by_v = ::ezy_core::kernel::array_mut::<7usize, f64>(by_v);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_4 = c[24usize] * cos_seat_phi;
-            let product_6 = c[24usize] * sin_seat_phi;
+            let c24_cos_seat_phi = c[24usize] * cos_seat_phi;
+            let c24_sin_seat_phi = c[24usize] * sin_seat_phi;
             let multiplier_0 = lambda[0usize];
             let product_9 = cos_seat_phi * multiplier_0;
             let multiplier_1 = lambda[1usize];
             let product_11 = sin_seat_phi * multiplier_1;
             let sum_12 = product_9 + product_11;
-            let product_14 = sum_12 * c[12usize];
+            let sum_12_c12 = sum_12 * c[12usize];
             let multiplier_2 = lambda[2usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_18 = multiplier_2 * cos_bar_phi;
-            let product_20 = multiplier_2 * sin_bar_phi;
-            let product_21 = multiplier_0 * cos_bar_phi;
-            let product_22 = multiplier_1 * sin_bar_phi;
-            let sum_23 = product_21 + product_22;
-            let product_25 = sum_23 * c[13usize];
+            let multiplier_2_cos_bar_phi = multiplier_2 * cos_bar_phi;
+            let multiplier_2_sin_bar_phi = multiplier_2 * sin_bar_phi;
+            let multiplier_0_cos_bar_phi = multiplier_0 * cos_bar_phi;
+            let multiplier_1_sin_bar_phi = multiplier_1 * sin_bar_phi;
+            let sum_23 = multiplier_0_cos_bar_phi + multiplier_1_sin_bar_phi;
+            let sum_23_c13 = sum_23 * c[13usize];
             let seat_omega = v[2usize];
-            let product_27 = seat_omega * seat_omega;
-            let product_28 = sin_seat_phi * product_27;
+            let seat_omega_seat_omega = seat_omega * seat_omega;
+            let product_28 = sin_seat_phi * seat_omega_seat_omega;
             let acceleration_2 = a[2usize];
             let product_30 = cos_seat_phi * acceleration_2;
             let difference_31 = product_30 - product_28;
-            let product_32 = c[12usize] * difference_31;
+            let c12_difference_31 = c[12usize] * difference_31;
             let bar_omega = v[5usize];
-            let product_34 = bar_omega * bar_omega;
-            let product_35 = sin_bar_phi * product_34;
+            let bar_omega_bar_omega = bar_omega * bar_omega;
+            let product_35 = sin_bar_phi * bar_omega_bar_omega;
             let acceleration_5 = a[5usize];
             let product_37 = cos_bar_phi * acceleration_5;
             let difference_38 = product_37 - product_35;
-            let product_39 = c[13usize] * difference_38;
-            let product_40 = cos_seat_phi * product_27;
+            let c13_difference_38 = c[13usize] * difference_38;
+            let product_40 = cos_seat_phi * seat_omega_seat_omega;
             let product_41 = sin_seat_phi * acceleration_2;
             let sum_42 = product_40 + product_41;
-            let product_43 = c[12usize] * sum_42;
-            let product_44 = cos_bar_phi * product_34;
+            let c12_sum_42 = c[12usize] * sum_42;
+            let product_44 = cos_bar_phi * bar_omega_bar_omega;
             let product_45 = sin_bar_phi * acceleration_5;
             let sum_46 = product_44 + product_45;
-            let product_47 = c[13usize] * sum_46;
+            let c13_sum_46 = c[13usize] * sum_46;
             let bar_vx = v[3usize];
-            let product_49 = bar_omega * bar_vx;
+            let bar_omega_bar_vx = bar_omega * bar_vx;
             let acceleration_4 = a[4usize];
-            let difference_51 = acceleration_4 - product_49;
+            let difference_51 = acceleration_4 - bar_omega_bar_vx;
             let product_52 = sin_bar_phi * difference_51;
             let bar_vy = v[4usize];
-            let product_54 = bar_omega * bar_vy;
+            let bar_omega_bar_vy = bar_omega * bar_vy;
             let acceleration_3 = a[3usize];
-            let sum_56 = product_54 + acceleration_3;
-            let product_57 = cos_bar_phi * sum_56;
-            let sum_58 = product_52 + product_57;
-            let product_60 = seat_omega * c[33usize];
-            let product_61 = cos_seat_phi * product_60;
-            let product_63 = bar_omega * c[34usize];
-            let product_64 = cos_bar_phi * product_63;
-            let product_65 = sin_seat_phi * product_60;
-            let product_66 = sin_bar_phi * product_63;
-            let product_67 = cos_bar_phi * bar_omega;
-            let product_68 = sin_bar_phi * bar_omega;
-            let product_69 = cos_bar_phi * bar_vx;
-            let product_70 = sin_bar_phi * bar_vy;
-            let sum_71 = product_69 + product_70;
-            by_q[0usize] = product_4;
-            by_q[1usize] = product_6;
-            by_q[2usize] = product_14;
-            by_q[3usize] = product_18;
-            by_q[4usize] = product_20;
-            by_q[5usize] = product_25;
-            by_q[6usize] = product_32;
-            by_q[7usize] = product_39;
-            by_q[8usize] = product_43;
-            by_q[9usize] = product_47;
+            let sum_56 = bar_omega_bar_vy + acceleration_3;
+            let cos_bar_phi_sum_56 = cos_bar_phi * sum_56;
+            let sum_58 = product_52 + cos_bar_phi_sum_56;
+            let seat_omega_c33 = seat_omega * c[33usize];
+            let product_61 = cos_seat_phi * seat_omega_c33;
+            let bar_omega_c34 = bar_omega * c[34usize];
+            let product_64 = cos_bar_phi * bar_omega_c34;
+            let product_65 = sin_seat_phi * seat_omega_c33;
+            let product_66 = sin_bar_phi * bar_omega_c34;
+            let cos_bar_phi_bar_omega = cos_bar_phi * bar_omega;
+            let sin_bar_phi_bar_omega = sin_bar_phi * bar_omega;
+            let cos_bar_phi_bar_vx = cos_bar_phi * bar_vx;
+            let sin_bar_phi_bar_vy = sin_bar_phi * bar_vy;
+            let sum_71 = cos_bar_phi_bar_vx + sin_bar_phi_bar_vy;
+            by_q[0usize] = c24_cos_seat_phi;
+            by_q[1usize] = c24_sin_seat_phi;
+            by_q[2usize] = sum_12_c12;
+            by_q[3usize] = multiplier_2_cos_bar_phi;
+            by_q[4usize] = multiplier_2_sin_bar_phi;
+            by_q[5usize] = sum_23_c13;
+            by_q[6usize] = c12_difference_31;
+            by_q[7usize] = c13_difference_38;
+            by_q[8usize] = c12_sum_42;
+            by_q[9usize] = c13_sum_46;
             by_q[10usize] = sum_58;
             by_v[0usize] = product_61;
             by_v[1usize] = product_64;
             by_v[2usize] = product_65;
             by_v[3usize] = product_66;
-            by_v[4usize] = product_67;
-            by_v[5usize] = product_68;
+            by_v[4usize] = cos_bar_phi_bar_omega;
+            by_v[5usize] = sin_bar_phi_bar_omega;
             by_v[6usize] = sum_71;
         }
         fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
@@ -1353,55 +1385,67 @@ pub mod modes_of_skid {
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
             let seat_omega = v[2usize];
-            let product_25 = c[12usize] * seat_omega;
-            let product_26 = seat_omega * product_25;
-            let product_27 = cos_seat_phi * product_26;
+            let c12_seat_omega = c[12usize] * seat_omega;
+            let product_26 = seat_omega * c12_seat_omega;
+            let cos_seat_phi_product_26 = cos_seat_phi * product_26;
             let bar_omega = v[5usize];
-            let product_29 = c[13usize] * bar_omega;
-            let product_30 = bar_omega * product_29;
-            let sum_32 = T::fused(cos_bar_phi, product_30, product_27);
-            let product_33 = sin_seat_phi * product_26;
-            let sum_35 = T::fused(sin_bar_phi, product_30, product_33);
+            let c13_bar_omega = c[13usize] * bar_omega;
+            let bar_omega_c13_bar_omega = bar_omega * c13_bar_omega;
+            let sum_32 = T::fused(
+                cos_bar_phi,
+                bar_omega_c13_bar_omega,
+                cos_seat_phi_product_26,
+            );
+            let sin_seat_phi_product_26 = sin_seat_phi * product_26;
+            let sum_35 = T::fused(
+                sin_bar_phi,
+                bar_omega_c13_bar_omega,
+                sin_seat_phi_product_26,
+            );
             let bar_vx = v[3usize];
-            let product_37 = cos_bar_phi * bar_vx;
+            let cos_bar_phi_bar_vx = cos_bar_phi * bar_vx;
             let bar_vy = v[4usize];
-            let sum_40 = T::fused(sin_bar_phi, bar_vy, product_37);
-            let product_41 = bar_omega * sum_40;
-            let product_43 = sin_seat_phi * c[24usize];
-            let product_44 = cos_seat_phi * c[24usize];
-            let product_48 = c[1usize] * t;
-            let (sin_48, cos_48) = T::sin_cos(product_48);
-            let product_50 = c[0usize] * cos_48;
-            let sum_52 = product_50 + c[2usize];
-            let product_67 = cos_seat_phi * c[4usize];
-            let product_70 = cos_bar_phi * c[5usize];
-            let product_71 = cos_bar_phi * product_70;
-            let difference_72 = T::fused(-cos_seat_phi, product_67, product_71);
+            let sum_40 = T::fused(sin_bar_phi, bar_vy, cos_bar_phi_bar_vx);
+            let bar_omega_sum_40 = bar_omega * sum_40;
+            let sin_seat_phi_c24 = sin_seat_phi * c[24usize];
+            let cos_seat_phi_c24 = cos_seat_phi * c[24usize];
+            let c1_t = c[1usize] * t;
+            let (sin_48, cos_48) = T::sin_cos(c1_t);
+            let c0_cos_48 = c[0usize] * cos_48;
+            let sum_52 = c0_cos_48 + c[2usize];
+            let cos_seat_phi_c4 = cos_seat_phi * c[4usize];
+            let cos_bar_phi_c5 = cos_bar_phi * c[5usize];
+            let product_71 = cos_bar_phi * cos_bar_phi_c5;
+            let difference_72 = T::fused(-cos_seat_phi, cos_seat_phi_c4, product_71);
             let sum_74 = difference_72 + c[6usize];
-            let product_75 = sin_seat_phi * c[4usize];
-            let product_77 = sin_bar_phi * c[5usize];
-            let product_78 = cos_bar_phi * product_77;
-            let difference_79 = T::fused(-cos_seat_phi, product_75, product_78);
+            let sin_seat_phi_c4 = sin_seat_phi * c[4usize];
+            let sin_bar_phi_c5 = sin_bar_phi * c[5usize];
+            let product_78 = cos_bar_phi * sin_bar_phi_c5;
+            let difference_79 = T::fused(-cos_seat_phi, sin_seat_phi_c4, product_78);
             let difference_81 = c[7usize] - difference_72;
-            let product_111 = sum_74 * difference_81;
-            let difference_113 = T::fused(-difference_79, difference_79, product_111);
+            let sum_74_difference_81 = sum_74 * difference_81;
+            let difference_113 = T::fused(
+                -difference_79,
+                difference_79,
+                sum_74_difference_81,
+            );
             let quotient_114 = T::from_f64(1f64) / difference_113;
-            let product_159 = cos_seat_phi * seat_omega;
-            let product_160 = sin_seat_phi * seat_omega;
-            let product_161 = cos_bar_phi * bar_omega;
-            let product_162 = sin_bar_phi * bar_omega;
-            let product_163 = c[24usize] * product_159;
-            let product_164 = c[24usize] * product_160;
-            let product_165 = c[1usize] * sin_48;
-            let product_166 = c[0usize] * product_165;
-            let product_167 = c[1usize] * cos_48;
-            let value_168 = -product_44;
-            let value_169 = -product_50;
-            let value_170 = -product_160;
-            let value_171 = -product_162;
+            let cos_seat_phi_seat_omega = cos_seat_phi * seat_omega;
+            let sin_seat_phi_seat_omega = sin_seat_phi * seat_omega;
+            let cos_bar_phi_bar_omega = cos_bar_phi * bar_omega;
+            let sin_bar_phi_bar_omega = sin_bar_phi * bar_omega;
+            let product_163 = c[24usize] * cos_seat_phi_seat_omega;
+            let product_164 = c[24usize] * sin_seat_phi_seat_omega;
+            let c1_sin_48 = c[1usize] * sin_48;
+            let c0_c1_sin_48 = c[0usize] * c1_sin_48;
+            let c1_cos_48 = c[1usize] * cos_48;
+            let value_168 = -cos_seat_phi_c24;
+            let value_169 = -c0_cos_48;
+            let value_170 = -sin_seat_phi_seat_omega;
+            let value_171 = -sin_bar_phi_bar_omega;
             let value_172 = -product_164;
-            let value_173 = -product_166;
-            let value_174 = -product_165;
+            let value_173 = -c0_c1_sin_48;
+            let value_174 = -c1_sin_48;
             let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
             target[0usize] = cos_seat_phi;
             target[1usize] = sin_seat_phi;
@@ -1412,7 +1456,7 @@ pub mod modes_of_skid {
             target[6usize] = difference_79;
             target[7usize] = sum_74;
             let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
-            target[0usize] = product_43;
+            target[0usize] = sin_seat_phi_c24;
             target[1usize] = value_168;
             target[2usize] = sum_52;
             target[3usize] = T::from_f64(0f64);
@@ -1422,10 +1466,10 @@ pub mod modes_of_skid {
                 6usize,
                 T,
             >(&mut store.kept, 0usize);
-            target[0usize] = product_43;
-            target[1usize] = product_44;
+            target[0usize] = sin_seat_phi_c24;
+            target[1usize] = cos_seat_phi_c24;
             target[2usize] = sum_52;
-            target[3usize] = product_50;
+            target[3usize] = c0_cos_48;
             target[4usize] = sin_48;
             target[5usize] = cos_48;
             let target = ::ezy_core::kernel::row_mut::<
@@ -1436,23 +1480,23 @@ pub mod modes_of_skid {
             target[1usize] = value_172;
             target[2usize] = value_173;
             target[3usize] = value_173;
-            target[4usize] = product_167;
+            target[4usize] = c1_cos_48;
             target[5usize] = value_174;
             let target = ::ezy_core::kernel::row_mut::<
                 16usize,
                 T,
             >(&mut store.left, 1usize);
-            target[0usize] = product_159;
+            target[0usize] = cos_seat_phi_seat_omega;
             target[1usize] = value_170;
-            target[2usize] = product_161;
+            target[2usize] = cos_bar_phi_bar_omega;
             target[3usize] = value_171;
-            target[4usize] = product_161;
+            target[4usize] = cos_bar_phi_bar_omega;
             target[5usize] = value_171;
             target[6usize] = seat_omega;
             target[7usize] = bar_omega;
             target[8usize] = seat_omega;
             target[9usize] = bar_omega;
-            target[10usize] = product_161;
+            target[10usize] = cos_bar_phi_bar_omega;
             target[11usize] = value_171;
             let target = ::ezy_core::kernel::row_mut::<
                 16usize,
@@ -1464,8 +1508,8 @@ pub mod modes_of_skid {
             target[3usize] = T::from_f64(0f64);
             target[4usize] = T::from_f64(0f64);
             target[5usize] = T::from_f64(0f64);
-            target[6usize] = product_159;
-            target[7usize] = product_161;
+            target[6usize] = cos_seat_phi_seat_omega;
+            target[7usize] = cos_bar_phi_bar_omega;
             target[8usize] = value_170;
             target[9usize] = value_171;
             target[10usize] = bar_vx;
@@ -1473,7 +1517,7 @@ pub mod modes_of_skid {
             let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
             target[0usize] = sum_32;
             target[1usize] = sum_35;
-            target[2usize] = product_41;
+            target[2usize] = bar_omega_sum_40;
             ::ezy_core::model::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_113, c[23usize]))
@@ -1493,40 +1537,40 @@ pub mod modes_of_skid {
             let kept_2 = kept_0[2usize];
             let convolved_0 = sums[0usize];
             let convolved_1 = sums[1usize];
-            let product_8 = c[12usize] * convolved_1;
-            let difference_9 = T::fused(-c[12usize], convolved_0, product_8);
+            let c12_convolved_1 = c[12usize] * convolved_1;
+            let difference_9 = T::fused(-c[12usize], convolved_0, c12_convolved_1);
             let difference_10 = kept_2 - difference_9;
             let convolved_2 = sums[2usize];
             let convolved_3 = sums[3usize];
             let kept_3 = kept_0[3usize];
             let convolved_4 = sums[4usize];
             let convolved_5 = sums[5usize];
-            let product_19 = c[13usize] * convolved_5;
-            let difference_20 = T::fused(-c[13usize], convolved_4, product_19);
+            let c13_convolved_5 = c[13usize] * convolved_5;
+            let difference_20 = T::fused(-c[13usize], convolved_4, c13_convolved_5);
             let sum_21 = kept_3 + difference_20;
             let convolved_6 = sums[6usize];
             let inverse_order_ahead = T::from_f64(1f64)
                 / T::from_f64((k + 2usize) as f64);
             let product_24 = convolved_6 * inverse_order_ahead;
-            let product_25 = c[12usize] * product_24;
+            let c12_product_24 = c[12usize] * product_24;
             let convolved_7 = sums[7usize];
             let product_27 = inverse_order_ahead * convolved_7;
-            let sum_29 = T::fused(c[13usize], product_27, product_25);
+            let sum_29 = T::fused(c[13usize], product_27, c12_product_24);
             let order_next = T::from_f64((k + 1usize) as f64);
             let order_ahead = T::from_f64((k + 2usize) as f64);
-            let product_32 = order_next * order_ahead;
-            let product_33 = sum_29 * product_32;
+            let order_next_order_ahead = order_next * order_ahead;
+            let product_33 = sum_29 * order_next_order_ahead;
             let convolved_8 = sums[8usize];
             let product_35 = inverse_order_ahead * convolved_8;
-            let product_36 = c[12usize] * product_35;
+            let c12_product_35 = c[12usize] * product_35;
             let convolved_9 = sums[9usize];
             let product_38 = inverse_order_ahead * convolved_9;
-            let sum_40 = T::fused(c[13usize], product_38, product_36);
-            let product_41 = product_32 * sum_40;
+            let sum_40 = T::fused(c[13usize], product_38, c12_product_35);
+            let product_41 = order_next_order_ahead * sum_40;
             let convolved_10 = sums[10usize];
             let convolved_11 = sums[11usize];
             let difference_44 = convolved_10 - convolved_11;
-            let product_45 = order_next * difference_44;
+            let order_next_difference_44 = order_next * difference_44;
             let value_46 = -kept_1;
             let value_47 = -convolved_3;
             let value_48 = -sum_21;
@@ -1541,7 +1585,7 @@ pub mod modes_of_skid {
             let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
             target[0usize] = product_33;
             target[1usize] = value_49;
-            target[2usize] = product_45;
+            target[2usize] = order_next_difference_44;
         }
         #[inline(always)]
         fn solve(
@@ -1557,71 +1601,71 @@ pub mod modes_of_skid {
             let force_0 = force[0usize];
             let base_4 = base[4usize];
             let base_5 = base[5usize];
-            let product_4 = c[15usize] * force_0;
+            let c15_force_0 = c[15usize] * force_0;
             let base_3 = base[3usize];
             let force_5 = force[5usize];
-            let product_8 = force_5 * c[18usize];
+            let force_5_c18 = force_5 * c[18usize];
             let base_2 = base[2usize];
             let force_4 = force[4usize];
-            let product_11 = base_2 * force_4;
+            let base_2_force_4 = base_2 * force_4;
             let force_3 = force[3usize];
-            let difference_14 = T::fused(-base_3, force_3, product_11);
-            let product_16 = difference_14 * c[17usize];
-            let sum_19 = T::fused(force_5, c[20usize], product_16);
+            let difference_14 = T::fused(-base_3, force_3, base_2_force_4);
+            let difference_14_c17 = difference_14 * c[17usize];
+            let sum_19 = T::fused(force_5, c[20usize], difference_14_c17);
             let row_2 = row[2usize];
             let right_side_front = sum_19 - row_2;
-            let sum_24 = T::fused(right_side_front, c[11usize], product_8);
-            let difference_26 = T::fused(-base_3, sum_24, product_4);
+            let sum_24 = T::fused(right_side_front, c[11usize], force_5_c18);
+            let difference_26 = T::fused(-base_3, sum_24, c15_force_0);
             let difference_28 = T::fused(-force_3, c[17usize], difference_26);
             let row_0 = row[0usize];
             let difference_30 = difference_28 - row_0;
             let base_1 = base[1usize];
             let force_2 = force[2usize];
-            let product_34 = c[9usize] * force_2;
-            let difference_36 = T::fused(-base_1, product_34, difference_30);
-            let product_37 = base_5 * difference_36;
+            let c9_force_2 = c[9usize] * force_2;
+            let difference_36 = T::fused(-base_1, c9_force_2, difference_30);
+            let base_5_difference_36 = base_5 * difference_36;
             let base_6 = base[6usize];
-            let product_39 = base_2 * sum_24;
+            let base_2_sum_24 = base_2 * sum_24;
             let force_1 = force[1usize];
-            let sum_42 = T::fused(c[15usize], force_1, product_39);
+            let sum_42 = T::fused(c[15usize], force_1, base_2_sum_24);
             let difference_44 = T::fused(-force_4, c[17usize], sum_42);
             let row_1 = row[1usize];
             let difference_46 = difference_44 - row_1;
             let base_0 = base[0usize];
-            let sum_49 = T::fused(product_34, base_0, difference_46);
-            let difference_51 = T::fused(-base_6, sum_49, product_37);
+            let sum_49 = T::fused(c9_force_2, base_0, difference_46);
+            let difference_51 = T::fused(-base_6, sum_49, base_5_difference_36);
             let lambda_B_x = base_4 * difference_51;
             let difference_53 = force_0 - lambda_B_x;
-            let product_54 = c[15usize] * difference_53;
+            let c15_difference_53 = c[15usize] * difference_53;
             let base_7 = base[7usize];
-            let product_56 = sum_49 * base_7;
-            let difference_58 = T::fused(-difference_36, base_6, product_56);
+            let sum_49_base_7 = sum_49 * base_7;
+            let difference_58 = T::fused(-difference_36, base_6, sum_49_base_7);
             let lambda_B_y = base_4 * difference_58;
             let difference_60 = force_1 - lambda_B_y;
-            let product_61 = c[15usize] * difference_60;
-            let product_62 = base_1 * lambda_B_x;
-            let difference_64 = T::fused(-base_0, lambda_B_y, product_62);
-            let product_65 = c[9usize] * difference_64;
-            let sum_68 = T::fused(force_2, c[16usize], product_65);
+            let c15_difference_60 = c[15usize] * difference_60;
+            let base_1_lambda_B_x = base_1 * lambda_B_x;
+            let difference_64 = T::fused(-base_0, lambda_B_y, base_1_lambda_B_x);
+            let c9_difference_64 = c[9usize] * difference_64;
+            let sum_68 = T::fused(force_2, c[16usize], c9_difference_64);
             let sum_69 = force_3 + lambda_B_x;
-            let product_70 = base_2 * lambda_B_y;
-            let difference_72 = T::fused(-base_3, lambda_B_x, product_70);
-            let product_73 = c[11usize] * difference_72;
-            let lambda_front = T::fused(right_side_front, c[14usize], product_73);
+            let base_2_lambda_B_y = base_2 * lambda_B_y;
+            let difference_72 = T::fused(-base_3, lambda_B_x, base_2_lambda_B_y);
+            let c11_difference_72 = c[11usize] * difference_72;
+            let lambda_front = T::fused(right_side_front, c[14usize], c11_difference_72);
             let sum_78 = T::fused(base_3, lambda_front, sum_69);
-            let product_79 = c[17usize] * sum_78;
+            let c17_sum_78 = c[17usize] * sum_78;
             let sum_80 = force_4 + lambda_B_y;
             let difference_82 = T::fused(-base_2, lambda_front, sum_80);
-            let product_83 = c[17usize] * difference_82;
-            let product_85 = force_5 * c[25usize];
-            let difference_87 = T::fused(-c[18usize], difference_72, product_85);
+            let c17_difference_82 = c[17usize] * difference_82;
+            let force_5_c25 = force_5 * c[25usize];
+            let difference_87 = T::fused(-c[18usize], difference_72, force_5_c25);
             let difference_89 = T::fused(-c[20usize], lambda_front, difference_87);
             let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
-            target[0usize] = product_54;
-            target[1usize] = product_61;
+            target[0usize] = c15_difference_53;
+            target[1usize] = c15_difference_60;
             target[2usize] = sum_68;
-            target[3usize] = product_79;
-            target[4usize] = product_83;
+            target[3usize] = c17_sum_78;
+            target[4usize] = c17_difference_82;
             target[5usize] = difference_89;
             let target = ::ezy_core::kernel::row_mut::<
                 3usize,
@@ -1653,59 +1697,59 @@ pub mod modes_of_skid {
             let inverse_order_ahead = T::from_f64(1f64)
                 / T::from_f64((k + 2usize) as f64);
             let product_3 = inverse_order_next * inverse_order_ahead;
-            let product_4 = a_0 * product_3;
+            let a_0_product_3 = a_0 * product_3;
             let a_1 = a[1usize];
-            let product_6 = product_3 * a_1;
+            let product_3_a_1 = product_3 * a_1;
             let a_2 = a[2usize];
-            let product_8 = product_3 * a_2;
+            let product_3_a_2 = product_3 * a_2;
             let a_3 = a[3usize];
-            let product_10 = product_3 * a_3;
+            let product_3_a_3 = product_3 * a_3;
             let a_4 = a[4usize];
-            let product_12 = product_3 * a_4;
+            let product_3_a_4 = product_3 * a_4;
             let a_5 = a[5usize];
-            let product_14 = product_3 * a_5;
+            let product_3_a_5 = product_3 * a_5;
             let lambda_0 = lambda_0[0usize];
             let convolved_8 = sums[8usize];
             let product_19 = inverse_order_ahead * convolved_8;
             let base_0 = base[0usize];
-            let sum_22 = T::fused(product_8, base_0, product_19);
+            let sum_22 = T::fused(product_3_a_2, base_0, product_19);
             let lambda_1 = lambda_0[1usize];
             let convolved_6 = sums[6usize];
             let product_25 = inverse_order_ahead * convolved_6;
             let base_1 = base[1usize];
-            let sum_28 = T::fused(product_8, base_1, product_25);
+            let sum_28 = T::fused(product_3_a_2, base_1, product_25);
             let lambda_2 = lambda_0[2usize];
             let convolved_9 = sums[9usize];
             let product_31 = inverse_order_ahead * convolved_9;
             let base_2 = base[2usize];
-            let sum_34 = T::fused(product_14, base_2, product_31);
+            let sum_34 = T::fused(product_3_a_5, base_2, product_31);
             let convolved_7 = sums[7usize];
             let product_36 = inverse_order_ahead * convolved_7;
             let base_3 = base[3usize];
-            let sum_39 = T::fused(product_14, base_3, product_36);
+            let sum_39 = T::fused(product_3_a_5, base_3, product_36);
             let order_ahead = T::from_f64((k + 2usize) as f64);
-            let product_41 = product_8 * order_ahead;
-            let product_42 = product_14 * order_ahead;
-            let product_43 = product_10 * order_ahead;
-            let product_44 = product_12 * order_ahead;
-            let product_46 = sum_22 * c[24usize];
-            let product_47 = sum_28 * c[24usize];
+            let product_41 = product_3_a_2 * order_ahead;
+            let product_42 = product_3_a_5 * order_ahead;
+            let product_43 = product_3_a_3 * order_ahead;
+            let product_44 = product_3_a_4 * order_ahead;
+            let sum_22_c24 = sum_22 * c[24usize];
+            let sum_28_c24 = sum_28 * c[24usize];
             let kept_4_next = kept_1[4usize];
-            let product_51 = inverse_order_ahead * c[1usize];
-            let product_52 = kept_4_next * product_51;
-            let product_53 = c[0usize] * product_52;
+            let inverse_order_ahead_c1 = inverse_order_ahead * c[1usize];
+            let product_52 = kept_4_next * inverse_order_ahead_c1;
+            let c0_product_52 = c[0usize] * product_52;
             let kept_5_next = kept_1[5usize];
-            let product_55 = product_51 * kept_5_next;
+            let product_55 = inverse_order_ahead_c1 * kept_5_next;
             let value_56 = -sum_28;
             let value_57 = -sum_39;
-            let value_58 = -product_47;
-            let value_59 = -product_53;
+            let value_58 = -sum_28_c24;
+            let value_59 = -c0_product_52;
             let value_60 = -product_52;
             let target = ::ezy_core::kernel::row_mut::<
                 6usize,
                 T,
             >(&mut store.kept, k + 2usize);
-            target[0usize] = product_46;
+            target[0usize] = sum_22_c24;
             target[1usize] = value_58;
             target[2usize] = value_59;
             target[3usize] = value_59;
@@ -1731,12 +1775,12 @@ pub mod modes_of_skid {
                 6usize,
                 T,
             >(&mut store.q, k + 2usize);
-            target[0usize] = product_4;
-            target[1usize] = product_6;
-            target[2usize] = product_8;
-            target[3usize] = product_10;
-            target[4usize] = product_12;
-            target[5usize] = product_14;
+            target[0usize] = a_0_product_3;
+            target[1usize] = product_3_a_1;
+            target[2usize] = product_3_a_2;
+            target[3usize] = product_3_a_3;
+            target[4usize] = product_3_a_4;
+            target[5usize] = product_3_a_5;
             let target = ::ezy_core::kernel::row_mut::<
                 16usize,
                 T,
@@ -2470,22 +2514,22 @@ pub mod modes_of_skid {
             let bar_vx = v[3usize];
             let difference_4 = seat_vx - bar_vx;
             let bar_omega = v[5usize];
-            let product_7 = c[13usize] * bar_omega;
+            let c13_bar_omega = c[13usize] * bar_omega;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let difference_11 = T::fused(-product_7, sin_bar_phi, difference_4);
+            let difference_11 = T::fused(-c13_bar_omega, sin_bar_phi, difference_4);
             let seat_omega = v[2usize];
-            let product_14 = c[12usize] * seat_omega;
+            let c12_seat_omega = c[12usize] * seat_omega;
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let difference_18 = T::fused(-product_14, sin_seat_phi, difference_11);
+            let difference_18 = T::fused(-c12_seat_omega, sin_seat_phi, difference_11);
             let seat_vy = v[1usize];
             let bar_vy = v[4usize];
             let difference_21 = seat_vy - bar_vy;
-            let sum_24 = T::fused(product_7, cos_bar_phi, difference_21);
-            let sum_27 = T::fused(product_14, cos_seat_phi, sum_24);
-            let product_29 = bar_omega * c[30usize];
-            let difference_31 = T::fused(-bar_vx, sin_bar_phi, product_29);
+            let sum_24 = T::fused(c13_bar_omega, cos_bar_phi, difference_21);
+            let sum_27 = T::fused(c12_seat_omega, cos_seat_phi, sum_24);
+            let bar_omega_c30 = bar_omega * c[30usize];
+            let difference_31 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c30);
             let sum_33 = T::fused(bar_vy, cos_bar_phi, difference_31);
             out[0usize] = difference_18;
             out[1usize] = sum_27;
@@ -2497,24 +2541,24 @@ pub mod modes_of_skid {
             let out = ::ezy_core::kernel::array_mut::<11usize, T>(out);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_4 = c[12usize] * sin_seat_phi;
+            let c12_sin_seat_phi = c[12usize] * sin_seat_phi;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let product_8 = c[13usize] * sin_bar_phi;
-            let product_10 = c[12usize] * cos_seat_phi;
-            let product_12 = c[13usize] * cos_bar_phi;
-            let value_14 = -product_4;
+            let c13_sin_bar_phi = c[13usize] * sin_bar_phi;
+            let c12_cos_seat_phi = c[12usize] * cos_seat_phi;
+            let c13_cos_bar_phi = c[13usize] * cos_bar_phi;
+            let value_14 = -c12_sin_seat_phi;
             let value_15 = -T::from_f64(1f64);
-            let value_16 = -product_8;
+            let value_16 = -c13_sin_bar_phi;
             let value_17 = -sin_bar_phi;
             out[0usize] = T::from_f64(1f64);
             out[1usize] = value_14;
             out[2usize] = value_15;
             out[3usize] = value_16;
             out[4usize] = T::from_f64(1f64);
-            out[5usize] = product_10;
+            out[5usize] = c12_cos_seat_phi;
             out[6usize] = value_15;
-            out[7usize] = product_12;
+            out[7usize] = c13_cos_bar_phi;
             out[8usize] = value_17;
             out[9usize] = cos_bar_phi;
             out[10usize] = c[30usize];
@@ -2525,27 +2569,35 @@ pub mod modes_of_skid {
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let out = ::ezy_core::kernel::array_mut::<3usize, T>(out);
             let seat_omega = v[2usize];
-            let product_3 = c[12usize] * seat_omega;
-            let product_4 = seat_omega * product_3;
+            let c12_seat_omega = c[12usize] * seat_omega;
+            let product_4 = seat_omega * c12_seat_omega;
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_8 = product_4 * cos_seat_phi;
+            let product_4_cos_seat_phi = product_4 * cos_seat_phi;
             let bar_omega = v[5usize];
-            let product_11 = c[13usize] * bar_omega;
-            let product_12 = bar_omega * product_11;
+            let c13_bar_omega = c[13usize] * bar_omega;
+            let bar_omega_c13_bar_omega = bar_omega * c13_bar_omega;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
-            let product_18 = product_4 * sin_seat_phi;
-            let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+            let sum_16 = T::fused(
+                bar_omega_c13_bar_omega,
+                cos_bar_phi,
+                product_4_cos_seat_phi,
+            );
+            let product_4_sin_seat_phi = product_4 * sin_seat_phi;
+            let sum_21 = T::fused(
+                bar_omega_c13_bar_omega,
+                sin_bar_phi,
+                product_4_sin_seat_phi,
+            );
             let bar_vx = v[3usize];
-            let product_23 = cos_bar_phi * bar_vx;
+            let cos_bar_phi_bar_vx = cos_bar_phi * bar_vx;
             let bar_vy = v[4usize];
-            let sum_26 = T::fused(sin_bar_phi, bar_vy, product_23);
-            let product_27 = bar_omega * sum_26;
+            let sum_26 = T::fused(sin_bar_phi, bar_vy, cos_bar_phi_bar_vx);
+            let bar_omega_sum_26 = bar_omega * sum_26;
             let value_28 = -sum_16;
             let value_29 = -sum_21;
-            let value_30 = -product_27;
+            let value_30 = -bar_omega_sum_26;
             out[0usize] = value_28;
             out[1usize] = value_29;
             out[2usize] = value_30;
@@ -2557,16 +2609,16 @@ pub mod modes_of_skid {
             let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_4 = c[24usize] * sin_seat_phi;
-            let product_6 = c[24usize] * cos_seat_phi;
-            let product_11 = c[1usize] * t;
-            let cos_11 = T::cos(product_11);
-            let product_13 = c[0usize] * cos_11;
-            let difference_15 = product_13 - c[2usize];
-            let value_16 = -product_4;
-            let value_17 = -product_13;
+            let c24_sin_seat_phi = c[24usize] * sin_seat_phi;
+            let c24_cos_seat_phi = c[24usize] * cos_seat_phi;
+            let c1_t = c[1usize] * t;
+            let cos_11 = T::cos(c1_t);
+            let c0_cos_11 = c[0usize] * cos_11;
+            let difference_15 = c0_cos_11 - c[2usize];
+            let value_16 = -c24_sin_seat_phi;
+            let value_17 = -c0_cos_11;
             out[0usize] = value_16;
-            out[1usize] = product_6;
+            out[1usize] = c24_cos_seat_phi;
             out[2usize] = difference_15;
             out[3usize] = T::from_f64(0f64);
             out[4usize] = T::from_f64(0f64);
@@ -2587,81 +2639,109 @@ pub mod modes_of_skid {
             let v = ::ezy_core::kernel::array::<6usize, T>(v);
             let a = ::ezy_core::kernel::array_mut::<6usize, T>(a);
             let lambda = ::ezy_core::kernel::array_mut::<3usize, T>(lambda);
-            let product_4 = c[1usize] * t;
-            let cos_4 = T::cos(product_4);
+            let c1_t = c[1usize] * t;
+            let cos_4 = T::cos(c1_t);
             let force_seat_phi = T::fused(c[0usize], cos_4, -c[2usize]);
             let bar_vx = v[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let product_13 = bar_vx * cos_bar_phi;
+            let bar_vx_cos_bar_phi = bar_vx * cos_bar_phi;
             let bar_vy = v[4usize];
-            let sum_17 = T::fused(bar_vy, sin_bar_phi, product_13);
+            let sum_17 = T::fused(bar_vy, sin_bar_phi, bar_vx_cos_bar_phi);
             let bar_omega = v[5usize];
-            let product_19 = sum_17 * bar_omega;
-            let minus_right_side_front = T::fused(cos_4, c[3usize], product_19);
+            let sum_17_bar_omega = sum_17 * bar_omega;
+            let minus_right_side_front = T::fused(cos_4, c[3usize], sum_17_bar_omega);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_26 = c[4usize] * cos_seat_phi;
-            let product_29 = cos_bar_phi * c[5usize];
-            let product_30 = cos_bar_phi * product_29;
-            let difference_31 = T::fused(-cos_seat_phi, product_26, product_30);
+            let c4_cos_seat_phi = c[4usize] * cos_seat_phi;
+            let cos_bar_phi_c5 = cos_bar_phi * c[5usize];
+            let product_30 = cos_bar_phi * cos_bar_phi_c5;
+            let difference_31 = T::fused(-cos_seat_phi, c4_cos_seat_phi, product_30);
             let sum_33 = difference_31 + c[6usize];
-            let product_35 = c[4usize] * sin_seat_phi;
-            let product_37 = sin_bar_phi * c[5usize];
-            let product_38 = cos_bar_phi * product_37;
-            let difference_39 = T::fused(-cos_seat_phi, product_35, product_38);
+            let c4_sin_seat_phi = c[4usize] * sin_seat_phi;
+            let sin_bar_phi_c5 = sin_bar_phi * c[5usize];
+            let product_38 = cos_bar_phi * sin_bar_phi_c5;
+            let difference_39 = T::fused(-cos_seat_phi, c4_sin_seat_phi, product_38);
             let difference_41 = c[7usize] - difference_31;
             let sum_45 = T::fused(force_seat_phi, c[9usize], c[8usize]);
-            let product_48 = cos_4 * c[10usize];
-            let sum_51 = T::fused(minus_right_side_front, c[11usize], product_48);
-            let product_52 = sin_bar_phi * sum_51;
-            let difference_53 = T::fused(-sin_seat_phi, sum_45, product_52);
+            let cos_4_c10 = cos_4 * c[10usize];
+            let sum_51 = T::fused(minus_right_side_front, c[11usize], cos_4_c10);
+            let sin_bar_phi_sum_51 = sin_bar_phi * sum_51;
+            let difference_53 = T::fused(-sin_seat_phi, sum_45, sin_bar_phi_sum_51);
             let seat_omega = v[2usize];
-            let product_56 = c[12usize] * seat_omega;
-            let product_57 = seat_omega * product_56;
+            let c12_seat_omega = c[12usize] * seat_omega;
+            let product_57 = seat_omega * c12_seat_omega;
             let difference_59 = T::fused(-cos_seat_phi, product_57, difference_53);
-            let product_61 = bar_omega * c[13usize];
-            let product_62 = bar_omega * product_61;
-            let difference_64 = T::fused(-cos_bar_phi, product_62, difference_59);
-            let product_65 = cos_seat_phi * sum_45;
-            let difference_67 = T::fused(-cos_bar_phi, sum_51, product_65);
+            let bar_omega_c13 = bar_omega * c[13usize];
+            let bar_omega_bar_omega_c13 = bar_omega * bar_omega_c13;
+            let difference_64 = T::fused(
+                -cos_bar_phi,
+                bar_omega_bar_omega_c13,
+                difference_59,
+            );
+            let cos_seat_phi_sum_45 = cos_seat_phi * sum_45;
+            let difference_67 = T::fused(-cos_bar_phi, sum_51, cos_seat_phi_sum_45);
             let difference_69 = T::fused(-sin_seat_phi, product_57, difference_67);
-            let difference_71 = T::fused(-sin_bar_phi, product_62, difference_69);
-            let product_72 = sum_33 * difference_41;
-            let difference_74 = T::fused(-difference_39, difference_39, product_72);
+            let difference_71 = T::fused(
+                -sin_bar_phi,
+                bar_omega_bar_omega_c13,
+                difference_69,
+            );
+            let sum_33_difference_41 = sum_33 * difference_41;
+            let difference_74 = T::fused(
+                -difference_39,
+                difference_39,
+                sum_33_difference_41,
+            );
             let quotient_75 = T::from_f64(1f64) / difference_74;
             let product_76 = difference_41 * difference_64;
             let difference_78 = T::fused(-difference_39, difference_71, product_76);
             let lambda_B_x = quotient_75 * difference_78;
-            let product_81 = sum_33 * difference_71;
-            let difference_82 = T::fused(-difference_39, difference_64, product_81);
+            let sum_33_difference_71 = sum_33 * difference_71;
+            let difference_82 = T::fused(
+                -difference_39,
+                difference_64,
+                sum_33_difference_71,
+            );
             let lambda_B_y = quotient_75 * difference_82;
-            let product_85 = cos_bar_phi * lambda_B_y;
-            let difference_86 = T::fused(-sin_bar_phi, lambda_B_x, product_85);
-            let product_87 = c[11usize] * difference_86;
-            let lambda_front = T::fused(-minus_right_side_front, c[14usize], product_87);
-            let product_91 = sin_seat_phi * c[8usize];
-            let sum_94 = T::fused(lambda_B_x, c[15usize], product_91);
-            let product_95 = cos_seat_phi * c[8usize];
-            let difference_97 = T::fused(-lambda_B_y, c[15usize], product_95);
-            let product_98 = sin_seat_phi * lambda_B_x;
-            let difference_100 = T::fused(-cos_seat_phi, lambda_B_y, product_98);
-            let product_101 = c[9usize] * difference_100;
-            let sum_104 = T::fused(force_seat_phi, c[16usize], product_101);
+            let cos_bar_phi_lambda_B_y = cos_bar_phi * lambda_B_y;
+            let difference_86 = T::fused(
+                -sin_bar_phi,
+                lambda_B_x,
+                cos_bar_phi_lambda_B_y,
+            );
+            let c11_difference_86 = c[11usize] * difference_86;
+            let lambda_front = T::fused(
+                -minus_right_side_front,
+                c[14usize],
+                c11_difference_86,
+            );
+            let sin_seat_phi_c8 = sin_seat_phi * c[8usize];
+            let sum_94 = T::fused(lambda_B_x, c[15usize], sin_seat_phi_c8);
+            let cos_seat_phi_c8 = cos_seat_phi * c[8usize];
+            let difference_97 = T::fused(-lambda_B_y, c[15usize], cos_seat_phi_c8);
+            let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+            let difference_100 = T::fused(
+                -cos_seat_phi,
+                lambda_B_y,
+                sin_seat_phi_lambda_B_x,
+            );
+            let c9_difference_100 = c[9usize] * difference_100;
+            let sum_104 = T::fused(force_seat_phi, c[16usize], c9_difference_100);
             let sum_106 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
-            let product_108 = sum_106 * c[17usize];
+            let sum_106_c17 = sum_106 * c[17usize];
             let difference_110 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
-            let product_111 = c[17usize] * difference_110;
-            let product_113 = difference_86 * c[18usize];
-            let sum_116 = T::fused(cos_4, c[19usize], product_113);
+            let c17_difference_110 = c[17usize] * difference_110;
+            let difference_86_c18 = difference_86 * c[18usize];
+            let sum_116 = T::fused(cos_4, c[19usize], difference_86_c18);
             let sum_119 = T::fused(lambda_front, c[20usize], sum_116);
             let value_123 = -sum_94;
             let value_124 = -sum_119;
             a[0usize] = value_123;
             a[1usize] = difference_97;
             a[2usize] = sum_104;
-            a[3usize] = product_108;
-            a[4usize] = product_111;
+            a[3usize] = sum_106_c17;
+            a[4usize] = c17_difference_110;
             a[5usize] = value_124;
             lambda[0usize] = lambda_B_x;
             lambda[1usize] = lambda_B_y;
@@ -2686,55 +2766,67 @@ pub mod modes_of_skid {
             let right_side_front = residual[2usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-            let product_6 = c[4usize] * cos_seat_phi;
+            let c4_cos_seat_phi = c[4usize] * cos_seat_phi;
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-            let product_11 = c[5usize] * cos_bar_phi;
-            let product_12 = cos_bar_phi * product_11;
-            let difference_13 = T::fused(-cos_seat_phi, product_6, product_12);
+            let c5_cos_bar_phi = c[5usize] * cos_bar_phi;
+            let product_12 = cos_bar_phi * c5_cos_bar_phi;
+            let difference_13 = T::fused(-cos_seat_phi, c4_cos_seat_phi, product_12);
             let sum_15 = difference_13 + c[6usize];
-            let product_17 = c[4usize] * sin_seat_phi;
-            let product_20 = c[5usize] * sin_bar_phi;
-            let product_21 = cos_bar_phi * product_20;
-            let difference_22 = T::fused(-cos_seat_phi, product_17, product_21);
+            let c4_sin_seat_phi = c[4usize] * sin_seat_phi;
+            let c5_sin_bar_phi = c[5usize] * sin_bar_phi;
+            let product_21 = cos_bar_phi * c5_sin_bar_phi;
+            let difference_22 = T::fused(-cos_seat_phi, c4_sin_seat_phi, product_21);
             let difference_24 = c[7usize] - difference_13;
             let residual_0 = residual[0usize];
-            let product_27 = right_side_front * c[11usize];
-            let difference_29 = T::fused(-sin_bar_phi, product_27, residual_0);
+            let right_side_front_c11 = right_side_front * c[11usize];
+            let difference_29 = T::fused(-sin_bar_phi, right_side_front_c11, residual_0);
             let residual_1 = residual[1usize];
-            let sum_32 = T::fused(cos_bar_phi, product_27, residual_1);
-            let product_33 = sum_15 * difference_24;
-            let difference_35 = T::fused(-difference_22, difference_22, product_33);
+            let sum_32 = T::fused(cos_bar_phi, right_side_front_c11, residual_1);
+            let sum_15_difference_24 = sum_15 * difference_24;
+            let difference_35 = T::fused(
+                -difference_22,
+                difference_22,
+                sum_15_difference_24,
+            );
             let quotient_36 = T::from_f64(1f64) / difference_35;
             let product_37 = difference_24 * difference_29;
             let difference_39 = T::fused(-difference_22, sum_32, product_37);
             let lambda_B_x = quotient_36 * difference_39;
-            let product_42 = sum_15 * sum_32;
-            let difference_43 = T::fused(-difference_22, difference_29, product_42);
+            let sum_15_sum_32 = sum_15 * sum_32;
+            let difference_43 = T::fused(-difference_22, difference_29, sum_15_sum_32);
             let lambda_B_y = quotient_36 * difference_43;
-            let product_46 = cos_bar_phi * lambda_B_y;
-            let difference_47 = T::fused(-sin_bar_phi, lambda_B_x, product_46);
-            let product_48 = c[11usize] * difference_47;
-            let lambda_front = T::fused(right_side_front, c[14usize], product_48);
-            let product_53 = lambda_B_x * c[15usize];
-            let product_54 = lambda_B_y * c[15usize];
-            let product_55 = sin_seat_phi * lambda_B_x;
-            let difference_57 = T::fused(-cos_seat_phi, lambda_B_y, product_55);
-            let product_59 = difference_57 * c[9usize];
+            let cos_bar_phi_lambda_B_y = cos_bar_phi * lambda_B_y;
+            let difference_47 = T::fused(
+                -sin_bar_phi,
+                lambda_B_x,
+                cos_bar_phi_lambda_B_y,
+            );
+            let c11_difference_47 = c[11usize] * difference_47;
+            let lambda_front = T::fused(right_side_front, c[14usize], c11_difference_47);
+            let lambda_B_x_c15 = lambda_B_x * c[15usize];
+            let lambda_B_y_c15 = lambda_B_y * c[15usize];
+            let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+            let difference_57 = T::fused(
+                -cos_seat_phi,
+                lambda_B_y,
+                sin_seat_phi_lambda_B_x,
+            );
+            let difference_57_c9 = difference_57 * c[9usize];
             let sum_61 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
-            let product_63 = sum_61 * c[17usize];
+            let sum_61_c17 = sum_61 * c[17usize];
             let difference_65 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
-            let product_66 = c[17usize] * difference_65;
-            let product_68 = difference_47 * c[18usize];
-            let sum_71 = T::fused(lambda_front, c[20usize], product_68);
-            let value_75 = -product_53;
-            let value_76 = -product_54;
+            let c17_difference_65 = c[17usize] * difference_65;
+            let difference_47_c18 = difference_47 * c[18usize];
+            let sum_71 = T::fused(lambda_front, c[20usize], difference_47_c18);
+            let value_75 = -lambda_B_x_c15;
+            let value_76 = -lambda_B_y_c15;
             let value_77 = -sum_71;
             delta[0usize] = value_75;
             delta[1usize] = value_76;
-            delta[2usize] = product_59;
-            delta[3usize] = product_63;
-            delta[4usize] = product_66;
+            delta[2usize] = difference_57_c9;
+            delta[3usize] = sum_61_c17;
+            delta[4usize] = c17_difference_65;
             delta[5usize] = value_77;
             ::ezy_core::model::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
@@ -2796,21 +2888,21 @@ pub mod modes_of_skid {
             let seat_omega = v[2usize];
             let bar_omega = v[5usize];
             let difference_4 = seat_omega - bar_omega;
-            let product_7 = c[1usize] * t;
-            let cos_7 = f64::cos(product_7);
-            let product_9 = difference_4 * cos_7;
-            let product_11 = product_9 * c[0usize];
+            let c1_t = c[1usize] * t;
+            let cos_7 = f64::cos(c1_t);
+            let difference_4_cos_7 = difference_4 * cos_7;
+            let difference_4_cos_7_c0 = difference_4_cos_7 * c[0usize];
             let seat_vx = v[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_15 = seat_vx * sin_seat_phi;
+            let seat_vx_sin_seat_phi = seat_vx * sin_seat_phi;
             let seat_vy = v[1usize];
-            let product_18 = seat_vy * cos_seat_phi;
-            let difference_19 = product_18 - product_15;
-            let product_21 = difference_19 * c[24usize];
-            let product_23 = seat_omega * c[2usize];
-            let difference_24 = product_21 - product_23;
-            out[0usize] = product_11;
+            let seat_vy_cos_seat_phi = seat_vy * cos_seat_phi;
+            let difference_19 = seat_vy_cos_seat_phi - seat_vx_sin_seat_phi;
+            let difference_19_c24 = difference_19 * c[24usize];
+            let seat_omega_c2 = seat_omega * c[2usize];
+            let difference_24 = difference_19_c24 - seat_omega_c2;
+            out[0usize] = difference_4_cos_7_c0;
             out[1usize] = difference_24;
         }
         fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
@@ -2820,23 +2912,23 @@ pub mod modes_of_skid {
             let seat_x = q[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_6 = c[31usize] * cos_seat_phi;
-            let difference_7 = seat_x - product_6;
+            let c31_cos_seat_phi = c[31usize] * cos_seat_phi;
+            let difference_7 = seat_x - c31_cos_seat_phi;
             let seat_y = q[1usize];
-            let product_10 = c[31usize] * sin_seat_phi;
-            let difference_11 = seat_y - product_10;
+            let c31_sin_seat_phi = c[31usize] * sin_seat_phi;
+            let difference_11 = seat_y - c31_sin_seat_phi;
             let bar_x = q[3usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_16 = c[30usize] * cos_bar_phi;
-            let sum_17 = bar_x + product_16;
+            let c30_cos_bar_phi = c[30usize] * cos_bar_phi;
+            let sum_17 = bar_x + c30_cos_bar_phi;
             let bar_y = q[4usize];
-            let product_20 = c[30usize] * sin_bar_phi;
-            let sum_21 = bar_y + product_20;
-            let product_23 = cos_seat_phi * c[12usize];
-            let sum_24 = seat_x + product_23;
-            let product_25 = sin_seat_phi * c[12usize];
-            let sum_26 = seat_y + product_25;
+            let c30_sin_bar_phi = c[30usize] * sin_bar_phi;
+            let sum_21 = bar_y + c30_sin_bar_phi;
+            let cos_seat_phi_c12 = cos_seat_phi * c[12usize];
+            let sum_24 = seat_x + cos_seat_phi_c12;
+            let sin_seat_phi_c12 = sin_seat_phi * c[12usize];
+            let sum_26 = seat_y + sin_seat_phi_c12;
             out[0usize] = difference_7;
             out[1usize] = difference_11;
             out[2usize] = sum_17;
@@ -2856,15 +2948,15 @@ pub mod modes_of_skid {
             let v = ::ezy_core::kernel::array::<6usize, f64>(v);
             let out = ::ezy_core::kernel::array_mut::<2usize, f64>(out);
             let seat_omega = v[2usize];
-            let product_4 = c[31usize] * seat_omega;
+            let c31_seat_omega = c[31usize] * seat_omega;
             let seat_vx = v[0usize];
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_9 = seat_vx * sin_seat_phi;
-            let sum_10 = product_4 + product_9;
+            let seat_vx_sin_seat_phi = seat_vx * sin_seat_phi;
+            let sum_10 = c31_seat_omega + seat_vx_sin_seat_phi;
             let seat_vy = v[1usize];
-            let product_13 = seat_vy * cos_seat_phi;
-            let difference_14 = product_13 - sum_10;
+            let seat_vy_cos_seat_phi = seat_vy * cos_seat_phi;
+            let difference_14 = seat_vy_cos_seat_phi - sum_10;
             out[0usize] = c[24usize];
             out[1usize] = difference_14;
         }
@@ -2914,86 +3006,86 @@ pub mod modes_of_skid {
             let by_v = ::ezy_core::kernel::array_mut::<7usize, f64>(by_v);
             let seat_phi = q[2usize];
             let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-            let product_4 = c[24usize] * cos_seat_phi;
-            let product_6 = c[24usize] * sin_seat_phi;
+            let c24_cos_seat_phi = c[24usize] * cos_seat_phi;
+            let c24_sin_seat_phi = c[24usize] * sin_seat_phi;
             let multiplier_0 = lambda[0usize];
             let product_9 = cos_seat_phi * multiplier_0;
             let multiplier_1 = lambda[1usize];
             let product_11 = sin_seat_phi * multiplier_1;
             let sum_12 = product_9 + product_11;
-            let product_14 = sum_12 * c[12usize];
+            let sum_12_c12 = sum_12 * c[12usize];
             let multiplier_2 = lambda[2usize];
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-            let product_18 = multiplier_2 * cos_bar_phi;
-            let product_20 = multiplier_2 * sin_bar_phi;
-            let product_21 = multiplier_0 * cos_bar_phi;
-            let product_22 = multiplier_1 * sin_bar_phi;
-            let sum_23 = product_21 + product_22;
-            let product_25 = sum_23 * c[13usize];
+            let multiplier_2_cos_bar_phi = multiplier_2 * cos_bar_phi;
+            let multiplier_2_sin_bar_phi = multiplier_2 * sin_bar_phi;
+            let multiplier_0_cos_bar_phi = multiplier_0 * cos_bar_phi;
+            let multiplier_1_sin_bar_phi = multiplier_1 * sin_bar_phi;
+            let sum_23 = multiplier_0_cos_bar_phi + multiplier_1_sin_bar_phi;
+            let sum_23_c13 = sum_23 * c[13usize];
             let seat_omega = v[2usize];
-            let product_27 = seat_omega * seat_omega;
-            let product_28 = sin_seat_phi * product_27;
+            let seat_omega_seat_omega = seat_omega * seat_omega;
+            let product_28 = sin_seat_phi * seat_omega_seat_omega;
             let acceleration_2 = a[2usize];
             let product_30 = cos_seat_phi * acceleration_2;
             let difference_31 = product_30 - product_28;
-            let product_32 = c[12usize] * difference_31;
+            let c12_difference_31 = c[12usize] * difference_31;
             let bar_omega = v[5usize];
-            let product_34 = bar_omega * bar_omega;
-            let product_35 = sin_bar_phi * product_34;
+            let bar_omega_bar_omega = bar_omega * bar_omega;
+            let product_35 = sin_bar_phi * bar_omega_bar_omega;
             let acceleration_5 = a[5usize];
             let product_37 = cos_bar_phi * acceleration_5;
             let difference_38 = product_37 - product_35;
-            let product_39 = c[13usize] * difference_38;
-            let product_40 = cos_seat_phi * product_27;
+            let c13_difference_38 = c[13usize] * difference_38;
+            let product_40 = cos_seat_phi * seat_omega_seat_omega;
             let product_41 = sin_seat_phi * acceleration_2;
             let sum_42 = product_40 + product_41;
-            let product_43 = c[12usize] * sum_42;
-            let product_44 = cos_bar_phi * product_34;
+            let c12_sum_42 = c[12usize] * sum_42;
+            let product_44 = cos_bar_phi * bar_omega_bar_omega;
             let product_45 = sin_bar_phi * acceleration_5;
             let sum_46 = product_44 + product_45;
-            let product_47 = c[13usize] * sum_46;
+            let c13_sum_46 = c[13usize] * sum_46;
             let bar_vx = v[3usize];
-            let product_49 = bar_omega * bar_vx;
+            let bar_omega_bar_vx = bar_omega * bar_vx;
             let acceleration_4 = a[4usize];
-            let difference_51 = acceleration_4 - product_49;
+            let difference_51 = acceleration_4 - bar_omega_bar_vx;
             let product_52 = sin_bar_phi * difference_51;
             let bar_vy = v[4usize];
-            let product_54 = bar_omega * bar_vy;
+            let bar_omega_bar_vy = bar_omega * bar_vy;
             let acceleration_3 = a[3usize];
-            let sum_56 = product_54 + acceleration_3;
-            let product_57 = cos_bar_phi * sum_56;
-            let sum_58 = product_52 + product_57;
-            let product_60 = seat_omega * c[33usize];
-            let product_61 = cos_seat_phi * product_60;
-            let product_63 = bar_omega * c[34usize];
-            let product_64 = cos_bar_phi * product_63;
-            let product_65 = sin_seat_phi * product_60;
-            let product_66 = sin_bar_phi * product_63;
-            let product_67 = cos_bar_phi * bar_omega;
-            let product_68 = sin_bar_phi * bar_omega;
-            let product_69 = cos_bar_phi * bar_vx;
-            let product_70 = sin_bar_phi * bar_vy;
-            let sum_71 = product_69 + product_70;
-            let value_72 = -product_4;
-            let value_73 = -product_6;
+            let sum_56 = bar_omega_bar_vy + acceleration_3;
+            let cos_bar_phi_sum_56 = cos_bar_phi * sum_56;
+            let sum_58 = product_52 + cos_bar_phi_sum_56;
+            let seat_omega_c33 = seat_omega * c[33usize];
+            let product_61 = cos_seat_phi * seat_omega_c33;
+            let bar_omega_c34 = bar_omega * c[34usize];
+            let product_64 = cos_bar_phi * bar_omega_c34;
+            let product_65 = sin_seat_phi * seat_omega_c33;
+            let product_66 = sin_bar_phi * bar_omega_c34;
+            let cos_bar_phi_bar_omega = cos_bar_phi * bar_omega;
+            let sin_bar_phi_bar_omega = sin_bar_phi * bar_omega;
+            let cos_bar_phi_bar_vx = cos_bar_phi * bar_vx;
+            let sin_bar_phi_bar_vy = sin_bar_phi * bar_vy;
+            let sum_71 = cos_bar_phi_bar_vx + sin_bar_phi_bar_vy;
+            let value_72 = -c24_cos_seat_phi;
+            let value_73 = -c24_sin_seat_phi;
             by_q[0usize] = value_72;
             by_q[1usize] = value_73;
-            by_q[2usize] = product_14;
-            by_q[3usize] = product_18;
-            by_q[4usize] = product_20;
-            by_q[5usize] = product_25;
-            by_q[6usize] = product_32;
-            by_q[7usize] = product_39;
-            by_q[8usize] = product_43;
-            by_q[9usize] = product_47;
+            by_q[2usize] = sum_12_c12;
+            by_q[3usize] = multiplier_2_cos_bar_phi;
+            by_q[4usize] = multiplier_2_sin_bar_phi;
+            by_q[5usize] = sum_23_c13;
+            by_q[6usize] = c12_difference_31;
+            by_q[7usize] = c13_difference_38;
+            by_q[8usize] = c12_sum_42;
+            by_q[9usize] = c13_sum_46;
             by_q[10usize] = sum_58;
             by_v[0usize] = product_61;
             by_v[1usize] = product_64;
             by_v[2usize] = product_65;
             by_v[3usize] = product_66;
-            by_v[4usize] = product_67;
-            by_v[5usize] = product_68;
+            by_v[4usize] = cos_bar_phi_bar_omega;
+            by_v[5usize] = sin_bar_phi_bar_omega;
             by_v[6usize] = sum_71;
         }
         fn series(&self) -> ::core::option::Option<&dyn ::ezy_core::model::Series<f64>> {
@@ -3030,55 +3122,67 @@ pub mod modes_of_skid {
             let bar_phi = q[5usize];
             let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
             let seat_omega = v[2usize];
-            let product_25 = c[12usize] * seat_omega;
-            let product_26 = seat_omega * product_25;
-            let product_27 = cos_seat_phi * product_26;
+            let c12_seat_omega = c[12usize] * seat_omega;
+            let product_26 = seat_omega * c12_seat_omega;
+            let cos_seat_phi_product_26 = cos_seat_phi * product_26;
             let bar_omega = v[5usize];
-            let product_29 = c[13usize] * bar_omega;
-            let product_30 = bar_omega * product_29;
-            let sum_32 = T::fused(cos_bar_phi, product_30, product_27);
-            let product_33 = sin_seat_phi * product_26;
-            let sum_35 = T::fused(sin_bar_phi, product_30, product_33);
+            let c13_bar_omega = c[13usize] * bar_omega;
+            let bar_omega_c13_bar_omega = bar_omega * c13_bar_omega;
+            let sum_32 = T::fused(
+                cos_bar_phi,
+                bar_omega_c13_bar_omega,
+                cos_seat_phi_product_26,
+            );
+            let sin_seat_phi_product_26 = sin_seat_phi * product_26;
+            let sum_35 = T::fused(
+                sin_bar_phi,
+                bar_omega_c13_bar_omega,
+                sin_seat_phi_product_26,
+            );
             let bar_vx = v[3usize];
-            let product_37 = cos_bar_phi * bar_vx;
+            let cos_bar_phi_bar_vx = cos_bar_phi * bar_vx;
             let bar_vy = v[4usize];
-            let sum_40 = T::fused(sin_bar_phi, bar_vy, product_37);
-            let product_41 = bar_omega * sum_40;
-            let product_43 = sin_seat_phi * c[24usize];
-            let product_44 = cos_seat_phi * c[24usize];
-            let product_48 = c[1usize] * t;
-            let (sin_48, cos_48) = T::sin_cos(product_48);
-            let product_50 = c[0usize] * cos_48;
-            let difference_52 = product_50 - c[2usize];
-            let product_67 = cos_seat_phi * c[4usize];
-            let product_70 = cos_bar_phi * c[5usize];
-            let product_71 = cos_bar_phi * product_70;
-            let difference_72 = T::fused(-cos_seat_phi, product_67, product_71);
+            let sum_40 = T::fused(sin_bar_phi, bar_vy, cos_bar_phi_bar_vx);
+            let bar_omega_sum_40 = bar_omega * sum_40;
+            let sin_seat_phi_c24 = sin_seat_phi * c[24usize];
+            let cos_seat_phi_c24 = cos_seat_phi * c[24usize];
+            let c1_t = c[1usize] * t;
+            let (sin_48, cos_48) = T::sin_cos(c1_t);
+            let c0_cos_48 = c[0usize] * cos_48;
+            let difference_52 = c0_cos_48 - c[2usize];
+            let cos_seat_phi_c4 = cos_seat_phi * c[4usize];
+            let cos_bar_phi_c5 = cos_bar_phi * c[5usize];
+            let product_71 = cos_bar_phi * cos_bar_phi_c5;
+            let difference_72 = T::fused(-cos_seat_phi, cos_seat_phi_c4, product_71);
             let sum_74 = difference_72 + c[6usize];
-            let product_75 = sin_seat_phi * c[4usize];
-            let product_77 = sin_bar_phi * c[5usize];
-            let product_78 = cos_bar_phi * product_77;
-            let difference_79 = T::fused(-cos_seat_phi, product_75, product_78);
+            let sin_seat_phi_c4 = sin_seat_phi * c[4usize];
+            let sin_bar_phi_c5 = sin_bar_phi * c[5usize];
+            let product_78 = cos_bar_phi * sin_bar_phi_c5;
+            let difference_79 = T::fused(-cos_seat_phi, sin_seat_phi_c4, product_78);
             let difference_81 = c[7usize] - difference_72;
-            let product_111 = sum_74 * difference_81;
-            let difference_113 = T::fused(-difference_79, difference_79, product_111);
+            let sum_74_difference_81 = sum_74 * difference_81;
+            let difference_113 = T::fused(
+                -difference_79,
+                difference_79,
+                sum_74_difference_81,
+            );
             let quotient_114 = T::from_f64(1f64) / difference_113;
-            let product_159 = cos_seat_phi * seat_omega;
-            let product_160 = sin_seat_phi * seat_omega;
-            let product_161 = cos_bar_phi * bar_omega;
-            let product_162 = sin_bar_phi * bar_omega;
-            let product_163 = c[24usize] * product_159;
-            let product_164 = c[24usize] * product_160;
-            let product_165 = c[1usize] * sin_48;
-            let product_166 = c[0usize] * product_165;
-            let product_167 = c[1usize] * cos_48;
-            let value_168 = -product_43;
-            let value_169 = -product_50;
-            let value_170 = -product_160;
-            let value_171 = -product_162;
+            let cos_seat_phi_seat_omega = cos_seat_phi * seat_omega;
+            let sin_seat_phi_seat_omega = sin_seat_phi * seat_omega;
+            let cos_bar_phi_bar_omega = cos_bar_phi * bar_omega;
+            let sin_bar_phi_bar_omega = sin_bar_phi * bar_omega;
+            let product_163 = c[24usize] * cos_seat_phi_seat_omega;
+            let product_164 = c[24usize] * sin_seat_phi_seat_omega;
+            let c1_sin_48 = c[1usize] * sin_48;
+            let c0_c1_sin_48 = c[0usize] * c1_sin_48;
+            let c1_cos_48 = c[1usize] * cos_48;
+            let value_168 = -sin_seat_phi_c24;
+            let value_169 = -c0_cos_48;
+            let value_170 = -sin_seat_phi_seat_omega;
+            let value_171 = -sin_bar_phi_bar_omega;
             let value_172 = -product_164;
-            let value_173 = -product_166;
-            let value_174 = -product_165;
+            let value_173 = -c0_c1_sin_48;
+            let value_174 = -c1_sin_48;
             let target = ::ezy_core::kernel::array_mut::<8usize, T>(&mut store.base);
             target[0usize] = cos_seat_phi;
             target[1usize] = sin_seat_phi;
@@ -3090,7 +3194,7 @@ pub mod modes_of_skid {
             target[7usize] = sum_74;
             let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.force);
             target[0usize] = value_168;
-            target[1usize] = product_44;
+            target[1usize] = cos_seat_phi_c24;
             target[2usize] = difference_52;
             target[3usize] = T::from_f64(0f64);
             target[4usize] = T::from_f64(0f64);
@@ -3099,10 +3203,10 @@ pub mod modes_of_skid {
                 6usize,
                 T,
             >(&mut store.kept, 0usize);
-            target[0usize] = product_43;
-            target[1usize] = product_44;
+            target[0usize] = sin_seat_phi_c24;
+            target[1usize] = cos_seat_phi_c24;
             target[2usize] = difference_52;
-            target[3usize] = product_50;
+            target[3usize] = c0_cos_48;
             target[4usize] = sin_48;
             target[5usize] = cos_48;
             let target = ::ezy_core::kernel::row_mut::<
@@ -3113,23 +3217,23 @@ pub mod modes_of_skid {
             target[1usize] = value_172;
             target[2usize] = value_173;
             target[3usize] = value_173;
-            target[4usize] = product_167;
+            target[4usize] = c1_cos_48;
             target[5usize] = value_174;
             let target = ::ezy_core::kernel::row_mut::<
                 16usize,
                 T,
             >(&mut store.left, 1usize);
-            target[0usize] = product_159;
+            target[0usize] = cos_seat_phi_seat_omega;
             target[1usize] = value_170;
-            target[2usize] = product_161;
+            target[2usize] = cos_bar_phi_bar_omega;
             target[3usize] = value_171;
-            target[4usize] = product_161;
+            target[4usize] = cos_bar_phi_bar_omega;
             target[5usize] = value_171;
             target[6usize] = seat_omega;
             target[7usize] = bar_omega;
             target[8usize] = seat_omega;
             target[9usize] = bar_omega;
-            target[10usize] = product_161;
+            target[10usize] = cos_bar_phi_bar_omega;
             target[11usize] = value_171;
             let target = ::ezy_core::kernel::row_mut::<
                 16usize,
@@ -3141,8 +3245,8 @@ pub mod modes_of_skid {
             target[3usize] = T::from_f64(0f64);
             target[4usize] = T::from_f64(0f64);
             target[5usize] = T::from_f64(0f64);
-            target[6usize] = product_159;
-            target[7usize] = product_161;
+            target[6usize] = cos_seat_phi_seat_omega;
+            target[7usize] = cos_bar_phi_bar_omega;
             target[8usize] = value_170;
             target[9usize] = value_171;
             target[10usize] = bar_vx;
@@ -3150,7 +3254,7 @@ pub mod modes_of_skid {
             let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
             target[0usize] = sum_32;
             target[1usize] = sum_35;
-            target[2usize] = product_41;
+            target[2usize] = bar_omega_sum_40;
             ::ezy_core::model::Pivots::new()
                 .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
                 .see(&[0usize, 1usize], T::least_ratio(difference_113, c[23usize]))
@@ -3170,40 +3274,40 @@ pub mod modes_of_skid {
             let kept_2 = kept_0[2usize];
             let convolved_0 = sums[0usize];
             let convolved_1 = sums[1usize];
-            let product_8 = c[12usize] * convolved_1;
-            let difference_9 = T::fused(-c[12usize], convolved_0, product_8);
+            let c12_convolved_1 = c[12usize] * convolved_1;
+            let difference_9 = T::fused(-c[12usize], convolved_0, c12_convolved_1);
             let difference_10 = kept_2 - difference_9;
             let convolved_2 = sums[2usize];
             let convolved_3 = sums[3usize];
             let kept_3 = kept_0[3usize];
             let convolved_4 = sums[4usize];
             let convolved_5 = sums[5usize];
-            let product_19 = c[13usize] * convolved_5;
-            let difference_20 = T::fused(-c[13usize], convolved_4, product_19);
+            let c13_convolved_5 = c[13usize] * convolved_5;
+            let difference_20 = T::fused(-c[13usize], convolved_4, c13_convolved_5);
             let sum_21 = kept_3 + difference_20;
             let convolved_6 = sums[6usize];
             let inverse_order_ahead = T::from_f64(1f64)
                 / T::from_f64((k + 2usize) as f64);
             let product_24 = convolved_6 * inverse_order_ahead;
-            let product_25 = c[12usize] * product_24;
+            let c12_product_24 = c[12usize] * product_24;
             let convolved_7 = sums[7usize];
             let product_27 = inverse_order_ahead * convolved_7;
-            let sum_29 = T::fused(c[13usize], product_27, product_25);
+            let sum_29 = T::fused(c[13usize], product_27, c12_product_24);
             let order_next = T::from_f64((k + 1usize) as f64);
             let order_ahead = T::from_f64((k + 2usize) as f64);
-            let product_32 = order_next * order_ahead;
-            let product_33 = sum_29 * product_32;
+            let order_next_order_ahead = order_next * order_ahead;
+            let product_33 = sum_29 * order_next_order_ahead;
             let convolved_8 = sums[8usize];
             let product_35 = inverse_order_ahead * convolved_8;
-            let product_36 = c[12usize] * product_35;
+            let c12_product_35 = c[12usize] * product_35;
             let convolved_9 = sums[9usize];
             let product_38 = inverse_order_ahead * convolved_9;
-            let sum_40 = T::fused(c[13usize], product_38, product_36);
-            let product_41 = product_32 * sum_40;
+            let sum_40 = T::fused(c[13usize], product_38, c12_product_35);
+            let product_41 = order_next_order_ahead * sum_40;
             let convolved_10 = sums[10usize];
             let convolved_11 = sums[11usize];
             let difference_44 = convolved_10 - convolved_11;
-            let product_45 = order_next * difference_44;
+            let order_next_difference_44 = order_next * difference_44;
             let value_46 = -kept_0;
             let value_47 = -convolved_3;
             let value_48 = -sum_21;
@@ -3218,7 +3322,7 @@ pub mod modes_of_skid {
             let target = ::ezy_core::kernel::array_mut::<3usize, T>(&mut store.row);
             target[0usize] = product_33;
             target[1usize] = value_49;
-            target[2usize] = product_45;
+            target[2usize] = order_next_difference_44;
         }
         #[inline(always)]
         fn solve(
@@ -3234,71 +3338,71 @@ pub mod modes_of_skid {
             let force_0 = force[0usize];
             let base_4 = base[4usize];
             let base_5 = base[5usize];
-            let product_4 = c[15usize] * force_0;
+            let c15_force_0 = c[15usize] * force_0;
             let base_3 = base[3usize];
             let force_5 = force[5usize];
-            let product_8 = force_5 * c[18usize];
+            let force_5_c18 = force_5 * c[18usize];
             let base_2 = base[2usize];
             let force_4 = force[4usize];
-            let product_11 = base_2 * force_4;
+            let base_2_force_4 = base_2 * force_4;
             let force_3 = force[3usize];
-            let difference_14 = T::fused(-base_3, force_3, product_11);
-            let product_16 = difference_14 * c[17usize];
-            let sum_19 = T::fused(force_5, c[20usize], product_16);
+            let difference_14 = T::fused(-base_3, force_3, base_2_force_4);
+            let difference_14_c17 = difference_14 * c[17usize];
+            let sum_19 = T::fused(force_5, c[20usize], difference_14_c17);
             let row_2 = row[2usize];
             let right_side_front = sum_19 - row_2;
-            let sum_24 = T::fused(right_side_front, c[11usize], product_8);
-            let difference_26 = T::fused(-base_3, sum_24, product_4);
+            let sum_24 = T::fused(right_side_front, c[11usize], force_5_c18);
+            let difference_26 = T::fused(-base_3, sum_24, c15_force_0);
             let difference_28 = T::fused(-force_3, c[17usize], difference_26);
             let row_0 = row[0usize];
             let difference_30 = difference_28 - row_0;
             let base_1 = base[1usize];
             let force_2 = force[2usize];
-            let product_34 = c[9usize] * force_2;
-            let difference_36 = T::fused(-base_1, product_34, difference_30);
-            let product_37 = base_5 * difference_36;
+            let c9_force_2 = c[9usize] * force_2;
+            let difference_36 = T::fused(-base_1, c9_force_2, difference_30);
+            let base_5_difference_36 = base_5 * difference_36;
             let base_6 = base[6usize];
-            let product_39 = base_2 * sum_24;
+            let base_2_sum_24 = base_2 * sum_24;
             let force_1 = force[1usize];
-            let sum_42 = T::fused(c[15usize], force_1, product_39);
+            let sum_42 = T::fused(c[15usize], force_1, base_2_sum_24);
             let difference_44 = T::fused(-force_4, c[17usize], sum_42);
             let row_1 = row[1usize];
             let difference_46 = difference_44 - row_1;
             let base_0 = base[0usize];
-            let sum_49 = T::fused(product_34, base_0, difference_46);
-            let difference_51 = T::fused(-base_6, sum_49, product_37);
+            let sum_49 = T::fused(c9_force_2, base_0, difference_46);
+            let difference_51 = T::fused(-base_6, sum_49, base_5_difference_36);
             let lambda_B_x = base_4 * difference_51;
             let difference_53 = force_0 - lambda_B_x;
-            let product_54 = c[15usize] * difference_53;
+            let c15_difference_53 = c[15usize] * difference_53;
             let base_7 = base[7usize];
-            let product_56 = sum_49 * base_7;
-            let difference_58 = T::fused(-difference_36, base_6, product_56);
+            let sum_49_base_7 = sum_49 * base_7;
+            let difference_58 = T::fused(-difference_36, base_6, sum_49_base_7);
             let lambda_B_y = base_4 * difference_58;
             let difference_60 = force_1 - lambda_B_y;
-            let product_61 = c[15usize] * difference_60;
-            let product_62 = base_1 * lambda_B_x;
-            let difference_64 = T::fused(-base_0, lambda_B_y, product_62);
-            let product_65 = c[9usize] * difference_64;
-            let sum_68 = T::fused(force_2, c[16usize], product_65);
+            let c15_difference_60 = c[15usize] * difference_60;
+            let base_1_lambda_B_x = base_1 * lambda_B_x;
+            let difference_64 = T::fused(-base_0, lambda_B_y, base_1_lambda_B_x);
+            let c9_difference_64 = c[9usize] * difference_64;
+            let sum_68 = T::fused(force_2, c[16usize], c9_difference_64);
             let sum_69 = force_3 + lambda_B_x;
-            let product_70 = base_2 * lambda_B_y;
-            let difference_72 = T::fused(-base_3, lambda_B_x, product_70);
-            let product_73 = c[11usize] * difference_72;
-            let lambda_front = T::fused(right_side_front, c[14usize], product_73);
+            let base_2_lambda_B_y = base_2 * lambda_B_y;
+            let difference_72 = T::fused(-base_3, lambda_B_x, base_2_lambda_B_y);
+            let c11_difference_72 = c[11usize] * difference_72;
+            let lambda_front = T::fused(right_side_front, c[14usize], c11_difference_72);
             let sum_78 = T::fused(base_3, lambda_front, sum_69);
-            let product_79 = c[17usize] * sum_78;
+            let c17_sum_78 = c[17usize] * sum_78;
             let sum_80 = force_4 + lambda_B_y;
             let difference_82 = T::fused(-base_2, lambda_front, sum_80);
-            let product_83 = c[17usize] * difference_82;
-            let product_85 = force_5 * c[25usize];
-            let difference_87 = T::fused(-c[18usize], difference_72, product_85);
+            let c17_difference_82 = c[17usize] * difference_82;
+            let force_5_c25 = force_5 * c[25usize];
+            let difference_87 = T::fused(-c[18usize], difference_72, force_5_c25);
             let difference_89 = T::fused(-c[20usize], lambda_front, difference_87);
             let target = ::ezy_core::kernel::array_mut::<6usize, T>(&mut store.a);
-            target[0usize] = product_54;
-            target[1usize] = product_61;
+            target[0usize] = c15_difference_53;
+            target[1usize] = c15_difference_60;
             target[2usize] = sum_68;
-            target[3usize] = product_79;
-            target[4usize] = product_83;
+            target[3usize] = c17_sum_78;
+            target[4usize] = c17_difference_82;
             target[5usize] = difference_89;
             let target = ::ezy_core::kernel::row_mut::<
                 3usize,
@@ -3330,59 +3434,59 @@ pub mod modes_of_skid {
             let inverse_order_ahead = T::from_f64(1f64)
                 / T::from_f64((k + 2usize) as f64);
             let product_3 = inverse_order_next * inverse_order_ahead;
-            let product_4 = a_0 * product_3;
+            let a_0_product_3 = a_0 * product_3;
             let a_1 = a[1usize];
-            let product_6 = product_3 * a_1;
+            let product_3_a_1 = product_3 * a_1;
             let a_2 = a[2usize];
-            let product_8 = product_3 * a_2;
+            let product_3_a_2 = product_3 * a_2;
             let a_3 = a[3usize];
-            let product_10 = product_3 * a_3;
+            let product_3_a_3 = product_3 * a_3;
             let a_4 = a[4usize];
-            let product_12 = product_3 * a_4;
+            let product_3_a_4 = product_3 * a_4;
             let a_5 = a[5usize];
-            let product_14 = product_3 * a_5;
+            let product_3_a_5 = product_3 * a_5;
             let lambda_0 = lambda_0[0usize];
             let convolved_8 = sums[8usize];
             let product_19 = inverse_order_ahead * convolved_8;
             let base_0 = base[0usize];
-            let sum_22 = T::fused(product_8, base_0, product_19);
+            let sum_22 = T::fused(product_3_a_2, base_0, product_19);
             let lambda_1 = lambda_0[1usize];
             let convolved_6 = sums[6usize];
             let product_25 = inverse_order_ahead * convolved_6;
             let base_1 = base[1usize];
-            let sum_28 = T::fused(product_8, base_1, product_25);
+            let sum_28 = T::fused(product_3_a_2, base_1, product_25);
             let lambda_2 = lambda_0[2usize];
             let convolved_9 = sums[9usize];
             let product_31 = inverse_order_ahead * convolved_9;
             let base_2 = base[2usize];
-            let sum_34 = T::fused(product_14, base_2, product_31);
+            let sum_34 = T::fused(product_3_a_5, base_2, product_31);
             let convolved_7 = sums[7usize];
             let product_36 = inverse_order_ahead * convolved_7;
             let base_3 = base[3usize];
-            let sum_39 = T::fused(product_14, base_3, product_36);
+            let sum_39 = T::fused(product_3_a_5, base_3, product_36);
             let order_ahead = T::from_f64((k + 2usize) as f64);
-            let product_41 = product_8 * order_ahead;
-            let product_42 = product_14 * order_ahead;
-            let product_43 = product_10 * order_ahead;
-            let product_44 = product_12 * order_ahead;
-            let product_46 = sum_22 * c[24usize];
-            let product_47 = sum_28 * c[24usize];
+            let product_41 = product_3_a_2 * order_ahead;
+            let product_42 = product_3_a_5 * order_ahead;
+            let product_43 = product_3_a_3 * order_ahead;
+            let product_44 = product_3_a_4 * order_ahead;
+            let sum_22_c24 = sum_22 * c[24usize];
+            let sum_28_c24 = sum_28 * c[24usize];
             let kept_4_next = kept_1[4usize];
-            let product_51 = inverse_order_ahead * c[1usize];
-            let product_52 = kept_4_next * product_51;
-            let product_53 = c[0usize] * product_52;
+            let inverse_order_ahead_c1 = inverse_order_ahead * c[1usize];
+            let product_52 = kept_4_next * inverse_order_ahead_c1;
+            let c0_product_52 = c[0usize] * product_52;
             let kept_5_next = kept_1[5usize];
-            let product_55 = product_51 * kept_5_next;
+            let product_55 = inverse_order_ahead_c1 * kept_5_next;
             let value_56 = -sum_28;
             let value_57 = -sum_39;
-            let value_58 = -product_47;
-            let value_59 = -product_53;
+            let value_58 = -sum_28_c24;
+            let value_59 = -c0_product_52;
             let value_60 = -product_52;
             let target = ::ezy_core::kernel::row_mut::<
                 6usize,
                 T,
             >(&mut store.kept, k + 2usize);
-            target[0usize] = product_46;
+            target[0usize] = sum_22_c24;
             target[1usize] = value_58;
             target[2usize] = value_59;
             target[3usize] = value_59;
@@ -3408,12 +3512,12 @@ pub mod modes_of_skid {
                 6usize,
                 T,
             >(&mut store.q, k + 2usize);
-            target[0usize] = product_4;
-            target[1usize] = product_6;
-            target[2usize] = product_8;
-            target[3usize] = product_10;
-            target[4usize] = product_12;
-            target[5usize] = product_14;
+            target[0usize] = a_0_product_3;
+            target[1usize] = product_3_a_1;
+            target[2usize] = product_3_a_2;
+            target[3usize] = product_3_a_3;
+            target[4usize] = product_3_a_4;
+            target[5usize] = product_3_a_5;
             let target = ::ezy_core::kernel::row_mut::<
                 16usize,
                 T,

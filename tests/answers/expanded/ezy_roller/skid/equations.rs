@@ -155,25 +155,25 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         let bar_vx = v[3usize];
         let difference_4 = seat_vx - bar_vx;
         let bar_omega = v[5usize];
-        let product_7 = c[12usize] * bar_omega;
+        let c12_bar_omega = c[12usize] * bar_omega;
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let difference_11 = T::fused(-product_7, sin_bar_phi, difference_4);
+        let difference_11 = T::fused(-c12_bar_omega, sin_bar_phi, difference_4);
         let seat_omega = v[2usize];
-        let product_14 = c[11usize] * seat_omega;
+        let c11_seat_omega = c[11usize] * seat_omega;
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let difference_18 = T::fused(-product_14, sin_seat_phi, difference_11);
+        let difference_18 = T::fused(-c11_seat_omega, sin_seat_phi, difference_11);
         let seat_vy = v[1usize];
         let bar_vy = v[4usize];
         let difference_21 = seat_vy - bar_vy;
-        let sum_24 = T::fused(product_7, cos_bar_phi, difference_21);
-        let sum_27 = T::fused(product_14, cos_seat_phi, sum_24);
-        let product_29 = bar_omega * c[35usize];
-        let difference_31 = T::fused(-bar_vx, sin_bar_phi, product_29);
+        let sum_24 = T::fused(c12_bar_omega, cos_bar_phi, difference_21);
+        let sum_27 = T::fused(c11_seat_omega, cos_seat_phi, sum_24);
+        let bar_omega_c35 = bar_omega * c[35usize];
+        let difference_31 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c35);
         let sum_33 = T::fused(bar_vy, cos_bar_phi, difference_31);
-        let product_35 = seat_omega * c[36usize];
-        let sum_37 = T::fused(seat_vx, sin_seat_phi, product_35);
+        let seat_omega_c36 = seat_omega * c[36usize];
+        let sum_37 = T::fused(seat_vx, sin_seat_phi, seat_omega_c36);
         let difference_39 = T::fused(seat_vy, cos_seat_phi, -sum_37);
         out[0usize] = difference_18;
         out[1usize] = sum_27;
@@ -186,15 +186,15 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         let out = ::ezy_core::kernel::array_mut::<14usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_4 = c[11usize] * sin_seat_phi;
+        let c11_sin_seat_phi = c[11usize] * sin_seat_phi;
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let product_8 = c[12usize] * sin_bar_phi;
-        let product_10 = c[11usize] * cos_seat_phi;
-        let product_12 = c[12usize] * cos_bar_phi;
-        let value_15 = -product_4;
+        let c12_sin_bar_phi = c[12usize] * sin_bar_phi;
+        let c11_cos_seat_phi = c[11usize] * cos_seat_phi;
+        let c12_cos_bar_phi = c[12usize] * cos_bar_phi;
+        let value_15 = -c11_sin_seat_phi;
         let value_16 = -T::from_f64(1f64);
-        let value_17 = -product_8;
+        let value_17 = -c12_sin_bar_phi;
         let value_18 = -sin_bar_phi;
         let value_19 = -sin_seat_phi;
         let value_20 = -c[36usize];
@@ -203,9 +203,9 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         out[2usize] = value_16;
         out[3usize] = value_17;
         out[4usize] = T::from_f64(1f64);
-        out[5usize] = product_10;
+        out[5usize] = c11_cos_seat_phi;
         out[6usize] = value_16;
-        out[7usize] = product_12;
+        out[7usize] = c12_cos_bar_phi;
         out[8usize] = value_18;
         out[9usize] = cos_bar_phi;
         out[10usize] = c[35usize];
@@ -219,33 +219,41 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<4usize, T>(out);
         let seat_omega = v[2usize];
-        let product_3 = c[11usize] * seat_omega;
-        let product_4 = seat_omega * product_3;
+        let c11_seat_omega = c[11usize] * seat_omega;
+        let product_4 = seat_omega * c11_seat_omega;
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_8 = product_4 * cos_seat_phi;
+        let product_4_cos_seat_phi = product_4 * cos_seat_phi;
         let bar_omega = v[5usize];
-        let product_11 = c[12usize] * bar_omega;
-        let product_12 = bar_omega * product_11;
+        let c12_bar_omega = c[12usize] * bar_omega;
+        let bar_omega_c12_bar_omega = bar_omega * c12_bar_omega;
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
-        let product_18 = product_4 * sin_seat_phi;
-        let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+        let sum_16 = T::fused(
+            bar_omega_c12_bar_omega,
+            cos_bar_phi,
+            product_4_cos_seat_phi,
+        );
+        let product_4_sin_seat_phi = product_4 * sin_seat_phi;
+        let sum_21 = T::fused(
+            bar_omega_c12_bar_omega,
+            sin_bar_phi,
+            product_4_sin_seat_phi,
+        );
         let bar_vx = v[3usize];
-        let product_23 = cos_bar_phi * bar_vx;
+        let cos_bar_phi_bar_vx = cos_bar_phi * bar_vx;
         let bar_vy = v[4usize];
-        let sum_26 = T::fused(sin_bar_phi, bar_vy, product_23);
-        let product_27 = bar_omega * sum_26;
+        let sum_26 = T::fused(sin_bar_phi, bar_vy, cos_bar_phi_bar_vx);
+        let bar_omega_sum_26 = bar_omega * sum_26;
         let seat_vx = v[0usize];
-        let product_29 = cos_seat_phi * seat_vx;
+        let cos_seat_phi_seat_vx = cos_seat_phi * seat_vx;
         let seat_vy = v[1usize];
-        let sum_32 = T::fused(sin_seat_phi, seat_vy, product_29);
-        let product_33 = seat_omega * sum_32;
+        let sum_32 = T::fused(sin_seat_phi, seat_vy, cos_seat_phi_seat_vx);
+        let seat_omega_sum_32 = seat_omega * sum_32;
         let value_34 = -sum_16;
         let value_35 = -sum_21;
-        let value_36 = -product_27;
-        let value_37 = -product_33;
+        let value_36 = -bar_omega_sum_26;
+        let value_37 = -seat_omega_sum_32;
         out[0usize] = value_34;
         out[1usize] = value_35;
         out[2usize] = value_36;
@@ -256,13 +264,13 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         let q = ::ezy_core::kernel::array::<6usize, T>(q);
         let v = ::ezy_core::kernel::array::<6usize, T>(v);
         let out = ::ezy_core::kernel::array_mut::<6usize, T>(out);
-        let product_4 = c[1usize] * t;
-        let cos_4 = T::cos(product_4);
-        let product_6 = c[28usize] * cos_4;
-        let value_7 = -product_6;
+        let c1_t = c[1usize] * t;
+        let cos_4 = T::cos(c1_t);
+        let c28_cos_4 = c[28usize] * cos_4;
+        let value_7 = -c28_cos_4;
         out[0usize] = T::from_f64(0f64);
         out[1usize] = T::from_f64(0f64);
-        out[2usize] = product_6;
+        out[2usize] = c28_cos_4;
         out[3usize] = T::from_f64(0f64);
         out[4usize] = T::from_f64(0f64);
         out[5usize] = value_7;
@@ -285,101 +293,109 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         let bar_vx = v[3usize];
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let product_5 = bar_vx * cos_bar_phi;
+        let bar_vx_cos_bar_phi = bar_vx * cos_bar_phi;
         let bar_vy = v[4usize];
-        let sum_9 = T::fused(bar_vy, sin_bar_phi, product_5);
+        let sum_9 = T::fused(bar_vy, sin_bar_phi, bar_vx_cos_bar_phi);
         let bar_omega = v[5usize];
-        let product_11 = sum_9 * bar_omega;
-        let product_15 = c[1usize] * t;
-        let cos_15 = T::cos(product_15);
-        let minus_right_side_front = T::fused(c[0usize], cos_15, product_11);
+        let sum_9_bar_omega = sum_9 * bar_omega;
+        let c1_t = c[1usize] * t;
+        let cos_15 = T::cos(c1_t);
+        let minus_right_side_front = T::fused(c[0usize], cos_15, sum_9_bar_omega);
         let seat_vx = v[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_22 = seat_vx * cos_seat_phi;
+        let seat_vx_cos_seat_phi = seat_vx * cos_seat_phi;
         let seat_vy = v[1usize];
-        let sum_26 = T::fused(seat_vy, sin_seat_phi, product_22);
+        let sum_26 = T::fused(seat_vy, sin_seat_phi, seat_vx_cos_seat_phi);
         let seat_omega = v[2usize];
-        let product_28 = sum_26 * seat_omega;
-        let minus_right_side_rear_on_ice = T::fused(cos_15, c[2usize], product_28);
-        let product_33 = cos_seat_phi * c[3usize];
-        let product_34 = cos_seat_phi * product_33;
-        let product_36 = cos_bar_phi * c[4usize];
-        let sum_38 = T::fused(cos_bar_phi, product_36, product_34);
+        let sum_26_seat_omega = sum_26 * seat_omega;
+        let minus_right_side_rear_on_ice = T::fused(
+            cos_15,
+            c[2usize],
+            sum_26_seat_omega,
+        );
+        let cos_seat_phi_c3 = cos_seat_phi * c[3usize];
+        let product_34 = cos_seat_phi * cos_seat_phi_c3;
+        let cos_bar_phi_c4 = cos_bar_phi * c[4usize];
+        let sum_38 = T::fused(cos_bar_phi, cos_bar_phi_c4, product_34);
         let sum_40 = sum_38 + c[5usize];
-        let product_41 = sin_seat_phi * c[3usize];
-        let product_42 = cos_seat_phi * product_41;
-        let product_43 = sin_bar_phi * c[4usize];
-        let sum_45 = T::fused(cos_bar_phi, product_43, product_42);
+        let sin_seat_phi_c3 = sin_seat_phi * c[3usize];
+        let product_42 = cos_seat_phi * sin_seat_phi_c3;
+        let sin_bar_phi_c4 = sin_bar_phi * c[4usize];
+        let sum_45 = T::fused(cos_bar_phi, sin_bar_phi_c4, product_42);
         let difference_47 = c[6usize] - sum_38;
         let product_51 = minus_right_side_rear_on_ice * c[8usize];
         let difference_52 = T::fused(-cos_15, c[7usize], product_51);
         let product_53 = sin_seat_phi * difference_52;
-        let product_55 = cos_15 * c[9usize];
-        let sum_58 = T::fused(minus_right_side_front, c[10usize], product_55);
+        let cos_15_c9 = cos_15 * c[9usize];
+        let sum_58 = T::fused(minus_right_side_front, c[10usize], cos_15_c9);
         let sum_60 = T::fused(sin_bar_phi, sum_58, product_53);
-        let product_62 = seat_omega * c[11usize];
-        let product_63 = seat_omega * product_62;
+        let seat_omega_c11 = seat_omega * c[11usize];
+        let product_63 = seat_omega * seat_omega_c11;
         let difference_65 = T::fused(-cos_seat_phi, product_63, sum_60);
-        let product_67 = bar_omega * c[12usize];
-        let product_68 = bar_omega * product_67;
-        let difference_70 = T::fused(-cos_bar_phi, product_68, difference_65);
+        let bar_omega_c12 = bar_omega * c[12usize];
+        let bar_omega_bar_omega_c12 = bar_omega * bar_omega_c12;
+        let difference_70 = T::fused(
+            -cos_bar_phi,
+            bar_omega_bar_omega_c12,
+            difference_65,
+        );
         let product_71 = cos_seat_phi * difference_52;
         let sum_73 = T::fused(cos_bar_phi, sum_58, product_71);
         let sum_75 = T::fused(sin_seat_phi, product_63, sum_73);
-        let sum_77 = T::fused(sin_bar_phi, product_68, sum_75);
-        let product_78 = sum_40 * difference_47;
-        let difference_80 = T::fused(-sum_45, sum_45, product_78);
+        let sum_77 = T::fused(sin_bar_phi, bar_omega_bar_omega_c12, sum_75);
+        let sum_40_difference_47 = sum_40 * difference_47;
+        let difference_80 = T::fused(-sum_45, sum_45, sum_40_difference_47);
         let quotient_81 = T::from_f64(1f64) / difference_80;
         let product_82 = difference_47 * difference_70;
         let sum_84 = T::fused(sum_45, sum_77, product_82);
         let lambda_B_x = quotient_81 * sum_84;
-        let product_86 = sum_45 * difference_70;
-        let sum_88 = T::fused(sum_40, sum_77, product_86);
+        let sum_45_difference_70 = sum_45 * difference_70;
+        let sum_88 = T::fused(sum_40, sum_77, sum_45_difference_70);
         let minus_lambda_B_y = quotient_81 * sum_88;
-        let product_90 = sin_seat_phi * lambda_B_x;
-        let sum_92 = T::fused(cos_seat_phi, minus_lambda_B_y, product_90);
-        let product_93 = c[8usize] * sum_92;
+        let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+        let sum_92 = T::fused(cos_seat_phi, minus_lambda_B_y, sin_seat_phi_lambda_B_x);
+        let c8_sum_92 = c[8usize] * sum_92;
         let minus_lambda_rear_on_ice = T::fused(
             minus_right_side_rear_on_ice,
             c[13usize],
-            product_93,
+            c8_sum_92,
         );
-        let product_97 = sin_bar_phi * lambda_B_x;
-        let sum_99 = T::fused(cos_bar_phi, minus_lambda_B_y, product_97);
-        let product_100 = c[10usize] * sum_99;
+        let sin_bar_phi_lambda_B_x = sin_bar_phi * lambda_B_x;
+        let sum_99 = T::fused(cos_bar_phi, minus_lambda_B_y, sin_bar_phi_lambda_B_x);
+        let c10_sum_99 = c[10usize] * sum_99;
         let minus_lambda_front = T::fused(
             minus_right_side_front,
             c[14usize],
-            product_100,
+            c10_sum_99,
         );
         let sum_105 = T::fused(sin_seat_phi, minus_lambda_rear_on_ice, lambda_B_x);
-        let product_107 = sum_105 * c[15usize];
+        let sum_105_c15 = sum_105 * c[15usize];
         let sum_109 = T::fused(cos_seat_phi, minus_lambda_rear_on_ice, minus_lambda_B_y);
-        let product_110 = c[15usize] * sum_109;
-        let product_112 = sum_92 * c[16usize];
-        let sum_115 = T::fused(cos_15, c[17usize], product_112);
+        let c15_sum_109 = c[15usize] * sum_109;
+        let sum_92_c16 = sum_92 * c[16usize];
+        let sum_115 = T::fused(cos_15, c[17usize], sum_92_c16);
         let difference_118 = T::fused(-minus_lambda_rear_on_ice, c[18usize], sum_115);
         let difference_120 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
-        let product_122 = difference_120 * c[19usize];
+        let difference_120_c19 = difference_120 * c[19usize];
         let difference_124 = T::fused(
             cos_bar_phi,
             minus_lambda_front,
             -minus_lambda_B_y,
         );
-        let product_125 = c[19usize] * difference_124;
-        let product_127 = sum_99 * c[20usize];
-        let difference_130 = T::fused(-cos_15, c[21usize], product_127);
+        let c19_difference_124 = c[19usize] * difference_124;
+        let sum_99_c20 = sum_99 * c[20usize];
+        let difference_130 = T::fused(-cos_15, c[21usize], sum_99_c20);
         let sum_133 = T::fused(minus_lambda_front, c[22usize], difference_130);
-        let value_139 = -product_107;
+        let value_139 = -sum_105_c15;
         let value_140 = -minus_lambda_B_y;
         let value_141 = -minus_lambda_front;
         let value_142 = -minus_lambda_rear_on_ice;
         a[0usize] = value_139;
-        a[1usize] = product_110;
+        a[1usize] = c15_sum_109;
         a[2usize] = difference_118;
-        a[3usize] = product_122;
-        a[4usize] = product_125;
+        a[3usize] = difference_120_c19;
+        a[4usize] = c19_difference_124;
         a[5usize] = sum_133;
         lambda[0usize] = lambda_B_x;
         lambda[1usize] = value_140;
@@ -407,66 +423,66 @@ impl<T: ::ezy_core::scalar::Scalar> ::ezy_core::model::Equations<T> for self::Sk
         let right_side_rear_on_ice = residual[3usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_7 = c[3usize] * cos_seat_phi;
-        let product_8 = cos_seat_phi * product_7;
+        let c3_cos_seat_phi = c[3usize] * cos_seat_phi;
+        let product_8 = cos_seat_phi * c3_cos_seat_phi;
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let product_12 = c[4usize] * cos_bar_phi;
-        let sum_14 = T::fused(cos_bar_phi, product_12, product_8);
+        let c4_cos_bar_phi = c[4usize] * cos_bar_phi;
+        let sum_14 = T::fused(cos_bar_phi, c4_cos_bar_phi, product_8);
         let sum_16 = sum_14 + c[5usize];
-        let product_18 = c[3usize] * sin_seat_phi;
-        let product_19 = cos_seat_phi * product_18;
-        let product_21 = c[4usize] * sin_bar_phi;
-        let sum_23 = T::fused(cos_bar_phi, product_21, product_19);
+        let c3_sin_seat_phi = c[3usize] * sin_seat_phi;
+        let product_19 = cos_seat_phi * c3_sin_seat_phi;
+        let c4_sin_bar_phi = c[4usize] * sin_bar_phi;
+        let sum_23 = T::fused(cos_bar_phi, c4_sin_bar_phi, product_19);
         let difference_25 = c[6usize] - sum_14;
         let residual_0 = residual[0usize];
-        let product_28 = right_side_front * c[10usize];
-        let difference_30 = T::fused(-sin_bar_phi, product_28, residual_0);
+        let right_side_front_c10 = right_side_front * c[10usize];
+        let difference_30 = T::fused(-sin_bar_phi, right_side_front_c10, residual_0);
         let product_32 = right_side_rear_on_ice * c[8usize];
         let difference_34 = T::fused(-sin_seat_phi, product_32, difference_30);
         let residual_1 = residual[1usize];
-        let sum_37 = T::fused(cos_bar_phi, product_28, residual_1);
+        let sum_37 = T::fused(cos_bar_phi, right_side_front_c10, residual_1);
         let sum_39 = T::fused(cos_seat_phi, product_32, sum_37);
-        let product_40 = sum_16 * difference_25;
-        let difference_42 = T::fused(-sum_23, sum_23, product_40);
+        let sum_16_difference_25 = sum_16 * difference_25;
+        let difference_42 = T::fused(-sum_23, sum_23, sum_16_difference_25);
         let quotient_43 = T::from_f64(1f64) / difference_42;
         let product_44 = difference_25 * difference_34;
         let difference_46 = T::fused(-sum_23, sum_39, product_44);
         let lambda_B_x = quotient_43 * difference_46;
-        let product_49 = sum_16 * sum_39;
-        let difference_50 = T::fused(-sum_23, difference_34, product_49);
+        let sum_16_sum_39 = sum_16 * sum_39;
+        let difference_50 = T::fused(-sum_23, difference_34, sum_16_sum_39);
         let lambda_B_y = quotient_43 * difference_50;
-        let product_53 = cos_seat_phi * lambda_B_y;
-        let difference_54 = T::fused(-sin_seat_phi, lambda_B_x, product_53);
-        let product_55 = c[8usize] * difference_54;
+        let cos_seat_phi_lambda_B_y = cos_seat_phi * lambda_B_y;
+        let difference_54 = T::fused(-sin_seat_phi, lambda_B_x, cos_seat_phi_lambda_B_y);
+        let c8_difference_54 = c[8usize] * difference_54;
         let lambda_rear_on_ice = T::fused(
             right_side_rear_on_ice,
             c[13usize],
-            product_55,
+            c8_difference_54,
         );
-        let product_60 = cos_bar_phi * lambda_B_y;
-        let difference_61 = T::fused(-sin_bar_phi, lambda_B_x, product_60);
-        let product_62 = c[10usize] * difference_61;
-        let lambda_front = T::fused(right_side_front, c[14usize], product_62);
+        let cos_bar_phi_lambda_B_y = cos_bar_phi * lambda_B_y;
+        let difference_61 = T::fused(-sin_bar_phi, lambda_B_x, cos_bar_phi_lambda_B_y);
+        let c10_difference_61 = c[10usize] * difference_61;
+        let lambda_front = T::fused(right_side_front, c[14usize], c10_difference_61);
         let difference_67 = T::fused(sin_seat_phi, lambda_rear_on_ice, -lambda_B_x);
-        let product_69 = difference_67 * c[15usize];
+        let difference_67_c15 = difference_67 * c[15usize];
         let sum_71 = T::fused(cos_seat_phi, lambda_rear_on_ice, lambda_B_y);
-        let product_72 = c[15usize] * sum_71;
-        let product_76 = lambda_rear_on_ice * c[18usize];
-        let difference_77 = T::fused(-difference_54, c[16usize], product_76);
+        let c15_sum_71 = c[15usize] * sum_71;
+        let lambda_rear_on_ice_c18 = lambda_rear_on_ice * c[18usize];
+        let difference_77 = T::fused(-difference_54, c[16usize], lambda_rear_on_ice_c18);
         let sum_79 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
-        let product_81 = sum_79 * c[19usize];
+        let sum_79_c19 = sum_79 * c[19usize];
         let difference_83 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
-        let product_84 = c[19usize] * difference_83;
-        let product_86 = difference_61 * c[20usize];
-        let sum_89 = T::fused(lambda_front, c[22usize], product_86);
-        let value_95 = -product_72;
+        let c19_difference_83 = c[19usize] * difference_83;
+        let difference_61_c20 = difference_61 * c[20usize];
+        let sum_89 = T::fused(lambda_front, c[22usize], difference_61_c20);
+        let value_95 = -c15_sum_71;
         let value_96 = -sum_89;
-        delta[0usize] = product_69;
+        delta[0usize] = difference_67_c15;
         delta[1usize] = value_95;
         delta[2usize] = difference_77;
-        delta[3usize] = product_81;
-        delta[4usize] = product_84;
+        delta[3usize] = sum_79_c19;
+        delta[4usize] = c19_difference_83;
         delta[5usize] = value_96;
         ::ezy_core::model::Pivots::new()
             .see(&[2usize], T::least_ratio(c[23usize], c[24usize]))

@@ -6,7 +6,7 @@
 #[macro_export]
 macro_rules! __faulty_model {
     ($visibility:vis mod $module:ident { $($scene:ident { $($field:ident: $kind:ty),* })* }) => {
-        #[allow(missing_docs, non_snake_case, dead_code, unused_variables, unreachable_code, clippy::all)]
+        #[allow(missing_docs, non_snake_case, dead_code, unused_variables, unreachable_code, unreachable_pub, clippy::all)]
         $visibility mod $module {
             pub static MODEL: $crate::__private::ModelInfo = $crate::__private::ModelInfo {
                 name: ::core::stringify!($module),

@@ -93,7 +93,7 @@
 /// # model! { model N {
 /// # body seat { mass: 1, inertia: 0.1 }
 /// skate wheel: at seat(-0.2, 0) along seat(1, 0);    // a wheel that does not slip sideways
-/// # start s { seat at (0, 0) angle 0; velocity (1, 0); } scene run { start s; until 1 s; } } }
+/// # start s { seat at (0, 0) angle 0 velocity (1, 0); } scene run { start s; until 1 s; } } }
 /// ```
 ///
 /// # Forces

@@ -19,7 +19,7 @@
 //! fn main() -> Result<(), Box<dyn std::error::Error>> {
 //!     let scene = pendulum::Swing { l: 0.8, ..Default::default() };
 //!     let run = Simulation::new(&scene).method(Method::dop853(1e-9)).every(0.01).run()?;
-//!     assert_eq!(run.outcome, Outcome::ReachedEnd);
+//!     assert!(run.outcome.reached_end());
 //!     let highest = run.samples().map(|sample| sample.coordinates[1]).fold(f64::MIN, f64::max);
 //!     assert!(highest < 1e-6, "it does not rise above its start");
 //!     println!("at {} s: {:.4} rad", run.last().t, run.last().get("rod.phi")?);
@@ -55,6 +55,10 @@
 //! Each knows only those on its left: `scalar ← model ← linalg ← dynamics ← integrate ← simulate` and
 //! `model ← record ← simulate`; [`report`] reads records and names; [`accuracy`] runs, compares and reports.
 
+#![warn(unreachable_pub)]
+// who works on this crate reads the links to what is private
+#![allow(rustdoc::private_intra_doc_links)]
+
 #[doc(hidden)]
 pub mod __private;
 pub mod accuracy;
@@ -85,7 +89,7 @@ pub mod prelude {
     pub use crate::integrate::{Method, Tolerance};
     pub use crate::linalg::Backend;
     pub use crate::model::{Derived, Equations, ModelInfo, Scene};
-    pub use crate::record::{CsvWriter, RecordError, Recorder, Sample, input_index, output_index};
+    pub use crate::record::{CsvWriter, RecordError, Recorder, Sample, coordinate_index, input_index, output_index};
     pub use crate::simulate::{Ensemble, InputTable, Outcome, Run, Sensitivities, Simulation, Stepper, read_inputs};
     pub use crate::testing::{check_model, check_scene};
 }

@@ -364,7 +364,7 @@ impl Start {
     }
 
     /// Takes the values of a start of the same scene, without allocation.
-    pub fn copy_from(&mut self, other: &Self) {
+    pub(crate) fn copy_from(&mut self, other: &Self) {
         self.t = other.t;
         self.q.copy_from_slice(&other.q);
         self.v.copy_from_slice(&other.v);
@@ -375,7 +375,7 @@ impl Start {
     }
 
     /// The same with what is near left free; `None` when nothing is.
-    pub fn without_near(&self) -> Option<Self> {
+    pub(crate) fn without_near(&self) -> Option<Self> {
         if !self.q_near.iter().chain(&self.v_near).any(|near| *near) {
             return None;
         }

@@ -7,7 +7,7 @@ use super::tables::duration;
 use crate::integrate::Method;
 
 /// Errors that advice is given for: largest error of a position over the run, m or rad.
-pub const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+pub(super) const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 /// A setting that may be recommended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +40,7 @@ const N_CONFIRMING: usize = 3;
 
 /// Chooses for one target. A setting counts when the next finer ones that were measured reach the target as well: a loose
 /// setting may be lucky.
-pub fn advise(target: f64, known: f64, candidates: &[Candidate]) -> Advice {
+pub(super) fn advise(target: f64, known: f64, candidates: &[Candidate]) -> Advice {
     let mut names: Vec<&str> = candidates.iter().map(|c| c.method.name()).collect();
     names.sort_unstable();
     names.dedup();

@@ -3,7 +3,7 @@
 use crate::integrate::Method;
 
 /// The step of a method with a fixed step, s, or the relative tolerance of one that chooses its steps.
-pub fn setting(method: Method) -> f64 {
+pub(crate) fn setting(method: Method) -> f64 {
     match method {
         Method::Rk4 { step_s } => step_s,
         Method::Dop853(tolerance) | Method::Taylor(tolerance) | Method::Radau(tolerance) => tolerance.relative,
@@ -11,7 +11,7 @@ pub fn setting(method: Method) -> f64 {
 }
 
 /// The method's setting as an option of the command line: `--step 0.001`, `--rtol 1e-9`.
-pub fn command(method: Method) -> String {
+pub(super) fn command(method: Method) -> String {
     match method {
         Method::Rk4 { step_s } => format!("--step {}", number(step_s)),
         _ => format!("--rtol {}", number(setting(method))),

@@ -38,7 +38,7 @@ pub(super) enum NoRun {
 }
 
 impl<'s> Runs<'s> {
-    pub fn new(
+    pub(super) fn new(
         scene: &'s dyn Scene,
         given: Vec<(String, f64)>,
         inputs: Vec<(String, f64)>,
@@ -62,12 +62,12 @@ impl<'s> Runs<'s> {
     }
 
     /// A run that keeps its two ends.
-    pub fn bare(&self, method: Method, variant: Variant) -> Result<Run, NoRun> {
+    pub(super) fn bare(&self, method: Method, variant: Variant) -> Result<Run, NoRun> {
         finished(self.simulation(method, variant).run())
     }
 
     /// A run with a sample at every time of the grid, and works; it ends when `until` is over.
-    pub fn on_grid(&self, method: Method, variant: Variant, until: Instant) -> Result<Run, NoRun> {
+    pub(super) fn on_grid(&self, method: Method, variant: Variant, until: Instant) -> Result<Run, NoRun> {
         let mut deadline = Deadline(until);
         finished(self.simulation(method, variant).every(self.every_s).work().record_to(&mut deadline).run())
     }

@@ -9,11 +9,7 @@ use crate::integrate::Method;
 use crate::report::table::Table;
 
 /// A length of time with three digits: `0.312 ms`, `31.0 µs`, `1.25 s`.
-///
-/// ```
-/// assert_eq!(ezy_core::accuracy::duration(3.12e-4), "0.312 ms");
-/// ```
-pub fn duration(seconds: f64) -> String {
+pub(super) fn duration(seconds: f64) -> String {
     match seconds {
         s if s < 1e-4 => format!("{} µs", three_digits(1e6 * s)),
         s if s < 1.0 => format!("{} ms", three_digits(1e3 * s)),

@@ -17,7 +17,7 @@ use super::selection::typed;
 /// What is named when it is written.
 const WRITTEN: &str = if cfg!(feature = "figures") { "page" } else { "numbers" };
 
-pub fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Result<(), Failure> {
+pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
     refuse_twice("--start", &arguments.start)?;
     refuse_twice("--input", &arguments.input)?;

@@ -5,7 +5,7 @@ use crate::accuracy::{Advice, Candidate, Comparison, Errors, Point, PointResult,
 use super::json::Json;
 
 /// The measurement as one object.
-pub fn accuracy_json(measured: &WorkPrecision) -> Json {
+pub(super) fn accuracy_json(measured: &WorkPrecision) -> Json {
     let reference = &measured.reference;
     let second = match &reference.second {
         Ok(second) => Json::object([

@@ -9,7 +9,7 @@ use super::value::{Assignment, parse_assignment, parse_count, parse_number};
 
 // what a command does is said at its arguments
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub(super) enum Command {
     /// Lists models and scenes with their effects, sizes and freedom
     List(ListArguments),
     Show(ShowArguments),
@@ -19,7 +19,7 @@ pub enum Command {
 }
 
 #[derive(Debug, Args)]
-pub struct ListArguments {
+pub(super) struct ListArguments {
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -31,7 +31,7 @@ pub struct ListArguments {
 /// motion, all printed from the expressions that are compiled; then the sparsity of the Jacobian, the order of
 /// elimination and the operations of one evaluation.
 #[derive(Debug, Args)]
-pub struct ShowArguments {
+pub(super) struct ShowArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
     pub path: String,
@@ -41,7 +41,7 @@ pub struct ShowArguments {
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub enum Format {
+pub(super) enum Format {
     /// Plain text in the names of the model file
     #[default]
     Text,
@@ -55,7 +55,7 @@ pub enum Format {
 ///
 /// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi.
 #[derive(Debug, Args)]
-pub struct RunArguments {
+pub(super) struct RunArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
     pub path: String,
@@ -124,7 +124,7 @@ pub struct RunArguments {
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub enum MethodName {
+pub(super) enum MethodName {
     /// Classical Runge-Kutta method of order 4 with a fixed step
     #[default]
     Rk4,
@@ -184,7 +184,7 @@ impl From<MetricName> for Metric {
 /// elimination against the dense and the sparse solver, the power of the effects against force times velocity; then
 /// the rank of the constraints at the start and the energy balance of a short run. Exit status 1 when a check fails.
 #[derive(Debug, Args)]
-pub struct CheckArguments {
+pub(super) struct CheckArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
     pub path: String,
@@ -201,7 +201,7 @@ pub struct CheckArguments {
 /// Errors are those achieved against a reference that a second method
 /// confirms; times are those of repeated runs that keep nothing on their way.
 #[derive(Debug, Args)]
-pub struct AccuracyArguments {
+pub(super) struct AccuracyArguments {
     /// Which one; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
     pub path: String,

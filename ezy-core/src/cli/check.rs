@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::output::print;
 use super::selection::find;
 
-pub fn check(models: Models<'_>, arguments: &CheckArguments) -> Result<(), Failure> {
+pub(super) fn check(models: Models<'_>, arguments: &CheckArguments) -> Result<(), Failure> {
     let selection = find(models, &arguments.path)?;
     let mut failed = Vec::new();
     for entry in selection.model.scenes {

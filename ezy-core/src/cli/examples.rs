@@ -6,7 +6,7 @@ use super::selection::{first_scene, typed};
 use crate::model::{SceneEntry, SceneInfo};
 
 /// Examples: commands, each with what it does.
-pub struct Examples {
+pub(super) struct Examples {
     program: String,
     /// The first model as it is typed.
     model: String,
@@ -19,7 +19,7 @@ pub struct Examples {
 }
 
 impl Examples {
-    pub fn new(program: &str, models: Models<'_>) -> Self {
+    pub(super) fn new(program: &str, models: Models<'_>) -> Self {
         let first = first_scene(models);
         let entries = models.iter().flat_map(|&model| model.scenes.iter().map(move |entry| (model, entry)));
         let info = |entry: &SceneEntry| (entry.info)();
@@ -34,7 +34,7 @@ impl Examples {
         }
     }
 
-    pub fn of_program(&self) -> String {
+    pub(super) fn of_program(&self) -> String {
         let Self { model, scene, file, .. } = self;
         self.lines(&[
             ("list".to_owned(), "which models and scenes there are"),
@@ -45,7 +45,7 @@ impl Examples {
         ])
     }
 
-    pub fn of_show(&self) -> String {
+    pub(super) fn of_show(&self) -> String {
         let Self { model, scene, .. } = self;
         self.lines(&[
             (format!("show {model}"), "every scene"),
@@ -53,7 +53,7 @@ impl Examples {
         ])
     }
 
-    pub fn of_run(&self) -> String {
+    pub(super) fn of_run(&self) -> String {
         let Self { scene, file, .. } = self;
         let mut examples = vec![(format!("run {scene}"), "as the scene says")];
         if let Some(info) = self.info {
@@ -80,12 +80,12 @@ impl Examples {
         self.lines(&examples)
     }
 
-    pub fn of_check(&self) -> String {
+    pub(super) fn of_check(&self) -> String {
         let Self { model, scene, .. } = self;
         self.lines(&[(format!("check {model}"), "every scene"), (format!("check {scene}"), "one")])
     }
 
-    pub fn of_accuracy(&self) -> String {
+    pub(super) fn of_accuracy(&self) -> String {
         let Self { scene, .. } = self;
         self.lines(&[
             (format!("accuracy {scene}"), "in a minute"),

@@ -6,7 +6,7 @@ use serde::{Serialize, Serializer};
 
 /// A JSON value.
 #[derive(Debug, Clone)]
-pub enum Json {
+pub(super) enum Json {
     /// Not a number and infinities become `null`.
     Number(f64),
     Count(u64),
@@ -18,15 +18,15 @@ pub enum Json {
 }
 
 impl Json {
-    pub fn text(text: impl Into<String>) -> Self {
+    pub(super) fn text(text: impl Into<String>) -> Self {
         Self::Text(text.into())
     }
 
-    pub fn object<K: Into<String>>(members: impl IntoIterator<Item = (K, Json)>) -> Self {
+    pub(super) fn object<K: Into<String>>(members: impl IntoIterator<Item = (K, Json)>) -> Self {
         Self::Object(members.into_iter().map(|(key, value)| (key.into(), value)).collect())
     }
 
-    pub fn list(items: impl IntoIterator<Item = Json>) -> Self {
+    pub(super) fn list(items: impl IntoIterator<Item = Json>) -> Self {
         Self::List(items.into_iter().collect())
     }
 }

@@ -10,7 +10,7 @@ use super::json::Json;
 use super::output::print;
 use super::selection::typed;
 
-pub fn list(models: Models<'_>, arguments: &ListArguments) -> Result<(), Failure> {
+pub(super) fn list(models: Models<'_>, arguments: &ListArguments) -> Result<(), Failure> {
     if arguments.json {
         let models = Json::list(models.iter().map(|model| model_json(model)));
         return print(&format!("{}\n", Json::object([("models", models)])));
@@ -49,7 +49,7 @@ fn model_text(model: &ModelInfo) -> String {
 }
 
 /// Names and declared values of the counts of a scene.
-pub fn counts_json(info: &SceneInfo) -> Json {
+pub(super) fn counts_json(info: &SceneInfo) -> Json {
     let count = |count: &crate::model::CountInfo| {
         Json::object([
             ("name", Json::text(count.name)),

@@ -9,7 +9,7 @@ use super::selection::{find, typed};
 use super::value::Assignment;
 
 /// A name that is given two values has none.
-pub fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Failure> {
+pub(super) fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Failure> {
     for (i, later) in assignments.iter().enumerate() {
         if let Some(earlier) = assignments[..i].iter().find(|earlier| earlier.name == later.name) {
             let (name, first, second) = (&later.name, earlier.value, later.value);
@@ -22,7 +22,10 @@ pub fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Fail
 }
 
 /// The scene that `MODEL/SCENE` names.
-pub fn scene_entry(models: Models<'_>, text: &str) -> Result<(&'static ModelInfo, &'static SceneEntry), Failure> {
+pub(super) fn scene_entry(
+    models: Models<'_>,
+    text: &str,
+) -> Result<(&'static ModelInfo, &'static SceneEntry), Failure> {
     let selection = find(models, text)?;
     let model = selection.model;
     let entry = selection.scene.ok_or_else(|| {
@@ -33,7 +36,7 @@ pub fn scene_entry(models: Models<'_>, text: &str) -> Result<(&'static ModelInfo
 }
 
 /// A scene with its parameters and counts set.
-pub fn scene_with(model: &ModelInfo, entry: &SceneEntry, set: &[Assignment]) -> Result<Box<dyn Scene>, Failure> {
+pub(super) fn scene_with(model: &ModelInfo, entry: &SceneEntry, set: &[Assignment]) -> Result<Box<dyn Scene>, Failure> {
     refuse_twice("--set", set)?;
     let mut scene = (entry.new)();
     for assignment in set {
@@ -67,7 +70,7 @@ fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize,
 }
 
 /// That an input exists.
-pub fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
+pub(super) fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
     let declared = |info: &SceneInfo| info.inputs.iter().map(|i| (i.name, i.effect)).collect();
     let found = input_index((entry.info)(), name);
     found.map(|_| ()).map_err(|unknown| of_another_scene(model, entry, unknown, &declared))
@@ -99,6 +102,6 @@ fn of_another_scene(
 }
 
 /// How a scene is typed.
-pub fn path(model: &ModelInfo, entry: &SceneEntry) -> String {
+pub(super) fn path(model: &ModelInfo, entry: &SceneEntry) -> String {
     format!("{}/{}", typed(model.name), entry.name)
 }

@@ -11,7 +11,7 @@ use super::failure::Failure;
 /// A CSV file that is opened before the run and replaced at its first sample.
 ///
 /// A run that is refused leaves what was there: an older file keeps its rows, a file made here is removed.
-pub struct OutFile {
+pub(super) struct OutFile {
     path: PathBuf,
     file: File,
     is_new: bool,
@@ -20,7 +20,7 @@ pub struct OutFile {
 
 impl OutFile {
     /// Opens `path` for writing and leaves its content alone.
-    pub fn open(path: &Path) -> Result<Self, Failure> {
+    pub(super) fn open(path: &Path) -> Result<Self, Failure> {
         let made = OpenOptions::new().write(true).create_new(true).open(path);
         let (opened, is_new) = match made {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {

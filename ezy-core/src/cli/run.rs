@@ -18,7 +18,7 @@ use super::run_end::{remarks, run_json, run_text};
 /// Rows of `--out` when `--every` is not given, besides the first.
 const N_ROWS: f64 = 1000.0;
 
-pub fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Failure> {
+pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
     refuse_twice("--start", &arguments.start)?;
     refuse_twice("--input", &arguments.input)?;

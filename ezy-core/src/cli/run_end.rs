@@ -12,7 +12,7 @@ use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
 
 /// The end as JSON. A run that could not start has the same keys, all `null` where there is nothing to tell.
-pub fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
+pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
     // a stop that holds is a row more
     let info = run.map_or(info, Run::info);
     let last = run.map(Run::last);
@@ -95,7 +95,7 @@ fn spell_json(spell: &RankSpell) -> Json {
 }
 
 /// The end as text.
-pub fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
+pub(super) fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
     let (info, last, cost) = (run.info(), run.last(), run.cost);
     let mut text =
         format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_words(&run.outcome), legible(last.t));
@@ -145,7 +145,7 @@ pub fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
 }
 
 /// What there is to say about a run besides. `radau_runs`: whether that method can be tried.
-pub fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
+pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     let is_explicit = !matches!(method, Method::Radau(_));
     let stiff = match run.stiff_since_s {
         Some(t) => format!(

@@ -6,7 +6,7 @@ use crate::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Ru
 use super::json::Json;
 
 /// The monitors as JSON; of a run that could not start the same keys, all `null`.
-pub fn monitors_json(monitors: Option<&Monitors>) -> Json {
+pub(super) fn monitors_json(monitors: Option<&Monitors>) -> Json {
     let peak = |pick: fn(&Monitors) -> Option<Peak>| monitors.and_then(pick).map_or(Json::Null, peak_json);
     let step = |i: usize| monitors.and_then(|m| m.steps_s).map_or(Json::Null, |steps_s| Json::Number(steps_s[i]));
     Json::object([
@@ -45,7 +45,7 @@ fn condition_json(ConditionPeak { at_start, largest, pivot, unknown, t }: Condit
 }
 
 /// The monitors as lines of text.
-pub fn monitors_text(run: &Run) -> String {
+pub(super) fn monitors_text(run: &Run) -> String {
     let Monitors {
         position_residual,
         velocity_residual,

@@ -13,7 +13,7 @@ use super::json::Json;
 use super::output::print;
 use super::selection::find;
 
-pub fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), Failure> {
+pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), Failure> {
     let selection = find(models, &arguments.path)?;
     let all = selection.model.scenes.iter();
     let chosen = all.filter(|entry| selection.scene.is_none_or(|scene| scene.name == entry.name));

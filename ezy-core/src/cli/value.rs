@@ -4,13 +4,13 @@ use std::f64::consts::PI;
 
 /// `NAME=VALUE`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Assignment {
+pub(super) struct Assignment {
     pub name: String,
     pub value: f64,
 }
 
 /// Reads `NAME=VALUE`.
-pub fn parse_assignment(text: &str) -> Result<Assignment, String> {
+pub(super) fn parse_assignment(text: &str) -> Result<Assignment, String> {
     let (name, value) = text.split_once('=').ok_or("it has no `=`; write NAME=VALUE, such as m0=3")?;
     if name.trim().is_empty() {
         return Err("it has no name before `=`; write NAME=VALUE, such as m0=3".to_owned());
@@ -19,14 +19,14 @@ pub fn parse_assignment(text: &str) -> Result<Assignment, String> {
 }
 
 /// Reads a finite number: a sign, factors that are numbers or `pi` between `*` and `/`.
-pub fn parse_number(text: &str) -> Result<f64, String> {
+pub(super) fn parse_number(text: &str) -> Result<f64, String> {
     evaluate(text.trim())
         .filter(|value| value.is_finite())
         .ok_or_else(|| format!("`{text}` is not a finite number; write 2, -0.5, 1e-3, pi, -pi/2 or 2*pi"))
 }
 
 /// Reads a whole number that is not negative, also as `1e6`.
-pub fn parse_count(text: &str) -> Result<u64, String> {
+pub(super) fn parse_count(text: &str) -> Result<u64, String> {
     let count = parse_number(text).ok().filter(|x| x.fract() == 0.0 && (0.0..=LARGEST_COUNT).contains(x));
     count.map(|x| x as u64).ok_or_else(|| format!("`{text}` is not a whole number from 0 up; write 1000 or 1e6"))
 }

@@ -145,7 +145,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Errors
     /// As [`System::accelerations`].
-    pub fn begin_series(
+    pub(crate) fn begin_series(
         &mut self,
         series: &dyn Series<f64>,
         t: f64,
@@ -175,7 +175,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Errors
     /// As [`System::accelerations`].
-    pub fn factorize(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
+    pub(crate) fn factorize(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
         self.factor(t, q, Threshold::Motion)
     }
 
@@ -185,7 +185,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Solves `[M Gᵀ; G 0] [a; λ] = [force; row]` with the factors of [`System::factorize`].
-    pub fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) {
+    pub(crate) fn solve_factored(&mut self, force: &[f64], row: &[f64], a: &mut [f64], lambda: &mut [f64]) {
         let right_side = &mut self.buffers.right_side;
         right_side[..force.len()].copy_from_slice(force);
         right_side[force.len()..].copy_from_slice(row);
@@ -199,7 +199,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// As [`System::accelerations`].
     /// # Cost
     /// One correction; no allocation.
-    pub fn make_tangential(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
+    pub(crate) fn make_tangential(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> Result<(), MotionError> {
         self.buffers.residual.fill(0.0);
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         self.take_residual_from(t, q, x)
@@ -209,7 +209,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Cost
     /// One correction; no allocation.
-    pub fn pivot_at(&mut self, t: f64, q: &[f64]) -> f64 {
+    pub(crate) fn pivot_at(&mut self, t: f64, q: &[f64]) -> f64 {
         let seen = self.least_pivot;
         let mut residual = std::mem::take(&mut self.buffers.residual);
         let mut delta = std::mem::take(&mut self.buffers.delta);
@@ -222,7 +222,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// How well K can be solved with at a state, by an estimator for this scene.
-    pub fn conditioning(&mut self, t: f64, q: &[f64], estimator: &mut ConditionEstimator) -> Conditioning {
+    pub(crate) fn conditioning(&mut self, t: f64, q: &[f64], estimator: &mut ConditionEstimator) -> Conditioning {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         estimator.estimate(&self.mass, &self.info.jacobian, &self.buffers.jacobian)
     }
@@ -236,7 +236,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// As [`System::accelerations`].
     /// # Cost
     /// One correction; no allocation.
-    pub fn refine_accelerations(&mut self, t: f64, q: &[f64], v: &[f64], a: &mut [f64]) -> Result<(), MotionError> {
+    pub(crate) fn refine_accelerations(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &mut [f64],
+    ) -> Result<(), MotionError> {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
         self.scene.convective_term(&self.fixed, t, q, v, &mut self.buffers.residual);
         self.take_residual_from(t, q, a)

@@ -57,7 +57,7 @@ impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
 }
 
 /// A scene in numbers `T`, solved by its generated elimination; it integrates no works.
-pub struct SystemOf<'s, S: ?Sized, T> {
+pub(crate) struct SystemOf<'s, S: ?Sized, T> {
     scene: &'s S,
     info: &'static SceneInfo,
     /// Inputs, then constants.
@@ -68,7 +68,7 @@ pub struct SystemOf<'s, S: ?Sized, T> {
 
 impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
     /// With `fixed` as what the kernels read as `c`: inputs, then constants.
-    pub fn new(scene: &'s S, info: &'static SceneInfo, fixed: Vec<T>) -> Self {
+    pub(crate) fn new(scene: &'s S, info: &'static SceneInfo, fixed: Vec<T>) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
         Self { scene, info, fixed, residual: zeros(info.n_rows()), delta: zeros(info.n_coordinates()) }
     }
@@ -78,7 +78,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
     ///
     /// # Errors
     /// As [`System::project`].
-    pub fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError> {
+    pub(crate) fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError> {
         let n_h = self.info.n_position_rows;
         let mut passes = 0;
         loop {

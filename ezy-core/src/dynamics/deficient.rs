@@ -74,7 +74,7 @@ pub(super) enum Threshold {
 
 impl Threshold {
     /// ε of [`DampedKkt`].
-    pub const fn share(self) -> f64 {
+    pub(super) const fn share(self) -> f64 {
         match self {
             Self::Motion => COARSE,
             Self::Position => FINE,
@@ -89,7 +89,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Whether rows nearly depend on each other at a state, whatever the masses are: [`System::independence`] is below 1e-3. Slow.
-    pub fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
+    pub(crate) fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
         match self.independence(t, q) {
             Some(independence) => independence <= NEARLY_DEPENDENT,
             None => self.rank.deficient,
@@ -99,7 +99,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// The smallest eigenvalue of the scaled `G W⁻¹ Gᵀ`, W one for lengths and the square of its lever for an angle: how far rows are
     /// from depending on each other, whatever the masses are. Masses far apart make small pivots everywhere, and no position
     /// singular. `None` in a system too large to tell, or where G is not finite. Slow.
-    pub fn independence(&mut self, t: f64, q: &[f64]) -> Option<f64> {
+    pub(crate) fn independence(&mut self, t: f64, q: &[f64]) -> Option<f64> {
         self.geometric_dependencies(t, q).map(|found| found.smallest_pivot)
     }
 
@@ -119,7 +119,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// What to say when a motion cannot be continued from a state: where rows nearly depend on each other, that they do.
     #[cold]
-    pub fn locked_up(&mut self, t: f64, q: &[f64], cause: MotionError) -> MotionError {
+    pub(crate) fn locked_up(&mut self, t: f64, q: &[f64], cause: MotionError) -> MotionError {
         let may_lock = matches!(cause, MotionError::StepCollapsed { .. } | MotionError::ProjectionStalled { .. });
         if !may_lock {
             return cause;
@@ -166,7 +166,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Errors
     /// [`MotionError::ContradictoryRows`].
-    pub fn check_accelerations(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
+    pub(crate) fn check_accelerations(&mut self, t: f64, q: &[f64]) -> Result<(), MotionError> {
         self.check_agreement(t, q, "the accelerations", 0.0, ACCELERATIONS_AGREE)
     }
 

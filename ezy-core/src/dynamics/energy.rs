@@ -29,7 +29,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
-    pub fn grip(&self, t: f64, q: &[f64], v: &[f64]) -> [f64; 2] {
+    pub(crate) fn grip(&self, t: f64, q: &[f64], v: &[f64]) -> [f64; 2] {
         let mut grip = [0.0; 2];
         self.scene.grip(&self.fixed, t, q, v, &mut grip);
         grip
@@ -39,7 +39,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Errors
     /// [`MotionError::SkateLimit`].
-    pub fn checked_grip(&self, info: &GripInfo, t: f64, q: &[f64], v: &[f64]) -> Result<[f64; 2], MotionError> {
+    pub(crate) fn checked_grip(&self, info: &GripInfo, t: f64, q: &[f64], v: &[f64]) -> Result<[f64; 2], MotionError> {
         let [limit, velocity] = self.grip(t, q, v);
         if limit > 0.0 {
             Ok([limit, velocity])
@@ -57,7 +57,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Errors
     /// [`MotionError::StopNotFinite`].
-    pub fn checked_stop(
+    pub(crate) fn checked_stop(
         &self,
         info: &StopInfo,
         t: f64,

@@ -6,6 +6,7 @@ use crate::scalar::legible;
 
 /// A system cannot be set up with these numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SystemError {
     /// A parameter is NaN or infinite.
     #[error("parameter `{name}` is {value}; give it a finite value")]
@@ -86,6 +87,7 @@ pub enum SystemError {
 
 /// The motion cannot be continued from a state.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MotionError {
     /// Rows depend on each other and ask for different things.
     #[error(
@@ -258,6 +260,7 @@ pub enum MotionError {
 
 /// No consistent start was found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum StartError {
     /// A start value is NaN or infinite.
     #[error("start value `{name}` is {value}; give it a finite value")]

@@ -34,7 +34,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// First-order change of what is not given that follows when something else changes the residual of the first rows, as
     /// many as `residual` has, by `residual`; smallest in the mass matrix. Zero where nothing is free.
-    pub fn free_tangent(&mut self, t: f64, q: &[f64], residual: &[f64], given: &[bool]) -> Vec<f64> {
+    pub(crate) fn free_tangent(&mut self, t: f64, q: &[f64], residual: &[f64], given: &[bool]) -> Vec<f64> {
         self.buffers.residual[..residual.len()].copy_from_slice(residual);
         self.free_correction(t, q, residual.len(), given).unwrap_or_else(|| vec![0.0; given.len()])
     }

@@ -23,7 +23,7 @@ pub(super) struct Geometry {
 
 impl Geometry {
     /// From the entries of G at the coordinates of a start; those that are not finite there say nothing.
-    pub fn new(info: &SceneInfo, jacobian: &[f64], start: &Start) -> Self {
+    pub(super) fn new(info: &SceneInfo, jacobian: &[f64], start: &Start) -> Self {
         let n_q = info.n_coordinates();
         let entries = || info.jacobian.entries().map(|(k, row, column)| (jacobian[k].abs(), row, column));
         let mut longest = vec![0.0_f64; info.n_rows()];
@@ -55,52 +55,52 @@ impl Geometry {
     }
 
     /// Largest of coordinates, or of velocities, in units of the length and of radians.
-    pub fn extent(&self, x: &[f64]) -> f64 {
+    pub(super) fn extent(&self, x: &[f64]) -> f64 {
         largest(x.iter().enumerate().map(|(i, x)| if is_angle(i) { x.abs() } else { x.abs() / self.length }))
     }
 
     /// Largest residual of a position row, in units of what counts as zero at `q`; NaN when there is one.
-    pub fn position_excess(&self, residual: &[f64], q: &[f64]) -> f64 {
+    pub(super) fn position_excess(&self, residual: &[f64], q: &[f64]) -> f64 {
         let extent = self.extent(q);
         let rows = residual.iter().enumerate();
         worst(rows.map(|(row, c)| c.abs() / self.position_tolerance(row, extent)))
     }
 
     /// Largest residual of a row of velocities, in units of what counts as zero where velocities have this extent.
-    pub fn velocity_excess(&self, residual: &[f64], extent: f64) -> f64 {
+    pub(super) fn velocity_excess(&self, residual: &[f64], extent: f64) -> f64 {
         let rows = residual.iter().enumerate().filter(|(_, r)| **r != 0.0);
         worst(rows.map(|(row, r)| r.abs() / self.velocity_tolerance(row, extent)))
     }
 
     /// Largest residual in units of the sizes of the rows; NaN when there is one.
-    pub fn share(&self, residual: &[f64]) -> f64 {
+    pub(super) fn share(&self, residual: &[f64]) -> f64 {
         worst(residual.iter().zip(&self.sizes).map(|(r, size)| r.abs() / size))
     }
 
     /// |C| of a row that counts as zero where coordinates have this extent.
-    pub fn position_tolerance(&self, row: usize, extent: f64) -> f64 {
+    pub(super) fn position_tolerance(&self, row: usize, extent: f64) -> f64 {
         let size = self.sizes[row];
         (TOLERANCE * size.min(1.0)).max((ROUNDING_OF_ROWS * extent * size).min(LARGEST_TOLERANCE))
     }
 
     /// Residual of a row of velocities that counts as zero where velocities have this extent.
-    pub fn velocity_tolerance(&self, row: usize, extent: f64) -> f64 {
+    pub(super) fn velocity_tolerance(&self, row: usize, extent: f64) -> f64 {
         let size = self.sizes[row] * extent;
         (TOLERANCE * size.min(1.0)).max(ROUNDING_OF_ROWS * size)
     }
 
     /// Whether position rows are met without regard to rounding.
-    pub fn is_met(&self, residual: &[f64]) -> bool {
+    pub(super) fn is_met(&self, residual: &[f64]) -> bool {
         residual.iter().zip(&self.sizes).all(|(c, size)| c.abs() <= TOLERANCE * size.min(1.0))
     }
 
     /// What stands for masses where only lengths count: one for lengths, the square of its lever for an angle.
-    pub fn weights(&self) -> Vec<f64> {
+    pub(super) fn weights(&self) -> Vec<f64> {
         self.levers.iter().map(|lever| lever * lever).collect()
     }
 
     /// The smallest entry of M as a share of the largest, inertias by the mass that their lever feels.
-    pub fn lightness(&self, mass: &[f64]) -> f64 {
+    pub(super) fn lightness(&self, mass: &[f64]) -> f64 {
         let felt = || mass.iter().zip(&self.levers).map(|(m, lever)| m / lever / lever);
         let heaviest = largest(felt());
         if heaviest > 0.0 { felt().fold(heaviest, f64::min) / heaviest } else { 0.0 }

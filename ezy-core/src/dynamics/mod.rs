@@ -21,10 +21,10 @@ mod strain;
 mod system;
 mod worst;
 
-pub use any::{Dynamics, SystemOf};
+pub(crate) use any::{Dynamics, SystemOf};
 pub use deficient::RankLoss;
 pub use error::{MotionError, StartError, SystemError};
-pub use on_rows::OnRows;
+pub(crate) use on_rows::OnRows;
 pub use projection::{Metric, Projection};
 pub use residual::Slopes;
 pub(crate) use row::SystemRow;

@@ -7,7 +7,7 @@ use crate::model::Scene;
 ///
 /// Of states on the rows they are the same. Off them, next to a position in which rows depend on each other, those of the
 /// state itself have a pole, those of the projected state have none.
-pub struct OnRows<'m, 's, S: Scene + ?Sized> {
+pub(crate) struct OnRows<'m, 's, S: Scene + ?Sized> {
     system: &'m mut System<'s, S>,
     /// The last projected state; without works.
     projected: &'m mut State,
@@ -15,7 +15,7 @@ pub struct OnRows<'m, 's, S: Scene + ?Sized> {
 
 impl<'m, 's, S: Scene + ?Sized> OnRows<'m, 's, S> {
     /// With a buffer for projected states.
-    pub fn new(system: &'m mut System<'s, S>, projected: &'m mut State) -> Self {
+    pub(crate) fn new(system: &'m mut System<'s, S>, projected: &'m mut State) -> Self {
         Self { system, projected }
     }
 }

@@ -34,6 +34,7 @@ impl Projection {
 
 /// In which metric a correction is smallest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Metric {
     /// δᵀ M δ. A velocity projection then never adds kinetic energy when the constraints do not depend on time, and
     /// a position correction [C; 0] violates no velocity row to first order.
@@ -112,14 +113,14 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// The position row that is farthest from being met, m or rad.
-    pub fn worst_position(&mut self, t: f64, q: &[f64]) -> Worst {
+    pub(crate) fn worst_position(&mut self, t: f64, q: &[f64]) -> Worst {
         let residual = &mut self.buffers.residual[..self.info.n_position_rows];
         self.scene.position_constraint(&self.fixed, t, q, residual);
         Worst::of(residual)
     }
 
     /// The row that is farthest from being met at velocity level, m/s or rad/s.
-    pub fn worst_velocity(&mut self, t: f64, q: &[f64], v: &[f64]) -> Worst {
+    pub(crate) fn worst_velocity(&mut self, t: f64, q: &[f64], v: &[f64]) -> Worst {
         self.scene.velocity_constraint(&self.fixed, t, q, v, &mut self.buffers.residual);
         Worst::of(&self.buffers.residual)
     }

@@ -60,7 +60,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// A factorisation that a method makes by itself counts like those of K.
-    pub fn count_factorization(&mut self) {
+    pub(crate) fn count_factorization(&mut self) {
         self.counters.factorizations += 1;
     }
 }

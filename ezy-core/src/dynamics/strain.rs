@@ -21,6 +21,7 @@ pub struct Strain {
 
 /// What causes an acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum StrainSource {
     /// The speeds: the largest reaction in the equation of motion of the coordinate.
     Reaction {

@@ -167,13 +167,13 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     /// Smallest pivot of the last accelerations, correction or factorisation, relative to what it started from: falls with the
     /// square of the distance to a position in which rows depend on each other, and is zero there. What a pivot is differs
     /// between backends.
-    pub fn smallest_pivot(&self) -> f64 {
+    pub(crate) fn smallest_pivot(&self) -> f64 {
         self.smallest_pivot
     }
 
     /// The least of [`Self::smallest_pivot`] since this was asked last: at ends and stages of steps, also of those that were
     /// taken back.
-    pub fn take_least_pivot(&mut self) -> f64 {
+    pub(crate) fn take_least_pivot(&mut self) -> f64 {
         std::mem::replace(&mut self.least_pivot, 1.0)
     }
 

@@ -11,12 +11,20 @@ mod step_control;
 mod taylor;
 
 pub use clock::Clock;
-pub use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
+#[doc(hidden)]
+pub use dop853::Dop853;
+pub(crate) use dop853::{ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
 pub use hermite::{Knot, interpolate};
-pub use radau::{Attempt, Radau, RadauControl, tolerance_of_estimate};
+#[doc(hidden)]
+pub use radau::{Attempt, Radau};
+pub(crate) use radau::{RadauControl, tolerance_of_estimate};
 pub use rk4::Rk4;
-pub use step_control::{StepControl, Tolerance};
-pub use taylor::{PreciseError, PreciseMotion, Taylor, taylor_order};
+pub(crate) use step_control::StepControl;
+pub use step_control::Tolerance;
+#[doc(hidden)]
+pub use taylor::Taylor;
+pub(crate) use taylor::taylor_order;
+pub use taylor::{PreciseError, PreciseMotion};
 
 /// How a run is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]

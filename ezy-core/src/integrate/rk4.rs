@@ -78,7 +78,7 @@ impl<T: Scalar> Rk4<T> {
     }
 
     /// Where the last step looked at the slope of its end; works are left out.
-    pub fn last_stage(&self) -> &State<T> {
+    pub(crate) fn last_stage(&self) -> &State<T> {
         &self.stage
     }
 }

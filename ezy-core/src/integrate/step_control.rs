@@ -29,7 +29,7 @@ impl Tolerance {
 
     /// What can be kept where rows nearly depend on each other.
     #[must_use]
-    pub fn at_rank_loss(self) -> Self {
+    pub(crate) fn at_rank_loss(self) -> Self {
         Self {
             relative: self.relative.max(Self::SMALLEST_AT_RANK_LOSS),
             absolute: self.absolute.max(Self::SMALLEST_AT_RANK_LOSS),
@@ -42,7 +42,7 @@ impl Tolerance {
 /// # Source
 /// Gustafsson, ACM Trans. Math. Software 17 (1991); Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2.
 #[derive(Debug, Clone)]
-pub struct StepControl {
+pub(crate) struct StepControl {
     order: f64,
     last_error: f64,
     just_rejected: bool,
@@ -50,12 +50,12 @@ pub struct StepControl {
 
 impl StepControl {
     /// For a method of which an error estimate goes with `h^order`.
-    pub fn new(order: i32) -> Self {
+    pub(crate) fn new(order: i32) -> Self {
         Self { order: f64::from(order), last_error: LEAST_ERROR, just_rejected: false }
     }
 
     /// Factor for the step after one with this error, at most 1.
-    pub fn accept(&mut self, error: f64) -> f64 {
+    pub(crate) fn accept(&mut self, error: f64) -> f64 {
         let proportional = error.powf(1.0 / self.order - 0.2 * BETA);
         let factor = (SAFETY * self.last_error.powf(BETA) / proportional).clamp(SHRINK, GROW);
         self.last_error = error.max(LEAST_ERROR);
@@ -65,7 +65,7 @@ impl StepControl {
     }
 
     /// Factor for the next try after a step with this error, above 1 or not a number.
-    pub fn reject(&mut self, error: f64) -> f64 {
+    pub(crate) fn reject(&mut self, error: f64) -> f64 {
         self.just_rejected = true;
         if error.is_finite() { (SAFETY / error.powf(1.0 / self.order)).max(SHRINK) } else { SHRINK }
     }

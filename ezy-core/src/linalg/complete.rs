@@ -4,14 +4,14 @@ use nalgebra::{DMatrixViewMut, linalg};
 
 /// Row and column that were exchanged with those of a pivot's place.
 #[derive(Clone, Copy, Default)]
-pub struct Swap {
+pub(super) struct Swap {
     row: usize,
     column: usize,
 }
 
 /// Puts the factors in place of a matrix that has no more rows than columns, and returns the smallest pivot as a share of
 /// the largest; where it is zero or not a number, or a pivot overflows, the factors are not complete.
-pub fn eliminate(mut matrix: DMatrixViewMut<'_, f64>, swaps: &mut [Swap]) -> f64 {
+pub(super) fn eliminate(mut matrix: DMatrixViewMut<'_, f64>, swaps: &mut [Swap]) -> f64 {
     let (n_rows, n_columns) = matrix.shape();
     let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
     for i in 0..n_rows {
@@ -31,17 +31,17 @@ pub fn eliminate(mut matrix: DMatrixViewMut<'_, f64>, swaps: &mut [Swap]) -> f64
 }
 
 /// Brings a right side into the order of the pivots.
-pub fn swap_rows(swaps: &[Swap], x: &mut [f64]) {
+pub(super) fn swap_rows(swaps: &[Swap], x: &mut [f64]) {
     swaps.iter().enumerate().for_each(|(i, swap)| x.swap(i, swap.row));
 }
 
 /// Brings a solution back into the order of the columns.
-pub fn restore_columns(swaps: &[Swap], x: &mut [f64]) {
+pub(super) fn restore_columns(swaps: &[Swap], x: &mut [f64]) {
     swaps.iter().enumerate().rev().for_each(|(i, swap)| x.swap(i, swap.column));
 }
 
 /// The column that the pivot at a place belongs to.
-pub fn original_column(swaps: &[Swap], place: usize) -> usize {
+pub(super) fn original_column(swaps: &[Swap], place: usize) -> usize {
     // swaps undone from the last one on, as in `restore_columns`
     swaps.iter().enumerate().rev().fold(place, |at, (i, swap)| match (at == i, at == swap.column) {
         (true, _) => swap.column,

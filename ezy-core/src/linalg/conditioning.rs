@@ -5,7 +5,7 @@ use crate::model::SparsityPattern;
 
 /// What an estimate found; of the scaled K, in which lengths and angles, heavy and light bodies compare.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Conditioning {
+pub(crate) struct Conditioning {
     /// Condition number in the 1-norm, estimated from below; infinite where a pivot vanishes.
     pub condition: f64,
     /// Smallest pivot.
@@ -15,7 +15,7 @@ pub struct Conditioning {
 }
 
 /// Estimates the condition number of K from a dense factorisation and a few solves.
-pub struct ConditionEstimator {
+pub(crate) struct ConditionEstimator {
     kkt: DenseKkt,
     x: Vec<f64>,
     /// Column sums.
@@ -27,7 +27,7 @@ const MAX_SOLVES: usize = 5;
 
 impl ConditionEstimator {
     /// Storage; everything is allocated here.
-    pub fn new(n_q: usize, pattern: &SparsityPattern) -> Self {
+    pub(crate) fn new(n_q: usize, pattern: &SparsityPattern) -> Self {
         let n = n_q + pattern.n_rows();
         Self { kkt: DenseKkt::new(n_q, pattern, pattern.n_rows()), x: vec![0.0; n], sums: vec![0.0; n] }
     }
@@ -37,7 +37,7 @@ impl ConditionEstimator {
     /// # Source
     /// Hager, SIAM J. Sci. Stat. Comput. 5 (1984); Higham, Accuracy and Stability of Numerical Algorithms (2002), algorithm
     /// 15.1, for a symmetric matrix.
-    pub fn estimate(&mut self, mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Conditioning {
+    pub(crate) fn estimate(&mut self, mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Conditioning {
         if let Err(vanished) = self.kkt.factor(mass, jacobian) {
             return Conditioning { condition: f64::INFINITY, pivot: vanished.relative, unknown: None };
         }

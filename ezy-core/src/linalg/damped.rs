@@ -14,7 +14,7 @@ use crate::model::SparsityPattern;
 /// # Source
 /// The method of multipliers; for rigid bodies Bayo, Avello, Nonlinear Dynamics 5 (1994); Carpentier, Budhiraja, Mansard,
 /// Robotics: Science and Systems (2021).
-pub struct DampedKkt {
+pub(crate) struct DampedKkt {
     /// M, with a substitute in place of each zero.
     weight: Vec<f64>,
     /// D.
@@ -28,7 +28,7 @@ pub struct DampedKkt {
 
 /// What a solution leaves of the rows: not small only where they contradict each other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Left {
+pub(crate) struct Left {
     /// Length of what is left of s, each row over the root of its entry of D.
     pub rows: f64,
     /// To compare with: the length of x in the mass matrix, or of M⁻¹ r where that is larger.
@@ -37,10 +37,10 @@ pub struct Left {
 
 /// ε for accelerations and velocities: with a relative rounding of 1e-16 in positions, what σ = 3e-5 tells about
 /// accelerations (rounding/σ³) is noise.
-pub const COARSE: f64 = 1e-9;
+pub(crate) const COARSE: f64 = 1e-9;
 
 /// ε for positions, whose rounding reaches the result with 1/σ only.
-pub const FINE: f64 = 1e-13;
+pub(crate) const FINE: f64 = 1e-13;
 
 /// A pass squares what it leaves of well determined directions; the others stop here.
 const MAX_PASSES: usize = 10;
@@ -54,7 +54,7 @@ const NEGLIGIBLE: f64 = 1e-2;
 impl DampedKkt {
     /// Storage for the diagonal of M and `n_rows` rows. A zero is replaced by the least positive entry of its kind, mass
     /// or inertia.
-    pub fn new(mass: &[f64], n_rows: usize) -> Self {
+    pub(crate) fn new(mass: &[f64], n_rows: usize) -> Self {
         let n = mass.len() + n_rows;
         Self {
             weight: weights(mass),
@@ -67,7 +67,7 @@ impl DampedKkt {
     }
 
     /// Number of rows.
-    pub fn n_rows(&self) -> usize {
+    pub(crate) fn n_rows(&self) -> usize {
         self.diagonal.len()
     }
 
@@ -75,7 +75,7 @@ impl DampedKkt {
     ///
     /// # Errors
     /// [`VanishedPivot`] when a coordinate has neither mass nor a row that holds it, or a number is not finite.
-    pub fn factor(
+    pub(crate) fn factor(
         &mut self,
         kkt: &mut dyn KktFactorization,
         pattern: &SparsityPattern,
@@ -89,7 +89,7 @@ impl DampedKkt {
     }
 
     /// Replaces `[r; s]` by `[x; y]` with the factors of the last [`Self::factor`].
-    pub fn solve(
+    pub(crate) fn solve(
         &mut self,
         kkt: &mut dyn KktFactorization,
         pattern: &SparsityPattern,
@@ -119,7 +119,7 @@ impl DampedKkt {
 
     /// The largest share that a solution of K [x; y] = [r; s], however it was found, leaves of the terms of an equation; NaN
     /// where a number is none.
-    pub fn share_left(
+    pub(crate) fn share_left(
         &mut self,
         pattern: &SparsityPattern,
         mass: &[f64],
@@ -175,7 +175,7 @@ fn rows_of(pattern: &SparsityPattern, n_rows: usize) -> impl Iterator<Item = (us
 }
 
 /// Diagonal of `G W⁻¹ Gᵀ` for the entries of G; one for a row without any.
-pub fn write_diagonal(
+pub(crate) fn write_diagonal(
     entries: impl Iterator<Item = (usize, usize, usize)>,
     weight: &[f64],
     jacobian: &[f64],
@@ -189,7 +189,7 @@ pub fn write_diagonal(
 }
 
 /// The diagonal of M; a coordinate without mass takes the smallest positive entry of its kind, or one.
-pub fn weights(mass: &[f64]) -> Vec<f64> {
+pub(crate) fn weights(mass: &[f64]) -> Vec<f64> {
     let substitute = |angle: bool| {
         let of_kind = mass.iter().enumerate().filter(|(i, m)| (i % 3 == 2) == angle && **m > 0.0).map(|(_, m)| *m);
         of_kind.min_by(f64::total_cmp).unwrap_or(1.0)

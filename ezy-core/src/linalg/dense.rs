@@ -8,7 +8,7 @@ use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 use nalgebra::{DMatrix, DVectorViewMut, linalg};
 
 /// Largest n_q + n_c for which a dense K is made: 70 MB and some seconds a factorisation.
-pub const LARGEST_DENSE: usize = 3_000;
+pub(crate) const LARGEST_DENSE: usize = 3_000;
 
 /// Share of the terms of an equation that counts as their rounding.
 const ENOUGH: f64 = 4.0 * f64::EPSILON;
@@ -35,7 +35,7 @@ const OF_ORDER_ONE: std::ops::Range<f64> = 1e-6..1e6;
 /// K is scaled on both sides by one diagonal, so that pivots of heavy and light bodies, of metres and radians,
 /// compare with one tolerance. Solutions are refined: where a light body carries the load of a heavy one, elimination mixes
 /// its acceleration with the multipliers and keeps 7e-8 of it at a ratio of 1e10.
-pub struct DenseKkt {
+pub(crate) struct DenseKkt {
     entries: Vec<Entry>,
     factors: DMatrix<f64>,
     scale: Vec<f64>,
@@ -58,7 +58,7 @@ enum Form {
 
 impl DenseKkt {
     /// Storage for `n_q` coordinates and the first `n_rows` rows of `pattern`; everything is allocated here.
-    pub fn new(n_q: usize, pattern: &SparsityPattern, n_rows: usize) -> Self {
+    pub(crate) fn new(n_q: usize, pattern: &SparsityPattern, n_rows: usize) -> Self {
         let n = n_q + n_rows;
         Self {
             refinement: Refinement::new(n_q, n_rows, pattern),
@@ -93,7 +93,7 @@ impl DenseKkt {
     ///
     /// # Errors
     /// As [`KktFactorization::factor`].
-    pub fn factor_completely(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
+    pub(crate) fn factor_completely(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
         self.refinement.keep(mass, jacobian);
         self.scale_from(mass, jacobian, 1.0);
         self.form = Form::Complete;

@@ -1,7 +1,7 @@
 //! The lower triangle of K in compressed columns.
 
 /// Compressed columns, sorted, with a place on the diagonal of each row of G. Entries of G at one place share it.
-pub struct LowerTriangle {
+pub(super) struct LowerTriangle {
     pub column_starts: Vec<usize>,
     pub row_indices: Vec<usize>,
     /// Where each mass stands among the values.
@@ -14,7 +14,7 @@ pub struct LowerTriangle {
 
 impl LowerTriangle {
     /// From the (row, column) of each entry of G, in any order.
-    pub fn new(n_q: usize, n_rows: usize, entries: &[(usize, usize)]) -> Self {
+    pub(super) fn new(n_q: usize, n_rows: usize, entries: &[(usize, usize)]) -> Self {
         let mut by_column = vec![Vec::new(); n_q];
         for (k, &(row, column)) in entries.iter().enumerate() {
             by_column[column].push((row, k));

@@ -3,24 +3,24 @@
 use nalgebra::{ComplexField, DMatrix, DVectorViewMut, linalg};
 
 /// A square matrix and its factors, in one storage.
-pub struct Lu<T: ComplexField<RealField = f64>> {
+pub(crate) struct Lu<T: ComplexField<RealField = f64>> {
     matrix: DMatrix<T>,
     pivot_rows: Vec<usize>,
 }
 
 impl<T: ComplexField<RealField = f64>> Lu<T> {
     /// Storage for a matrix with `n` rows; everything is allocated here.
-    pub fn new(n: usize) -> Self {
+    pub(crate) fn new(n: usize) -> Self {
         Self { matrix: DMatrix::zeros(n, n), pivot_rows: vec![0; n] }
     }
 
     /// The matrix, to be written before [`Lu::factor`].
-    pub fn matrix_mut(&mut self) -> &mut DMatrix<T> {
+    pub(crate) fn matrix_mut(&mut self) -> &mut DMatrix<T> {
         &mut self.matrix
     }
 
     /// Puts the factors in place of the matrix; false when a pivot is zero or not finite.
-    pub fn factor(&mut self) -> bool {
+    pub(crate) fn factor(&mut self) -> bool {
         let n = self.pivot_rows.len();
         for i in 0..n {
             let i_pivot = i + self.matrix.view((i, i), (n - i, 1)).column(0).icamax();
@@ -41,7 +41,7 @@ impl<T: ComplexField<RealField = f64>> Lu<T> {
     }
 
     /// Replaces the right side by the solution, with the factors of the last successful [`Lu::factor`].
-    pub fn solve(&self, right_side: &mut [T]) {
+    pub(crate) fn solve(&self, right_side: &mut [T]) {
         for (i, &i_pivot) in self.pivot_rows.iter().enumerate() {
             right_side.swap(i, i_pivot);
         }

@@ -25,17 +25,19 @@ mod singular;
 mod sparse;
 mod sparse_lu;
 
-pub use conditioning::{ConditionEstimator, Conditioning};
-pub use damped::{COARSE, DampedKkt, FINE, Left, weights, write_diagonal};
-pub use dense::{DenseKkt, LARGEST_DENSE};
-pub use lu::Lu;
-pub use rank::{Dependencies, LARGEST_DIAGNOSED, dependencies, undetermined_coordinates};
+pub(crate) use conditioning::{ConditionEstimator, Conditioning};
+pub(crate) use damped::{COARSE, DampedKkt, FINE, Left, weights, write_diagonal};
+pub(crate) use dense::{DenseKkt, LARGEST_DENSE};
+pub(crate) use lu::Lu;
+pub(crate) use rank::{Dependencies, LARGEST_DIAGNOSED, dependencies, undetermined_coordinates};
 pub(crate) use singular::singular_values;
+#[doc(hidden)]
 pub use sparse::{SparseKkt, SparseKktError};
-pub use sparse_lu::SparseLu;
+pub(crate) use sparse_lu::SparseLu;
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Backend {
     /// [`Backend::Generated`], in scenes with counts [`Backend::Sparse`]; [`Backend::Dense`] when a mass or inertia is
     /// zero or, in a scene without counts or with at most 100 equations, less than 1e-4 of the largest; inertias count by
@@ -51,6 +53,7 @@ pub enum Backend {
 }
 
 /// A factorisation of K, made again at each state.
+#[doc(hidden)]
 pub trait KktFactorization: Send {
     /// Factors K for the diagonal `mass` (`n_q`) and the entries `jacobian` of G in the order of the pattern.
     ///

@@ -6,7 +6,7 @@ use faer::sparse::SymbolicSparseColMat;
 use faer::sparse::linalg::amd;
 
 /// A permutation of the `n_q + n_c` unknowns.
-pub struct Order {
+pub(super) struct Order {
     /// Unknown at each position.
     pub forward: Vec<usize>,
     /// Position of each unknown.
@@ -30,7 +30,7 @@ const MAX_PAIRS: usize = 100_000_000;
 ///
 /// # Errors
 /// [`SparseKktError`] when the graph is too large or the analysis fails.
-pub fn bodies_before_rows(
+pub(super) fn bodies_before_rows(
     n_q: usize,
     n_rows: usize,
     entries: &[(usize, usize)],

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Dependencies between rows: the null space of the scaled `D^(−1/2) G W⁻¹ Gᵀ D^(−1/2)`, `D` its diagonal before.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Dependencies {
+pub(crate) struct Dependencies {
     /// Rows that take part in one, in declared order.
     pub rows: Vec<usize>,
     /// How many there are: rows beyond the rank of G.
@@ -22,12 +22,12 @@ const PARTICIPATION: f64 = 1e-4;
 const HELD: f64 = 1e-9;
 
 /// Largest n_q + n_c that is diagnosed: beyond it the decomposition takes longer than anyone waits for a message.
-pub const LARGEST_DIAGNOSED: usize = 500;
+pub(crate) const LARGEST_DIAGNOSED: usize = 500;
 
 /// Eigenvalues up to `tolerance` count as dependencies, with the positive diagonal `weight` of W; up to [`super::COARSE`], and with
 /// [`super::weights`], solutions pass over what the rows say. Slow: for up to [`LARGEST_DIAGNOSED`] unknowns only. `None` when W or G is
 /// not finite or the decomposition does not converge.
-pub fn dependencies(
+pub(crate) fn dependencies(
     weight: &[f64],
     pattern: &SparsityPattern,
     jacobian: &[f64],
@@ -48,7 +48,11 @@ pub fn dependencies(
 }
 
 /// Massless coordinates that take part in a motion which no row sees. `None` as for [`dependencies`].
-pub fn undetermined_coordinates(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64]) -> Option<Vec<usize>> {
+pub(crate) fn undetermined_coordinates(
+    mass: &[f64],
+    pattern: &SparsityPattern,
+    jacobian: &[f64],
+) -> Option<Vec<usize>> {
     if !jacobian.iter().all(|x| x.is_finite()) {
         return None;
     }

@@ -11,7 +11,7 @@ use crate::model::SparsityPattern;
 /// # Source
 /// Skeel, Iterative refinement implies numerical stability for Gaussian elimination (1980); the measure is that of Oettli
 /// and Prager (1964).
-pub struct Refinement {
+pub(super) struct Refinement {
     mass: Vec<f64>,
     jacobian: Vec<f64>,
     right_side: Vec<f64>,
@@ -22,7 +22,7 @@ pub struct Refinement {
 
 impl Refinement {
     /// Storage for `n_q` coordinates and the first `n_rows` rows of `pattern`.
-    pub fn new(n_q: usize, n_rows: usize, pattern: &SparsityPattern) -> Self {
+    pub(super) fn new(n_q: usize, n_rows: usize, pattern: &SparsityPattern) -> Self {
         let zeros = || vec![0.0; n_q + n_rows];
         Self {
             mass: vec![0.0; n_q],
@@ -34,18 +34,18 @@ impl Refinement {
     }
 
     /// Keeps the matrix that is factored.
-    pub fn keep(&mut self, mass: &[f64], jacobian: &[f64]) {
+    pub(super) fn keep(&mut self, mass: &[f64], jacobian: &[f64]) {
         self.mass.copy_from_slice(mass);
         self.jacobian[..jacobian.len()].copy_from_slice(jacobian);
     }
 
     /// Keeps the right side that is solved for.
-    pub fn begin(&mut self, right_side: &[f64]) {
+    pub(super) fn begin(&mut self, right_side: &[f64]) {
         self.right_side.copy_from_slice(right_side);
     }
 
     /// Writes `[r; s] − K x` and returns its largest share of the sum of the magnitudes of the terms of an equation.
-    pub fn residual(&mut self, entries: &[Entry], x: &[f64]) -> f64 {
+    pub(super) fn residual(&mut self, entries: &[Entry], x: &[f64]) -> f64 {
         let Self { mass, jacobian, right_side, size, residual } = self;
         let n_q = mass.len();
         residual.copy_from_slice(right_side);

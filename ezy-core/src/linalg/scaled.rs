@@ -3,10 +3,10 @@
 use nalgebra::DMatrix;
 
 /// Index of the value, row and column of an entry of G.
-pub type Entry = (usize, usize, usize);
+pub(super) type Entry = (usize, usize, usize);
 
 /// Writes D K D for the diagonal `d` of [`scale`]; entries of G at one place add up.
-pub fn assemble(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &[f64], K: &mut DMatrix<f64>) {
+pub(super) fn assemble(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &[f64], K: &mut DMatrix<f64>) {
     let n_q = mass.len();
     K.fill(0.0);
     for i in 0..n_q {
@@ -33,7 +33,7 @@ const NEAR_ONE: std::ops::Range<f64> = 1e-2..1e2;
 ///
 /// # Source
 /// Ruiz, A scaling algorithm to equilibrate both rows and columns norms in matrices (2001), in the maximum norm.
-pub fn scale(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &mut [f64], largest: &mut [f64]) {
+pub(super) fn scale(entries: &[Entry], mass: &[f64], jacobian: &[f64], d: &mut [f64], largest: &mut [f64]) {
     let n_q = mass.len();
     for pass in 1..=MOST_PASSES {
         largest.fill(0.0);

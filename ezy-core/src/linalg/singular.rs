@@ -8,7 +8,7 @@ const LARGEST_ENTRY: f64 = 1e150;
 
 /// Singular values, with the left and right vectors that are asked for; `None` where an entry is beyond 1e150 or no number,
 /// on which the library would panic.
-pub fn singular_values(matrix: DMatrix<f64>, left: bool, right: bool) -> Option<SVD<f64, Dyn, Dyn>> {
+pub(crate) fn singular_values(matrix: DMatrix<f64>, left: bool, right: bool) -> Option<SVD<f64, Dyn, Dyn>> {
     let sound = matrix.iter().all(|x| x.abs() < LARGEST_ENTRY);
     if sound { matrix.try_svd(left, right, f64::EPSILON, 0) } else { None }
 }

@@ -9,7 +9,7 @@ use faer::traits::ComplexField;
 use faer::{Conj, MatMut, Par, Spec};
 
 /// A square matrix by rows, and factors in an order of its pattern that is found once.
-pub struct SparseLu<T> {
+pub(crate) struct SparseLu<T> {
     /// Columns of the transposed matrix.
     pattern: SymbolicSparseColMat<usize>,
     values: Vec<T>,
@@ -23,7 +23,7 @@ impl<T: ComplexField> SparseLu<T> {
     ///
     /// # Errors
     /// [`SparseKktError`] when the analysis fails, for want of memory.
-    pub fn new(row_starts: &[usize], columns: &[usize]) -> Result<Self, SparseKktError> {
+    pub(crate) fn new(row_starts: &[usize], columns: &[usize]) -> Result<Self, SparseKktError> {
         let n = row_starts.len() - 1;
         let error = |cause: &dyn std::fmt::Debug| SparseKktError { n, cause: format!("{cause:?}") };
         let pattern = SymbolicSparseColMat::new_checked(n, n, row_starts.to_vec(), None, columns.to_vec());
@@ -42,7 +42,7 @@ impl<T: ComplexField> SparseLu<T> {
     }
 
     /// The entries, to be written before [`SparseLu::factor`].
-    pub fn values_mut(&mut self) -> &mut [T] {
+    pub(crate) fn values_mut(&mut self) -> &mut [T] {
         &mut self.values
     }
 
@@ -50,7 +50,7 @@ impl<T: ComplexField> SparseLu<T> {
     ///
     /// # Cost
     /// Allocates where pivots need more room than ever before.
-    pub fn factor(&mut self) -> bool {
+    pub(crate) fn factor(&mut self) -> bool {
         let matrix = SparseColMatRef::new(self.pattern.as_ref(), &self.values);
         let stack = MemStack::new(&mut self.scratch);
         self.symbolic.factorize_numeric_lu(&mut self.numeric, matrix, Par::Seq, stack, Spec::default()).is_ok()
@@ -58,7 +58,7 @@ impl<T: ComplexField> SparseLu<T> {
 
     /// Replaces the right side by the solution, with the factors of the last successful [`SparseLu::factor`]; not finite where
     /// a pivot vanished.
-    pub fn solve(&mut self, right_side: &mut [T]) {
+    pub(crate) fn solve(&mut self, right_side: &mut [T]) {
         let n = right_side.len();
         LuRef::new_unchecked(&self.symbolic, &self.numeric).solve_transpose_in_place_with_conj(
             Conj::No,

@@ -70,7 +70,7 @@ pub struct Repeats {
 }
 
 /// Bodies, and members of each `for`, together beyond which a scene is not set up: they take some gigabytes.
-pub const LARGEST_N_MEMBERS: usize = 4_000_000;
+pub(crate) const LARGEST_N_MEMBERS: usize = 4_000_000;
 
 /// Counts that make no scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]

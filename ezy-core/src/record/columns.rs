@@ -51,7 +51,7 @@ pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
 ///
 /// # Errors
 /// [`UnknownName`] with the most similar column, or with what the run should have been asked for.
-pub fn column_index(info: &SceneInfo, wanted: Wanted, name: &str) -> Result<usize, UnknownName> {
+pub(crate) fn column_index(info: &SceneInfo, wanted: Wanted, name: &str) -> Result<usize, UnknownName> {
     let has = |wanted: Wanted| columns(info, wanted).iter().any(|column| column.name == name);
     let remedy = || {
         let asked = [("work", Wanted { work: true, ..wanted }), ("outputs", Wanted { outputs: true, ..wanted })];

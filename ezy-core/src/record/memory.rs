@@ -5,7 +5,7 @@ use crate::model::SceneInfo;
 
 /// Samples of one run, one after the other in a single vector.
 #[derive(Debug, Clone)]
-pub struct Record {
+pub(crate) struct Record {
     info: &'static SceneInfo,
     wanted: Wanted,
     n_numbers: usize,
@@ -14,27 +14,22 @@ pub struct Record {
 
 impl Record {
     /// An empty record of samples that hold what is wanted.
-    pub fn new(info: &'static SceneInfo, wanted: Wanted) -> Self {
+    pub(crate) fn new(info: &'static SceneInfo, wanted: Wanted) -> Self {
         Self { info, wanted, n_numbers: Sample::n_numbers(info, wanted), numbers: Vec::new() }
     }
 
     /// Adds a sample.
-    pub fn push(&mut self, sample: &Sample<'_>) {
+    pub(crate) fn push(&mut self, sample: &Sample<'_>) {
         self.numbers.extend(sample.numbers());
     }
 
     /// Number of samples.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.numbers.len() / self.n_numbers
     }
 
-    /// Whether there is no sample.
-    pub fn is_empty(&self) -> bool {
-        self.numbers.is_empty()
-    }
-
     /// Sample `i`, `None` past the last.
-    pub fn get(&self, i: usize) -> Option<Sample<'_>> {
+    pub(crate) fn get(&self, i: usize) -> Option<Sample<'_>> {
         (i < self.len()).then(|| self.at(i))
     }
 
@@ -44,7 +39,7 @@ impl Record {
     }
 
     /// The samples in order of time.
-    pub fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<'_>> + ExactSizeIterator {
+    pub(crate) fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<'_>> + ExactSizeIterator {
         self.numbers.chunks_exact(self.n_numbers).map(|numbers| Sample::from_numbers(self.info, self.wanted, numbers))
     }
 
@@ -52,7 +47,7 @@ impl Record {
     ///
     /// # Errors
     /// [`UnknownName`] with the nearest column.
-    pub fn column(&self, name: &str) -> Result<Vec<f64>, UnknownName> {
+    pub(crate) fn column(&self, name: &str) -> Result<Vec<f64>, UnknownName> {
         let i = column_index(self.info, self.wanted, name)?;
         Ok(self.numbers.chunks_exact(self.n_numbers).map(|numbers| numbers[i]).collect())
     }

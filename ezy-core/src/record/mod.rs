@@ -6,9 +6,10 @@ mod memory;
 mod names;
 mod sample;
 
-pub use columns::{Column, column_index, columns};
+pub(crate) use columns::column_index;
+pub use columns::{Column, columns};
 pub use csv_writer::CsvWriter;
-pub use memory::Record;
+pub(crate) use memory::Record;
 pub use names::{UnknownName, coordinate_index, find_name, input_index, output_index};
 pub use sample::{EnergyState, Sample};
 

@@ -48,11 +48,11 @@ pub fn bracketed(rows: &str) -> String {
 pub(super) struct Names(pub Vec<&'static str>);
 
 impl Matrix {
-    pub fn new(rows: impl IntoIterator<Item = Vec<Formula>>) -> Self {
+    pub(super) fn new(rows: impl IntoIterator<Item = Vec<Formula>>) -> Self {
         Self { rows: rows.into_iter().collect(), factor: None }
     }
 
-    pub fn times(self, factor: Matrix) -> Self {
+    pub(super) fn times(self, factor: Matrix) -> Self {
         Self { factor: Some(Box::new(factor)), ..self }
     }
 

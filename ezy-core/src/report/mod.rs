@@ -6,4 +6,4 @@ pub mod figure;
 mod matrix;
 pub mod page;
 pub mod table;
-pub mod templates;
+pub(crate) mod templates;

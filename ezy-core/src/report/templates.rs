@@ -6,7 +6,7 @@ use crate::model::{Formula, Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 
 /// One item of the model file with its equations.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TemplateEquations {
+pub(crate) struct TemplateEquations {
     /// `hinge pin, i in 1..n`
     pub title: String,
     /// With the indices of the item in them.
@@ -26,7 +26,7 @@ const G_T: Formula = Formula { text: "G^T", latex: "G^T", mathml: "<msup><mi>G</
 const F: Formula = Formula { text: "F", latex: "F", mathml: "<mi>F</mi>" };
 
 /// The equations of every item that has some, in declared order.
-pub fn templates(repeats: &Repeats) -> Vec<TemplateEquations> {
+pub(crate) fn templates(repeats: &Repeats) -> Vec<TemplateEquations> {
     let all = repeats.templates.iter().map(of_template);
     all.filter(|template| !template.equations.is_empty()).collect()
 }

@@ -51,7 +51,13 @@ const ABOUT: f64 = 1.01;
 const CREEPING: f64 = 1e-4;
 
 impl<T: Scalar> Adaptive<T> {
-    pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance, projects: bool) -> Self {
+    pub(super) fn new(
+        n_coordinates: usize,
+        n_rows: usize,
+        n_works: usize,
+        tolerance: Tolerance,
+        projects: bool,
+    ) -> Self {
         Self {
             method: Dop853::new(n_coordinates, n_rows, n_works),
             control: StepControl::new(DOP853_ERROR_ORDER),
@@ -68,13 +74,13 @@ impl<T: Scalar> Adaptive<T> {
     }
 
     /// Steps of another method, of usually this length, s, led here.
-    pub fn take_over(&mut self, usual_s: f64) {
+    pub(super) fn take_over(&mut self, usual_s: f64) {
         self.restart_with(usual_s);
         self.usual_s = usual_s;
     }
 
     /// Forgets the steps taken so far.
-    pub fn restart(&mut self) {
+    pub(super) fn restart(&mut self) {
         self.method.restart();
         self.control = StepControl::new(DOP853_ERROR_ORDER);
         self.step_s = None;
@@ -85,23 +91,23 @@ impl<T: Scalar> Adaptive<T> {
     }
 
     /// Forgets the steps taken so far, but for what a step from here may be, s.
-    pub fn restart_with(&mut self, step_s: f64) {
+    pub(super) fn restart_with(&mut self, step_s: f64) {
         self.restart();
         self.step_s = Some(step_s);
     }
 
     /// Since when stability holds the steps, s.
-    pub fn stiff_since(&self) -> Option<f64> {
+    pub(super) fn stiff_since(&self) -> Option<f64> {
         self.watch.since()
     }
 
     /// Steps that were tried and not taken.
-    pub fn n_rejected(&self) -> u64 {
+    pub(super) fn n_rejected(&self) -> u64 {
         self.rejected
     }
 
     /// The state at `t` between the ends of the last step, not projected; its time is left alone.
-    pub fn between(
+    pub(super) fn between(
         &mut self,
         system: &mut impl Dynamics<T>,
         from: Knot<'_, T>,
@@ -119,7 +125,7 @@ impl<T: Scalar> Adaptive<T> {
 
     /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected. `up_to` knows how long
     /// a step is, s, that ends at the kink that the present one goes over.
-    pub fn step<D: Dynamics<T>>(
+    pub(super) fn step<D: Dynamics<T>>(
         &mut self,
         system: &mut D,
         from: Knot<'_, T>,

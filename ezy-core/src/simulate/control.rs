@@ -17,7 +17,7 @@ pub(super) struct Control<'s> {
 
 impl Control<'_> {
     /// Whether inputs stay as they are.
-    pub fn is_idle(&self) -> bool {
+    pub(super) fn is_idle(&self) -> bool {
         self.tables.is_empty() && self.law.is_none()
     }
 
@@ -26,7 +26,7 @@ impl Control<'_> {
     ///
     /// # Errors
     /// [`MotionError::InputNotFinite`].
-    pub fn act<S: Scene + ?Sized>(
+    pub(super) fn act<S: Scene + ?Sized>(
         &mut self,
         state: &State,
         h: f64,

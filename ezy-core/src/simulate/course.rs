@@ -24,7 +24,7 @@ enum Steps<T> {
 
 impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
     /// From `start`, which meets the rows.
-    pub fn new(
+    pub(super) fn new(
         system: SystemOf<'s, S, T>,
         info: &'static SceneInfo,
         start: State<T>,
@@ -49,7 +49,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
     }
 
     /// Steps to `until_s`; after an error `now` is the last good state.
-    pub fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
+    pub(super) fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
         let start = self.now.t;
         if !until_s.is_finite() {
             return Err(MotionError::NotFinite { t: start, quantity: "the end of the run" });

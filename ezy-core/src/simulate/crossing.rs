@@ -52,7 +52,7 @@ const FINEST: f64 = 1e-13;
 const OF_FIXED_STEPS: f64 = 1e-9;
 
 impl Crossing {
-    pub fn new<S: Scene + ?Sized>(system: &System<'_, S>, tolerance: Option<Tolerance>, work: bool) -> Self {
+    pub(super) fn new<S: Scene + ?Sized>(system: &System<'_, S>, tolerance: Option<Tolerance>, work: bool) -> Self {
         let info = system.info();
         let (n_q, end) = (info.n_coordinates(), Instantaneous::zero(info, work));
         let n_works = end.power.len();
@@ -73,12 +73,12 @@ impl Crossing {
     }
 
     /// Whether the last step led towards a singular position.
-    pub fn is_heading(&self) -> bool {
+    pub(super) fn is_heading(&self) -> bool {
         self.ahead_s.is_some()
     }
 
     /// Forgets what was under way.
-    pub fn restart(&mut self) {
+    pub(super) fn restart(&mut self) {
         self.is_under_way = false;
         self.ahead_s = None;
         self.in_vain_until_s = f64::NEG_INFINITY;
@@ -86,7 +86,7 @@ impl Crossing {
 
     /// A step over a singular position or towards it, when one is near; false when there is none, or no way over it. `usual_s` is
     /// the length of the steps before.
-    pub fn step<S: Scene + ?Sized>(
+    pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         approach: &Approach<'_>,
@@ -166,7 +166,7 @@ impl Crossing {
     }
 
     /// The state at `t` on the way, not projected.
-    pub fn between(&mut self, t: f64, out: &mut State) {
+    pub(super) fn between(&mut self, t: f64, out: &mut State) {
         self.method.dense_at((t - self.begin_s) / (self.end.state.t - self.begin_s), out);
         out.t = t;
     }

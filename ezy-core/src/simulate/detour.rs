@@ -22,24 +22,24 @@ pub(super) struct TaylorWithDetour<'s> {
 const SHORT: f64 = 0.2;
 
 impl<'s> TaylorWithDetour<'s> {
-    pub fn new(taylor: Taylor<'s>, tolerance: Tolerance, detour: Adaptive) -> Self {
+    pub(super) fn new(taylor: Taylor<'s>, tolerance: Tolerance, detour: Adaptive) -> Self {
         Self { taylor, tolerance, usual_s: 0.0, detour, is_on_detour: false }
     }
 
     /// Forgets the steps taken so far.
-    pub fn restart(&mut self) {
+    pub(super) fn restart(&mut self) {
         self.taylor.restart();
         self.detour.restart();
         self.usual_s = 0.0;
     }
 
     /// Steps that were tried and not taken.
-    pub fn n_rejected(&self) -> u64 {
+    pub(super) fn n_rejected(&self) -> u64 {
         self.detour.n_rejected()
     }
 
     /// The state at `t` between the ends of the last step, not projected.
-    pub fn between<S: Scene + ?Sized>(
+    pub(super) fn between<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Knot<'_>,
@@ -55,7 +55,7 @@ impl<'s> TaylorWithDetour<'s> {
     }
 
     /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
-    pub fn step<S: Scene + ?Sized>(
+    pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Knot<'_>,

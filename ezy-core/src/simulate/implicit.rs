@@ -18,36 +18,36 @@ pub(super) struct Implicit {
 }
 
 impl Implicit {
-    pub fn new(method: Radau, tolerance: Tolerance) -> Self {
+    pub(super) fn new(method: Radau, tolerance: Tolerance) -> Self {
         let tolerance = tolerance_of_estimate(tolerance);
         Self { method, control: RadauControl::default(), tolerance, step_s: None, rejected: 0 }
     }
 
     /// Forgets the steps taken so far.
-    pub fn restart(&mut self) {
+    pub(super) fn restart(&mut self) {
         self.method.restart();
         self.control = RadauControl::default();
         self.step_s = None;
     }
 
     /// Forgets the steps taken so far, but for what a step from here may be, s.
-    pub fn restart_with(&mut self, step_s: f64) {
+    pub(super) fn restart_with(&mut self, step_s: f64) {
         self.restart();
         self.step_s = Some(step_s);
     }
 
     /// Steps that were tried and not taken.
-    pub fn n_rejected(&self) -> u64 {
+    pub(super) fn n_rejected(&self) -> u64 {
         self.rejected
     }
 
     /// The state at `t` between the ends of the last step, not projected; its time is left alone.
-    pub fn between(&self, from: &State, to: &State, t: f64, out: &mut State) {
+    pub(super) fn between(&self, from: &State, to: &State, t: f64, out: &mut State) {
         self.method.dense_at(from, to, (t - from.t) / (to.t - from.t), out);
     }
 
     /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected. It ends at a kink.
-    pub fn step<S: Scene + ?Sized>(
+    pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Knot<'_>,

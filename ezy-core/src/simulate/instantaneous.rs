@@ -19,7 +19,7 @@ pub(super) struct Instantaneous {
 
 impl Instantaneous {
     /// Everything zero; without room for works and powers unless they are wanted.
-    pub fn zero(info: &SceneInfo, work: bool) -> Self {
+    pub(super) fn zero(info: &SceneInfo, work: bool) -> Self {
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let n_works = if work { info.n_effects() } else { 0 };
         Self {
@@ -33,7 +33,7 @@ impl Instantaneous {
     }
 
     /// Accelerations, multipliers and powers at the state.
-    pub fn evaluate<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
+    pub(super) fn evaluate<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
         system.accelerations_in_passing(*t, q, v, &mut self.a, &mut self.lambda)?;
         self.complete(system)
@@ -43,7 +43,7 @@ impl Instantaneous {
     ///
     /// # Errors
     /// [`MotionError::ContradictoryRows`].
-    pub fn complete<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
+    pub(super) fn complete<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
         self.lost_rank = system.lost_rank();
         system.check_accelerations(*t, q)?;
@@ -51,7 +51,7 @@ impl Instantaneous {
         Ok(())
     }
 
-    pub fn knot(&self) -> Knot<'_> {
+    pub(super) fn knot(&self) -> Knot<'_> {
         Knot { state: &self.state, a: &self.a, power: &self.power }
     }
 }

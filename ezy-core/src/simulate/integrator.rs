@@ -18,7 +18,7 @@ pub(super) enum Integrator<'s> {
 }
 
 impl<'s> Integrator<'s> {
-    pub fn new<S: Scene + ?Sized>(
+    pub(super) fn new<S: Scene + ?Sized>(
         method: Method,
         scene: &'s S,
         n_works: usize,
@@ -42,7 +42,7 @@ impl<'s> Integrator<'s> {
     }
 
     /// Forgets the steps taken so far.
-    pub fn restart(&mut self) {
+    pub(super) fn restart(&mut self) {
         match self {
             Self::Rk4(rk4) => rk4.restart(),
             Self::Dop853(adaptive) => adaptive.restart(),
@@ -53,7 +53,7 @@ impl<'s> Integrator<'s> {
 
     /// Forgets the steps taken so far, but for what a step from here may be, s: where states are near zero, the first one
     /// that a method would choose by itself is too short.
-    pub fn restart_with(&mut self, step_s: f64) {
+    pub(super) fn restart_with(&mut self, step_s: f64) {
         match self {
             Self::Dop853(adaptive) => adaptive.restart_with(step_s),
             Self::Radau(implicit) => implicit.restart_with(step_s),
@@ -62,12 +62,12 @@ impl<'s> Integrator<'s> {
     }
 
     /// Whether it keeps to a tolerance by steps of its own length.
-    pub const fn chooses_steps(&self) -> bool {
+    pub(super) const fn chooses_steps(&self) -> bool {
         !matches!(self, Self::Rk4(_))
     }
 
     /// Steps that were tried and not taken.
-    pub fn n_rejected(&self) -> u64 {
+    pub(super) fn n_rejected(&self) -> u64 {
         match self {
             Self::Rk4(_) => 0,
             Self::Taylor(series) => series.n_rejected(),
@@ -77,7 +77,7 @@ impl<'s> Integrator<'s> {
     }
 
     /// Since when stability holds the steps of an explicit method that can tell, s.
-    pub fn stiff_since(&self) -> Option<f64> {
+    pub(super) fn stiff_since(&self) -> Option<f64> {
         match self {
             Self::Dop853(adaptive) => adaptive.stiff_since(),
             _ => None,
@@ -85,7 +85,7 @@ impl<'s> Integrator<'s> {
     }
 
     /// Accelerations, multipliers and powers at a state, and what the next step from there needs besides.
-    pub fn evaluate<S: Scene + ?Sized>(
+    pub(super) fn evaluate<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         at: &mut Instantaneous,
@@ -101,7 +101,7 @@ impl<'s> Integrator<'s> {
     }
 
     /// The next step starts at the state that was evaluated last.
-    pub fn accept(&mut self) {
+    pub(super) fn accept(&mut self) {
         if let Self::Taylor(series) = self {
             series.taylor.accept();
         }
@@ -109,7 +109,7 @@ impl<'s> Integrator<'s> {
 
     /// A step of length `h` from `from` to `t_next`, not yet projected; a method that chooses its steps may stop before, and
     /// any at a kink.
-    pub fn step<S: Scene + ?Sized>(
+    pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Knot<'_>,
@@ -143,7 +143,7 @@ impl<'s> Integrator<'s> {
     }
 
     /// The state at `t` between the ends of the last step, not projected.
-    pub fn between<S: Scene + ?Sized>(
+    pub(super) fn between<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Knot<'_>,

@@ -24,7 +24,7 @@ pub(super) struct Keeper<'s> {
 }
 
 impl<'s> Keeper<'s> {
-    pub fn new(info: &'static SceneInfo, wanted: Wanted, recorder: Option<&'s mut dyn Recorder>) -> Self {
+    pub(super) fn new(info: &'static SceneInfo, wanted: Wanted, recorder: Option<&'s mut dyn Recorder>) -> Self {
         Self {
             info,
             record: Record::new(info, wanted),
@@ -38,27 +38,27 @@ impl<'s> Keeper<'s> {
         }
     }
 
-    pub fn n_kept(&self) -> usize {
+    pub(super) fn n_kept(&self) -> usize {
         self.record.len()
     }
 
     /// Time of the last sample, s.
-    pub fn last_time(&self) -> f64 {
+    pub(super) fn last_time(&self) -> f64 {
         self.record.samples().next_back().map_or(f64::NEG_INFINITY, |last| last.t)
     }
 
     /// Names and sizes of what is kept.
-    pub fn info(&self) -> &'static SceneInfo {
+    pub(super) fn info(&self) -> &'static SceneInfo {
         self.info
     }
 
-    pub fn into_record(self) -> Record {
+    pub(super) fn into_record(self) -> Record {
         self.record
     }
 
     /// Adds energies, residuals and outputs to an evaluated state and keeps the sample. The system holds the inputs of
     /// this state.
-    pub fn keep<S: Scene + ?Sized>(
+    pub(super) fn keep<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         at: &Instantaneous,

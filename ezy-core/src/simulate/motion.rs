@@ -42,7 +42,7 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
 }
 
 impl<'s, S: Scene + ?Sized> Motion<'s, S> {
-    pub fn new(
+    pub(super) fn new(
         system: System<'s, S>,
         method: Method,
         projection: Projection,
@@ -71,7 +71,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// Goes to a state without history; what belongs to it is not evaluated.
-    pub fn place(&mut self, state: &State) {
+    pub(super) fn place(&mut self, state: &State) {
         let now = &mut self.now.state;
         now.t = state.t;
         now.q.copy_from_slice(&state.q);
@@ -96,7 +96,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
 
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
     /// that chooses its steps may stop before `t_next`, and any at a kink.
-    pub fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+    pub(super) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let outcome = match self.advance_on_leap(t_next) {
             Ok(true) => Ok(()),
             Ok(false) => self.advance_past_singular_positions(h, t_next),
@@ -183,7 +183,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// A state between `now` and `next`, both evaluated; projected and evaluated like them.
-    pub fn between(&mut self, t: f64, out: &mut Instantaneous) -> Result<(), MotionError> {
+    pub(super) fn between(&mut self, t: f64, out: &mut Instantaneous) -> Result<(), MotionError> {
         self.inside(t, &mut out.state)?;
         let system = &mut self.system;
         if self.integrator.chooses_steps() {
@@ -194,18 +194,18 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// Whether the method chooses the length of its steps.
-    pub fn chooses_steps(&self) -> bool {
+    pub(super) fn chooses_steps(&self) -> bool {
         self.integrator.chooses_steps()
     }
 
     /// What moves the scene hardest at `now`, which is evaluated.
-    pub fn strain(&mut self) -> Option<Strain> {
+    pub(super) fn strain(&mut self) -> Option<Strain> {
         let Instantaneous { state, a, lambda, .. } = &self.now;
         self.system.strain(state.t, &state.q, &state.v, a, lambda)
     }
 
     /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
-    pub fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
+    pub(super) fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
         if let Some(crossing) = &mut self.crossing
             && crossing.is_under_way
         {
@@ -216,13 +216,13 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// Projects a state as the ends of steps are.
-    pub fn project(&mut self, state: &mut State) -> Result<(), MotionError> {
+    pub(super) fn project(&mut self, state: &mut State) -> Result<(), MotionError> {
         let State { t, q, v, .. } = state;
         self.system.project(*t, q, v, self.projection, self.metric)
     }
 
     /// Ends the motion at `t` between `now` and `next`: `next` becomes the state there, projected and evaluated.
-    pub fn end_at(&mut self, t: f64, state: &mut State) -> Result<(), MotionError> {
+    pub(super) fn end_at(&mut self, t: f64, state: &mut State) -> Result<(), MotionError> {
         self.inside(t, state)?;
         self.project(state)?;
         std::mem::swap(&mut self.next.state, state);
@@ -230,7 +230,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// Goes to where another scene of the same coordinates is, without history, and evaluates there.
-    pub fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
+    pub(super) fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
         self.system.project(*t, q, v, self.projection, self.metric)?;
@@ -239,7 +239,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
 
     /// Goes to where another scene comes to rest on the rows of this one, as by an impulse; to the last digit, since errors
     /// across the rows would stay while flights become short.
-    pub fn land(&mut self, from: &Self) -> Result<(), MotionError> {
+    pub(super) fn land(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
         self.system.project_positions(*t, q, Metric::Mass)?;
@@ -255,7 +255,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// Goes on from other positions and velocities, without history.
-    pub fn rebound(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
+    pub(super) fn rebound(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
         self.now.state.q.copy_from_slice(q);
         self.now.state.v = v;
         self.restart();
@@ -263,39 +263,39 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// Kinetic and potential energy, J.
-    pub fn energy(&self) -> f64 {
+    pub(super) fn energy(&self) -> f64 {
         let State { t, q, v, .. } = &self.now.state;
         self.system.kinetic_energy(v) + self.system.potential_energy(*t, q)
     }
 
     /// Makes the step under way again, as one of length `h` without history.
-    pub fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+    pub(super) fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.integrator.restart_with(h);
         self.forget_crossing();
         self.evaluate_now()?;
         self.advance(h, t_next)
     }
 
-    pub fn n_rejected(&self) -> u64 {
+    pub(super) fn n_rejected(&self) -> u64 {
         self.integrator.n_rejected()
     }
 
-    pub fn stiff_since(&self) -> Option<f64> {
+    pub(super) fn stiff_since(&self) -> Option<f64> {
         self.integrator.stiff_since()
     }
 
-    pub fn evaluate_now(&mut self) -> Result<(), MotionError> {
+    pub(super) fn evaluate_now(&mut self) -> Result<(), MotionError> {
         self.integrator.evaluate(&mut self.system, &mut self.now)?;
         self.integrator.accept();
         Ok(())
     }
 
-    pub fn evaluate_next(&mut self) -> Result<(), MotionError> {
+    pub(super) fn evaluate_next(&mut self) -> Result<(), MotionError> {
         self.integrator.evaluate(&mut self.system, &mut self.next)
     }
 
     /// `next` becomes `now`.
-    pub fn accept(&mut self) {
+    pub(super) fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);
         self.integrator.accept();
     }

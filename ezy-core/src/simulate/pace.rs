@@ -11,7 +11,7 @@ pub(super) enum Pace {
 
 impl Pace {
     /// Length and end of step `n`, which starts at `t`, s; a method that chooses its steps may stop before.
-    pub fn step(&self, n: u64, t: f64) -> (f64, f64) {
+    pub(super) fn step(&self, n: u64, t: f64) -> (f64, f64) {
         match self {
             Self::Clock(clock) => (clock.step(n), clock.time(n + 1)),
             Self::Free { end, .. } => (end - t, *end),
@@ -19,7 +19,7 @@ impl Pace {
     }
 
     /// s
-    pub fn start(&self) -> f64 {
+    pub(super) fn start(&self) -> f64 {
         match self {
             Self::Clock(clock) => clock.time(0),
             Self::Free { start, .. } => *start,
@@ -27,7 +27,7 @@ impl Pace {
     }
 
     /// s
-    pub fn end(&self) -> f64 {
+    pub(super) fn end(&self) -> f64 {
         match self {
             Self::Clock(clock) => clock.time(clock.n_steps()),
             Self::Free { end, .. } => *end,

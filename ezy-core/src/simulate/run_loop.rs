@@ -54,7 +54,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
 
 impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// Evaluates and records the start, where `motion` is.
-    pub fn new(
+    pub(super) fn new(
         mut motion: Motion<'s, S>,
         mut modes: Option<Box<Modes<'s, S>>>,
         mut control: Control<'s>,
@@ -101,7 +101,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         })
     }
 
-    pub fn run(mut self) -> Result<Run, SetupError> {
+    pub(super) fn run(mut self) -> Result<Run, SetupError> {
         let began = Instant::now();
         let mut steps = 0;
         let mut outcome = Outcome::ReachedEnd;

@@ -27,7 +27,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 impl Approach<'_> {
     /// Time to a singular position as foreseen by the last two pivots, s; none where it is far. `usual_s` is the length of the
     /// steps before; zero when there were none.
-    pub fn distance(&self, usual_s: f64) -> Option<f64> {
+    pub(super) fn distance(&self, usual_s: f64) -> Option<f64> {
         let (now, before) = (self.now.pivot, self.before.pivot);
         if now >= before || now <= 0.0 || usual_s == 0.0 {
             return None;
@@ -38,7 +38,7 @@ impl Approach<'_> {
     }
 
     /// Time to where the smallest pivot vanishes on the way that is foreseen, about `guess` from now, s; `q` is a buffer.
-    pub fn find<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, q: &mut [f64], guess: f64) -> Option<f64> {
+    pub(super) fn find<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, q: &mut [f64], guess: f64) -> Option<f64> {
         let mut pivot = |s: f64| {
             self.foresee(s, q);
             system.pivot_at(self.now.state.t + s, q)

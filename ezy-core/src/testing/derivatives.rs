@@ -27,7 +27,7 @@ const LINEAR_TOLERANCE: f64 = 1e-13;
 const LINEAR_REASON: &str = "rounding";
 
 /// C_q against differences of C in each coordinate.
-pub fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+pub(super) fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let (info, n_h) = (probe.info, probe.info.n_position_rows);
     let mut worst = Worst::default();
     let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
@@ -46,7 +46,7 @@ pub fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
 }
 
 /// C_q v + C_t against differences of C along the motion.
-pub fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+pub(super) fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let n_h = probe.info.n_position_rows;
     let mut worst = Worst::default();
     let mut rows = vec![0.0; probe.info.n_rows()];
@@ -62,7 +62,7 @@ pub fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
 }
 
 /// [h; s] against differences of all velocity rows along the motion at constant velocity.
-pub fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+pub(super) fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let n_c = probe.info.n_rows();
     let mut worst = Worst::default();
     let mut h = vec![0.0; n_c];
@@ -81,7 +81,7 @@ pub fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
 }
 
 /// G against differences of the velocity rows in each velocity, which are linear in them.
-pub fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+pub(super) fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let (info, n_c) = (probe.info, probe.info.n_rows());
     let mut worst = Worst::default();
     let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
@@ -103,7 +103,7 @@ pub fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check 
 
 /// Sum of the powers of all effects, less the growth of the potential energy, against F·v and λ·g_t, where g_t is what
 /// the velocity rows are at rest: both are what the kinetic energy gains. Any λ will do.
-pub fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
+pub(super) fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let info = probe.info;
     let mut worst = Worst::default();
     let (rest, mut rows) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
@@ -126,13 +126,13 @@ pub fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     check("powers and potential against F v and lambda g_t", worst, tolerance, reason)
 }
 
-pub fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static str) -> Check {
+pub(super) fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static str) -> Check {
     let Worst { error, n_compared, n_left_out } = worst;
     Check { name, n_compared, n_left_out, largest_error: error, tolerance, reason }
 }
 
 /// Slopes of some numbers, how far they are off, and the largest of the numbers, whose rounding the slopes carry.
-pub struct Difference {
+pub(super) struct Difference {
     slopes: Vec<f64>,
     truncation: f64,
     pub size: f64,
@@ -140,7 +140,7 @@ pub struct Difference {
 
 impl Difference {
     /// Compares with derivatives, except where the slopes are not good enough to tell.
-    pub fn compare(&self, derivatives: &[f64], size: f64, worst: &mut Worst) {
+    pub(super) fn compare(&self, derivatives: &[f64], size: f64, worst: &mut Worst) {
         if self.truncation > LARGEST_TRUNCATION * size.max(1.0) {
             worst.n_left_out += self.slopes.len();
             return;
@@ -152,7 +152,7 @@ impl Difference {
 }
 
 /// f'(0) for `n` numbers: `(f(e) − f(−e)) / 2e` at two steps, extrapolated to step zero; a third step tells how good it is.
-pub fn slope(n: usize, f: impl Fn(f64, &mut [f64])) -> Difference {
+pub(super) fn slope(n: usize, f: impl Fn(f64, &mut [f64])) -> Difference {
     let (mut ahead, mut behind) = (vec![0.0; n], vec![0.0; n]);
     let (mut slopes, mut coarser_slopes) = (vec![0.0; n], vec![0.0; n]);
     let mut size = 0.0;
@@ -171,6 +171,6 @@ pub fn slope(n: usize, f: impl Fn(f64, &mut [f64])) -> Difference {
     Difference { truncation: differences.fold(0.0, f64::max) / TRUNCATIONS, slopes, size }
 }
 
-pub fn along(q: &[f64], e: f64, v: &[f64]) -> Vec<f64> {
+pub(super) fn along(q: &[f64], e: f64, v: &[f64]) -> Vec<f64> {
     q.iter().zip(v).map(|(q, v)| q + e * v).collect()
 }

@@ -21,7 +21,7 @@ const ROUNDED_WAY: f64 = 1e-6;
 
 /// Kinetic and potential energy less work, less its value at the start, over a short run, relative to the largest
 /// kinetic energy or work, or to what the largest reaction does on a rounded way. The balance goes with the fourth power of the step; two runs extrapolate it to step zero.
-pub fn balance<S: Scene + ?Sized>(scene: &S, start_s: f64) -> Result<Check, CheckError> {
+pub(super) fn balance<S: Scene + ?Sized>(scene: &S, start_s: f64) -> Result<Check, CheckError> {
     let horizon = HORIZON.min(scene.info().until_s - start_s).max(0.0);
     let step = horizon / N_STEPS;
     let run = |step_s: f64| {

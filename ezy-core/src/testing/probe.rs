@@ -18,21 +18,21 @@ const N_DIRECTIONS: usize = 8;
 
 /// A scene with its inputs and constants, and the states at which it is looked at. The states need not fulfil the constraints:
 /// the equations hold everywhere.
-pub struct Probe<'s, S: Scene + ?Sized> {
+pub(super) struct Probe<'s, S: Scene + ?Sized> {
     pub scene: &'s S,
     pub info: &'static SceneInfo,
     pub fixed: Vec<f64>,
     pub states: Vec<RandomState>,
 }
 
-pub struct RandomState {
+pub(super) struct RandomState {
     pub t: f64,
     pub q: Vec<f64>,
     pub v: Vec<f64>,
 }
 
 impl<'s, S: Scene + ?Sized> Probe<'s, S> {
-    pub fn new(scene: &'s S, fixed: &[f64]) -> Self {
+    pub(super) fn new(scene: &'s S, fixed: &[f64]) -> Self {
         let info = scene.info();
         let mut random = SplitMix64(0x9E37_79B9_7F4A_7C15);
         // lengths and speeds of the order of one, angles all around
@@ -52,14 +52,14 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
 
 impl<'s, S: Scene + ?Sized> Probe<'s, S> {
     /// The scene with the inputs of the probe.
-    pub fn system(&self, backend: Backend) -> Result<System<'s, S>, SystemError> {
+    pub(super) fn system(&self, backend: Backend) -> Result<System<'s, S>, SystemError> {
         let mut system = System::new(self.scene, backend)?;
         system.inputs_mut().copy_from_slice(&self.fixed[..self.info.n_inputs()]);
         Ok(system)
     }
 
     /// Directions in the space of coordinates: each coordinate alone or, of many, random ones.
-    pub fn directions(&self) -> Vec<Vec<f64>> {
+    pub(super) fn directions(&self) -> Vec<Vec<f64>> {
         let n_q = self.info.n_coordinates();
         if n_q <= MAX_UNIT_DIRECTIONS {
             return (0..n_q).map(|i| (0..n_q).map(|j| f64::from(u8::from(i == j))).collect()).collect();
@@ -69,7 +69,7 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
     }
 
     /// G d from the entries of G.
-    pub fn product(&self, entries: &[f64], d: &[f64]) -> Vec<f64> {
+    pub(super) fn product(&self, entries: &[f64], d: &[f64]) -> Vec<f64> {
         let mut rows = vec![0.0; self.info.n_rows()];
         for (k, row, column) in self.info.jacobian.entries() {
             rows[row] += entries[k] * d[column];
@@ -98,7 +98,7 @@ impl SplitMix64 {
 
 /// The largest error met so far; a NaN stays.
 #[derive(Default)]
-pub struct Worst {
+pub(super) struct Worst {
     pub error: f64,
     pub n_compared: usize,
     pub n_left_out: usize,
@@ -106,7 +106,7 @@ pub struct Worst {
 
 impl Worst {
     /// Compares one number with its oracle, relative to `size` (at least one).
-    pub fn compare(&mut self, value: f64, oracle: f64, size: f64) {
+    pub(super) fn compare(&mut self, value: f64, oracle: f64, size: f64) {
         let error = (value - oracle).abs() / size.max(1.0);
         if error > self.error || error.is_nan() {
             self.error = error;

@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-9;
 
 /// Accelerations and multipliers that the series give a little later, against those of the equations at the state that
 /// they give then; `None` for a scene without series, or with redundant rows at all states.
-pub fn ahead<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Option<Check>, super::CheckError> {
+pub(super) fn ahead<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Option<Check>, super::CheckError> {
     let (n_q, n_c) = (probe.info.n_coordinates(), probe.info.n_rows());
     let Some(mut taylor) = Taylor::new(probe.scene, N_ORDERS, 0) else { return Ok(None) };
     let mut system = probe.system(Backend::Auto)?;

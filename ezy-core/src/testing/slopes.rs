@@ -12,7 +12,7 @@ const TOLERANCE: f64 = 2e-9;
 const REASON: &str = "rounding of differences of terms that cancel";
 
 /// R_q along a random direction and R_v along another one; `None` for a scene that does not know its slopes.
-pub fn of_residual<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Option<Check> {
+pub(super) fn of_residual<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Option<Check> {
     let places = probe.scene.slope_places()?;
     let (n_q, n_c) = (probe.info.n_coordinates(), probe.info.n_rows());
     let mut worst = Worst::default();

@@ -24,7 +24,7 @@ const NUDGE: f64 = 1e-9;
 const DENSE_WORK: usize = 40_000_000;
 
 /// The start must determine the motion: rows that depend on each other have to agree.
-pub fn agreement_at_start<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Check {
+pub(super) fn agreement_at_start<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Check {
     let info = system.info();
     let (mut a, mut lambda) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
     let solved = system.accelerations(start.t, &start.q, &start.v, &mut a, &mut lambda);
@@ -41,7 +41,7 @@ pub fn agreement_at_start<S: Scene + ?Sized>(system: &mut System<'_, S>, start: 
 
 /// Generated, where there is an elimination, and sparse against dense; nothing to compare with massless bodies, which
 /// only the dense one solves, in systems that are too large for it, and where rows are redundant at all states.
-pub fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, CheckError> {
+pub(super) fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, CheckError> {
     if probe.info.n_unknowns() > LARGEST_DENSE {
         return Ok(Vec::new());
     }
@@ -70,7 +70,7 @@ pub fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, C
 }
 
 /// Whether K is far enough from rank loss at a state. A correction would not tell: its multipliers do not show.
-pub fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &RandomState) -> bool {
+pub(super) fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &RandomState) -> bool {
     let q = state.q.iter().enumerate().map(|(i, q)| if i % 2 == 0 { q + NUDGE } else { q - NUDGE }).collect();
     let nudged = RandomState { t: state.t, q, v: state.v.clone() };
     let (Some(x), Some(y)) = (solve_motion(dense, state), solve_motion(dense, &nudged)) else { return false };
@@ -114,7 +114,7 @@ fn check<S: Scene + ?Sized>(
 }
 
 /// Accelerations, then multipliers.
-pub fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
+pub(super) fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
     let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
     let mut x = vec![0.0; n_q + n_c];
     let (a, lambda) = x.split_at_mut(n_q);

@@ -11,7 +11,7 @@ use super::{freedom, kernels};
 use crate::cli::json::Json;
 use crate::cli::list::counts_json;
 
-pub fn scene(info: &SceneInfo) -> Json {
+pub(super) fn scene(info: &SceneInfo) -> Json {
     let [positions, velocities] = freedom(info).map(|n| Json::Count(n as u64));
     let by_coordinate = |entries: &[Formula]| {
         Json::object(info.coordinates.iter().zip(entries).map(|(c, entry)| (c.name, formula(entry))))

@@ -6,7 +6,7 @@ use crate::report::templates::templates;
 
 use super::{OPERATIONS, freedom, kernels, pattern, pivot};
 
-pub fn scene(info: &SceneInfo) -> String {
+pub(super) fn scene(info: &SceneInfo) -> String {
     let [positions, velocities] = freedom(info);
     let mut text = format!("% {}/{}; \\usepackage{{amsmath}}\n", info.model, info.name);
     text += &format!("\\section*{{{}/{}}}\n\n", plain(info.model), plain(info.name));

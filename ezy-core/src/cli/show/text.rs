@@ -7,7 +7,7 @@ use crate::report::templates::templates;
 
 use super::{OPERATIONS, freedom, kernels, pattern, pivot, series};
 
-pub fn scene(info: &SceneInfo) -> String {
+pub(super) fn scene(info: &SceneInfo) -> String {
     let mut text = format!("{}/{}\n{}\n", info.model, info.name, info.documentation.trim());
     let [positions, velocities] = freedom(info);
     text += &format!(

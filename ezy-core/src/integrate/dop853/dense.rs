@@ -8,7 +8,7 @@ use crate::integrate::Knot;
 use crate::scalar::Scalar;
 
 /// Coefficients of the polynomial of degree 7, without the state at the start.
-pub const N_COEFFICIENTS: usize = 7;
+pub(super) const N_COEFFICIENTS: usize = 7;
 
 impl<T: Scalar> Dop853<T> {
     /// Prepares values between `from` and `to`, the ends of the step that was tried last; `to` may be projected.

@@ -12,10 +12,10 @@ use crate::scalar::Scalar;
 use sums::{Block, Sum, WIDTH};
 use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, error_3, error_5, stages};
 
-pub use stiffness::StiffnessWatch;
+pub(crate) use stiffness::StiffnessWatch;
 
 /// Order of the error estimate's power of the step.
-pub const ERROR_ORDER: i32 = 8;
+pub(crate) const ERROR_ORDER: i32 = 8;
 
 /// Stages of the method for q' = v, v' = a(t, q, v), w' = power of each effect, as one vector y = (q, v, w).
 ///
@@ -112,7 +112,7 @@ impl<T: Scalar> Dop853<T> {
     ///
     /// # Errors
     /// As [`Dop853::attempt`].
-    pub fn first_step(
+    pub(crate) fn first_step(
         &mut self,
         system: &mut impl Dynamics<T>,
         from: Knot<'_, T>,
@@ -190,7 +190,7 @@ impl<T: Scalar> Dop853<T> {
     ///
     /// # Source
     /// Eich, SIAM J. Numer. Anal. 30 (1993).
-    pub fn tangential_error(
+    pub(crate) fn tangential_error(
         &mut self,
         system: &mut impl Dynamics<T>,
         h: f64,

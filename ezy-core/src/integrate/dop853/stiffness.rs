@@ -19,7 +19,7 @@ const N_OTHERS: u32 = 6;
 /// Shampine, Hiebert, Appl. Math. Comp. 3 (1977); Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2, and
 /// the constants of the program DOP853 there.
 #[derive(Debug, Default)]
-pub struct StiffnessWatch {
+pub(crate) struct StiffnessWatch {
     n_steps: u32,
     n_at_edge: u32,
     n_others: u32,
@@ -28,18 +28,18 @@ pub struct StiffnessWatch {
 
 impl StiffnessWatch {
     /// Begins again with another motion.
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         (self.n_at_edge, self.n_others) = (0, 0);
     }
 
     /// Whether the step that was taken last is to be looked at.
-    pub fn is_due(&mut self) -> bool {
+    pub(crate) fn is_due(&mut self) -> bool {
         self.n_steps += 1;
         self.since.is_none() && (self.n_at_edge > 0 || self.n_steps.is_multiple_of(EVERY))
     }
 
     /// Notes h |λ| of the step that ended at `t`, s.
-    pub fn note(&mut self, product: f64, t: f64) {
+    pub(crate) fn note(&mut self, product: f64, t: f64) {
         if product > STABLE {
             self.n_others = 0;
             self.n_at_edge += 1;
@@ -55,7 +55,7 @@ impl StiffnessWatch {
     }
 
     /// When stiffness was noticed, s.
-    pub fn since(&self) -> Option<f64> {
+    pub(crate) fn since(&self) -> Option<f64> {
         self.since
     }
 }
@@ -63,7 +63,7 @@ impl StiffnessWatch {
 impl<T: Scalar> Dop853<T> {
     /// `h |λ|` of the largest eigenvalue λ of the motion, from the last two slopes of the step of length `h` that was accepted
     /// last and ended at `to`: both belong to its end.
-    pub fn stability(&mut self, h: f64, to: Knot<'_, T>) -> f64 {
+    pub(crate) fn stability(&mut self, h: f64, to: Knot<'_, T>) -> f64 {
         let last = N_STAGES - 1;
         self.combine(h, Self::STAGES[last - 1]);
         let n = 2 * self.n_q;

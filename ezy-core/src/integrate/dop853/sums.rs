@@ -3,11 +3,11 @@
 use crate::scalar::Scalar;
 
 /// Numbers of y that are computed side by side; y is filled up with zeros to a whole number of blocks.
-pub type Block<T> = [T; WIDTH];
-pub const WIDTH: usize = 4;
+pub(super) type Block<T> = [T; WIDTH];
+pub(super) const WIDTH: usize = 4;
 
 /// A sum over stages: from the slopes of all stages, each as long as the result.
-pub type Sum<T> = fn(&[Block<T>], &mut [Block<T>]);
+pub(super) type Sum<T> = fn(&[Block<T>], &mut [Block<T>]);
 
 /// `Σ weight · slope`, in the order of the weights. To be inlined where these are literals.
 #[allow(
@@ -15,7 +15,7 @@ pub type Sum<T> = fn(&[Block<T>], &mut [Block<T>]);
     reason = "counted loops become vector instructions, iterators of this length do not"
 )]
 #[inline(always)]
-pub fn sum<const N: usize, T: Scalar>(weights: [(usize, f64); N], slopes: &[Block<T>], out: &mut [Block<T>]) {
+pub(super) fn sum<const N: usize, T: Scalar>(weights: [(usize, f64); N], slopes: &[Block<T>], out: &mut [Block<T>]) {
     let length = out.len();
     let rows: [&[Block<T>]; N] = std::array::from_fn(|k| &slopes[weights[k].0 * length..][..length]);
     for (i, out) in out.iter_mut().enumerate() {

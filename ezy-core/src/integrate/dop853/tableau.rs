@@ -7,12 +7,12 @@ use super::sums::{Block, Sum, sum};
 use crate::scalar::Scalar;
 
 /// Stages of a step.
-pub const N_STAGES: usize = 12;
+pub(super) const N_STAGES: usize = 12;
 /// Stages of a step with dense output: the slope at its end and three more.
-pub const N_STAGES_OF_DENSE_OUTPUT: usize = 16;
+pub(super) const N_STAGES_OF_DENSE_OUTPUT: usize = 16;
 
 /// Nodes c of the stages.
-pub const NODES: [f64; N_STAGES_OF_DENSE_OUTPUT] = [
+pub(super) const NODES: [f64; N_STAGES_OF_DENSE_OUTPUT] = [
     0.0,
     0.05260015195876773,
     0.0789002279381516,
@@ -33,7 +33,7 @@ pub const NODES: [f64; N_STAGES_OF_DENSE_OUTPUT] = [
 
 /// Sums with the weights a of each stage from the second on, as (stage, weight), zeros left out; the thirteenth is the step
 /// itself.
-pub const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] {
+pub(super) const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] {
     [
         |slopes, out| sum([(0, 0.05260015195876773)], slopes, out),
         |slopes, out| sum([(0, 0.0197250569845379), (1, 0.0591751709536137)], slopes, out),
@@ -186,7 +186,7 @@ pub const fn stages<T: Scalar>() -> [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] {
 }
 
 /// The step less its embedded solution of order 3.
-pub fn error_3<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
+pub(super) fn error_3<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
     sum(
         [
             (0, -0.18980075407240762),
@@ -204,7 +204,7 @@ pub fn error_3<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
 }
 
 /// The step less its embedded solution of order 5.
-pub fn error_5<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
+pub(super) fn error_5<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
     sum(
         [
             (0, 0.01312004499419488),
@@ -222,7 +222,7 @@ pub fn error_5<T: Scalar>(slopes: &[Block<T>], out: &mut [Block<T>]) {
 }
 
 /// Weights of the four highest coefficients of the dense output.
-pub const DENSE: [&[(usize, f64)]; 4] = [
+pub(super) const DENSE: [&[(usize, f64)]; 4] = [
     &[
         (0, -8.428938276109013),
         (5, 0.5667149535193777),

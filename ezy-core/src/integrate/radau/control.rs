@@ -9,7 +9,7 @@ use crate::integrate::Tolerance;
 /// Gustafsson, ACM Trans. Math. Software 20 (1994); Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.8,
 /// (8.21), (8.25) and the constants of the program RADAU5 there.
 #[derive(Debug, Clone, Default)]
-pub struct RadauControl {
+pub(crate) struct RadauControl {
     /// Length, s, and error of the last accepted step.
     last: Option<(f64, f64)>,
     just_rejected: bool,
@@ -31,20 +31,20 @@ const FIRST_REJECTED: f64 = 0.1;
 
 /// What the estimate may be for values between steps to keep to a tolerance: the estimate goes with the fourth power of the
 /// step, their error with the fifth.
-pub fn tolerance_of_estimate(tolerance: Tolerance) -> Tolerance {
+pub(crate) fn tolerance_of_estimate(tolerance: Tolerance) -> Tolerance {
     let relative = tolerance.relative.powf(0.8);
     Tolerance { relative, absolute: tolerance.absolute * (relative / tolerance.relative) }
 }
 
 impl RadauControl {
     /// Whether a step with a large error deserves a second look.
-    pub fn is_doubtful(&self) -> bool {
+    pub(crate) fn is_doubtful(&self) -> bool {
         self.last.is_none() || self.just_rejected
     }
 
     /// Length of the step after one of length `h` with an error of at most 1; `keeps` says that an equal length would keep the
     /// factors.
-    pub fn accept(&mut self, h: f64, error: f64, n_passes: u32, keeps: bool) -> f64 {
+    pub(crate) fn accept(&mut self, h: f64, error: f64, n_passes: u32, keeps: bool) -> f64 {
         let mut factor = wanted(error, n_passes);
         if let Some((last_h, last_error)) = self.last {
             let trend = SAFETY * (h / last_h) * (last_error / (error * error)).powf(1.0 / ESTIMATE_ORDER);
@@ -58,14 +58,14 @@ impl RadauControl {
     }
 
     /// Length of the next try after a step of length `h` with an error above 1.
-    pub fn reject(&mut self, h: f64, error: f64, n_passes: u32) -> f64 {
+    pub(crate) fn reject(&mut self, h: f64, error: f64, n_passes: u32) -> f64 {
         self.just_rejected = true;
         let factor = if self.last.is_none() { FIRST_REJECTED } else { wanted(error, n_passes).min(SAFETY) };
         h * factor
     }
 
     /// Length of the next try after an iteration that did not converge.
-    pub fn diverge(&mut self, h: f64, factor: f64) -> f64 {
+    pub(crate) fn diverge(&mut self, h: f64, factor: f64) -> f64 {
         self.just_rejected = true;
         h * factor
     }

@@ -3,13 +3,13 @@
 use crate::integrate::Tolerance;
 
 /// Passes of the iteration after which a step is given up.
-pub const MAX_PASSES: u32 = 7;
+pub(super) const MAX_PASSES: u32 = 7;
 /// The iteration ends when its error is below this part of the tolerance, or below the root of the tolerance.
 const PART: f64 = 0.03;
 /// No change is resolved below this many units of rounding.
 const ROUNDING: f64 = 10.0 * f64::EPSILON;
 /// A step this many times as long after an iteration that goes nowhere.
-pub const SHORTEN: f64 = 0.5;
+pub(super) const SHORTEN: f64 = 0.5;
 /// A pass has to leave less than this of the error.
 const SLOWEST: f64 = 0.99;
 /// Power of the share of the iteration before that the first pass of the next one goes by.
@@ -21,7 +21,7 @@ const AT_ONCE: f64 = 1e-3;
 ///
 /// # Source
 /// Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.8, (8.10) and (8.11).
-pub struct Convergence {
+pub(super) struct Convergence {
     goal: f64,
     n_passes: u32,
     /// Error after a pass over its change.
@@ -32,7 +32,7 @@ pub struct Convergence {
 }
 
 /// What to do after a pass.
-pub enum Verdict {
+pub(super) enum Verdict {
     GoOn,
     Converged,
     /// A step this many times as long may converge.
@@ -43,14 +43,14 @@ pub enum Verdict {
 
 impl Convergence {
     /// `share` is that of the iteration before.
-    pub fn new(tolerance: Tolerance, share: f64) -> Self {
+    pub(super) fn new(tolerance: Tolerance, share: f64) -> Self {
         let goal = (ROUNDING / tolerance.relative).max(PART.min(tolerance.relative.sqrt()));
         let share = share.max(f64::EPSILON).powf(FORGET);
         Self { goal, n_passes: 0, share, last_change: 0.0, last_ratio: 0.0, rate: AT_ONCE }
     }
 
     /// Judges a pass that changed the stages by `change` tolerances.
-    pub fn judge(&mut self, change: f64) -> Verdict {
+    pub(super) fn judge(&mut self, change: f64) -> Verdict {
         self.n_passes += 1;
         if !change.is_finite() {
             return Verdict::Diverged { factor: SHORTEN };
@@ -89,16 +89,16 @@ impl Convergence {
     }
 
     /// What a pass leaves of the error.
-    pub fn rate(&self) -> f64 {
+    pub(super) fn rate(&self) -> f64 {
         self.rate
     }
 
     /// What is left of the error after a pass, over the change of that pass.
-    pub fn share(&self) -> f64 {
+    pub(super) fn share(&self) -> f64 {
         self.share
     }
 
-    pub fn n_passes(&self) -> u32 {
+    pub(super) fn n_passes(&self) -> u32 {
         self.n_passes
     }
 }

@@ -8,14 +8,14 @@ use crate::linalg::Lu;
 use crate::model::{SceneInfo, SlopePlaces};
 
 /// Number of equations of motion up to which all stages are solved together.
-pub const LARGEST_COUPLED: usize = 50;
+pub(super) const LARGEST_COUPLED: usize = 50;
 
 /// All three stages as one system of 3 (n_q + n_c) equations, with the slopes of each stage in its rows.
 ///
 /// The simplified iteration has one set of slopes for the step. Where a stiff force turns by the angle φ in it, what is left of
 /// them is φ times its frequency times the step, and nothing is gained once that is one; with slopes of their own the stages
 /// converge as fast as ever.
-pub struct Coupled {
+pub(super) struct Coupled {
     pub slopes: Slopes,
     entries: Entries,
     lu: Lu<f64>,
@@ -29,7 +29,7 @@ pub struct Coupled {
 
 impl Coupled {
     /// None for a scene with too many equations.
-    pub fn new(info: &SceneInfo, places: &SlopePlaces) -> Option<Self> {
+    pub(super) fn new(info: &SceneInfo, places: &SlopePlaces) -> Option<Self> {
         let (n_q, n) = (info.n_coordinates(), N_STAGES * info.n_unknowns());
         let zeros = |n: usize| vec![0.0; n];
         (info.n_unknowns() <= LARGEST_COUPLED).then(|| Self {
@@ -46,7 +46,7 @@ impl Coupled {
     }
 
     /// Takes the slopes of stage `i` of a step of length `h` into its rows.
-    pub fn write(&mut self, i: usize, h: f64, mass: &[f64]) {
+    pub(super) fn write(&mut self, i: usize, h: f64, mass: &[f64]) {
         self.entries.write(mass, &self.slopes);
         for j in 0..N_STAGES {
             let own = if i == j { 1.0 } else { 0.0 };
@@ -55,7 +55,7 @@ impl Coupled {
     }
 
     /// Improves the stages, as [`Newton::improve`](super::newton::Newton::improve); not a number when the matrix is singular.
-    pub fn improve(&mut self, residual: &Triple<Vec<f64>>, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
+    pub(super) fn improve(&mut self, residual: &Triple<Vec<f64>>, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
         let n_q = self.of_q.len();
         let n = residual[0].len();
         self.entries.scale_blocks(self.lu.matrix_mut(), &mut self.row_scale, &mut self.column_scale);

@@ -15,7 +15,7 @@ use nalgebra::{ComplexField, DMatrix};
 /// A row that holds the heaviest body by light ones leaves a pivot of 1/m, which is one in the unit of that mass: the small
 /// diagonal stays small beside it at any ratio of masses. Small masses lose nothing by that unit: beside entries of G they are
 /// no pivots, and no entry of G is added to them.
-pub struct Entries {
+pub(super) struct Entries {
     n_q: usize,
     /// Where entries stand, by rows.
     starts: Vec<usize>,
@@ -43,7 +43,7 @@ struct Places {
 const DAMPING: f64 = 1e-11;
 
 impl Entries {
-    pub fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Self {
+    pub(super) fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Self {
         let (n_q, n) = (info.n_coordinates(), info.n_unknowns());
         let jacobian = || info.jacobian.entries().map(|(_, row, column)| (row, column));
         let mass: Vec<_> = (0..n_q).map(|i| (i, i)).collect();
@@ -77,12 +77,12 @@ impl Entries {
     }
 
     /// Number of rows and columns.
-    pub fn n(&self) -> usize {
+    pub(super) fn n(&self) -> usize {
         self.row_scale.len()
     }
 
     /// Takes M, G and the slopes at one state.
-    pub fn write(&mut self, mass: &[f64], slopes: &Slopes) {
+    pub(super) fn write(&mut self, mass: &[f64], slopes: &Slopes) {
         let Self { fixed, by_v, by_q, places, .. } = self;
         for values in [&mut *fixed, by_v, by_q] {
             values.fill(0.0);
@@ -98,7 +98,7 @@ impl Entries {
     }
 
     /// Chooses the scales for μ: the unit of forces, then columns, then rows.
-    pub fn scale(&mut self, mu: f64) {
+    pub(super) fn scale(&mut self, mu: f64) {
         let Self { n_q, starts, columns, fixed, by_v, by_q, row_scale, column_scale, .. } = self;
         let size = |place: usize| (fixed[place] - (by_v[place] + by_q[place] / mu) / mu).abs();
         let of_motion = starts[*n_q];
@@ -120,7 +120,7 @@ impl Entries {
     ///
     /// # Errors
     /// [`SparseKktError`] when there is no memory for an analysis.
-    pub fn factors<T>(&self) -> Result<Factors<T>, SparseKktError>
+    pub(super) fn factors<T>(&self) -> Result<Factors<T>, SparseKktError>
     where
         T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
     {
@@ -128,7 +128,7 @@ impl Entries {
     }
 
     /// Writes the scaled N(μ).
-    pub fn assemble<T>(&self, mu: T, factors: &mut Factors<T>)
+    pub(super) fn assemble<T>(&self, mu: T, factors: &mut Factors<T>)
     where
         T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
     {
@@ -147,7 +147,14 @@ impl Entries {
 
     /// Writes `K·own − R_v·of_v − R_q·of_q` into block (row, column) of a matrix of several such blocks, not scaled; the columns
     /// of R_v and R_q are those of the accelerations.
-    pub fn write_block(&self, [row, column]: [usize; 2], own: f64, of_v: f64, of_q: f64, matrix: &mut DMatrix<f64>) {
+    pub(super) fn write_block(
+        &self,
+        [row, column]: [usize; 2],
+        own: f64,
+        of_v: f64,
+        of_q: f64,
+        matrix: &mut DMatrix<f64>,
+    ) {
         let n = self.n();
         matrix.view_mut((row * n, column * n), (n, n)).fill(0.0);
         for i in 0..n {
@@ -159,7 +166,7 @@ impl Entries {
     }
 
     /// Scales a matrix of several blocks as [`Self::scale`] does, and puts the small diagonal on its rows of G.
-    pub fn scale_blocks(&self, matrix: &mut DMatrix<f64>, row_scale: &mut [f64], column_scale: &mut [f64]) {
+    pub(super) fn scale_blocks(&self, matrix: &mut DMatrix<f64>, row_scale: &mut [f64], column_scale: &mut [f64]) {
         let n = self.n();
         let is_motion = |i: usize| i % n < self.n_q;
         let mut heaviest: f64 = 0.0;
@@ -184,7 +191,7 @@ impl Entries {
     }
 
     /// Solves N(μ) x = right side in place with factors of the scaled one.
-    pub fn solve<T>(&self, factors: &mut Factors<T>, x: &mut [T])
+    pub(super) fn solve<T>(&self, factors: &mut Factors<T>, x: &mut [T])
     where
         T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
     {
@@ -194,7 +201,7 @@ impl Entries {
     }
 
     /// `R_q of_q + R_v of_v` (`n_q + n_c`).
-    pub fn slope_along(&self, of_q: &[f64], of_v: &[f64], out: &mut [f64]) {
+    pub(super) fn slope_along(&self, of_q: &[f64], of_v: &[f64], out: &mut [f64]) {
         for (x, ends) in out.iter_mut().zip(self.starts.windows(2)) {
             let places = (ends[0]..ends[1]).filter(|&place| self.columns[place] < self.n_q);
             *x = places.fold(0.0, |sum, place| {

@@ -4,7 +4,7 @@ use crate::linalg::{Lu, SparseKktError, SparseLu};
 use nalgebra::ComplexField;
 
 /// Dense where that is quicker.
-pub enum Factors<T: ComplexField<RealField = f64>> {
+pub(super) enum Factors<T: ComplexField<RealField = f64>> {
     Dense(Lu<T>),
     Sparse(Box<SparseLu<T>>),
 }
@@ -18,7 +18,7 @@ impl<T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy> Facto
     ///
     /// # Errors
     /// [`SparseKktError`] when there is no memory for an analysis.
-    pub fn new(starts: &[usize], columns: &[usize]) -> Result<Self, SparseKktError> {
+    pub(super) fn new(starts: &[usize], columns: &[usize]) -> Result<Self, SparseKktError> {
         let n = starts.len() - 1;
         if n < SPARSE_FROM {
             Ok(Self::Dense(Lu::new(n)))
@@ -28,7 +28,7 @@ impl<T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy> Facto
     }
 
     /// Writes the matrix: `entry` says where an entry stands, and its value.
-    pub fn write(&mut self, entries: impl Iterator<Item = ((usize, usize), T)>) {
+    pub(super) fn write(&mut self, entries: impl Iterator<Item = ((usize, usize), T)>) {
         match self {
             Self::Dense(lu) => {
                 let matrix = lu.matrix_mut();
@@ -40,7 +40,7 @@ impl<T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy> Facto
     }
 
     /// Factors the matrix; false when it is singular.
-    pub fn factor(&mut self) -> bool {
+    pub(super) fn factor(&mut self) -> bool {
         match self {
             Self::Dense(lu) => lu.factor(),
             Self::Sparse(lu) => lu.factor(),
@@ -48,7 +48,7 @@ impl<T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy> Facto
     }
 
     /// Replaces the right side by the solution.
-    pub fn solve(&mut self, right_side: &mut [T]) {
+    pub(super) fn solve(&mut self, right_side: &mut [T]) {
         match self {
             Self::Dense(lu) => lu.solve(right_side),
             Self::Sparse(lu) => lu.solve(right_side),

@@ -9,7 +9,7 @@ use crate::model::{SceneInfo, SlopePlaces};
 use nalgebra::Complex;
 
 /// `N(μ) = K − [R_v/μ + R_q/μ² | 0]`, factored for the real and one of the complex eigenvalues μ of A⁻¹/h.
-pub struct Matrices {
+pub(super) struct Matrices {
     entries: Entries,
     real: Factors<f64>,
     complex: Factors<Complex<f64>>,
@@ -22,25 +22,25 @@ impl Matrices {
     ///
     /// # Errors
     /// [`SparseKktError`] when there is no memory for an analysis.
-    pub fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Result<Self, SparseKktError> {
+    pub(super) fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Result<Self, SparseKktError> {
         let entries = Entries::new(info, slopes);
         let (real, complex) = (entries.factors()?, entries.factors()?);
         Ok(Self { entries, real, complex, step_s: None })
     }
 
     /// h of the factors, s.
-    pub fn step_s(&self) -> Option<f64> {
+    pub(super) fn step_s(&self) -> Option<f64> {
         self.step_s
     }
 
     /// Takes M, G and the slopes at one state; what was factored is forgotten.
-    pub fn write(&mut self, mass: &[f64], slopes: &Slopes) {
+    pub(super) fn write(&mut self, mass: &[f64], slopes: &Slopes) {
         self.entries.write(mass, slopes);
         self.step_s = None;
     }
 
     /// Factors for steps of length `h`; false when a matrix is singular.
-    pub fn factor(&mut self, h: f64) -> bool {
+    pub(super) fn factor(&mut self, h: f64) -> bool {
         self.entries.scale(GAMMA / h);
         self.entries.assemble(GAMMA / h, &mut self.real);
         self.entries.assemble(Complex::new(ALPHA, BETA) / h, &mut self.complex);
@@ -50,18 +50,18 @@ impl Matrices {
     }
 
     /// Solves with the real eigenvalue, in place.
-    pub fn solve_real(&mut self, x: &mut [f64]) {
+    pub(super) fn solve_real(&mut self, x: &mut [f64]) {
         self.entries.solve(&mut self.real, x);
     }
 
     /// Solves with the complex eigenvalue, in place.
-    pub fn solve_complex(&mut self, x: &mut [Complex<f64>]) {
+    pub(super) fn solve_complex(&mut self, x: &mut [Complex<f64>]) {
         self.entries.solve(&mut self.complex, x);
     }
 
     /// `(μ − J)⁻¹ [of_q; of_v]` in place for the real eigenvalue μ of steps of length `h`, where J are the slopes of (v, a);
     /// `solution` (`n_q + n_c`) is overwritten.
-    pub fn filter(&mut self, h: f64, of_q: &mut [f64], of_v: &mut [f64], solution: &mut [f64]) {
+    pub(super) fn filter(&mut self, h: f64, of_q: &mut [f64], of_v: &mut [f64], solution: &mut [f64]) {
         let mu = GAMMA / h;
         // with α = μ dv − of_v and μ dq = dv + of_q: N α = R_v of_v/μ + R_q (of_v/μ + of_q)/μ
         of_v.iter_mut().for_each(|x| *x /= mu);

@@ -23,7 +23,7 @@ use newton::Newton;
 use stages::Stages;
 use tableau::{N_STAGES, NODES, Triple};
 
-pub use control::{RadauControl, tolerance_of_estimate};
+pub(crate) use control::{RadauControl, tolerance_of_estimate};
 
 /// Stages of the method for q' = v, v' = a, w' = power of each effect, where a and the multipliers λ solve the equations of
 /// motion.
@@ -267,12 +267,12 @@ impl Radau {
     }
 
     /// Whether another step of the same length would keep the factors.
-    pub fn keeps_factors(&self) -> bool {
+    pub(crate) fn keeps_factors(&self) -> bool {
         self.rate <= FAST
     }
 
     /// A first step: a hundredth of the time in which the state would change by its own size.
-    pub fn first_step(&mut self, from: Knot<'_>, longest: f64, tolerance: Tolerance) -> f64 {
+    pub(crate) fn first_step(&mut self, from: Knot<'_>, longest: f64, tolerance: Tolerance) -> f64 {
         self.weigh(from.state, tolerance);
         let State { q, v, .. } = from.state;
         let ratio = estimate::norm(q, v, &self.weights) / estimate::norm(v, from.a, &self.weights);

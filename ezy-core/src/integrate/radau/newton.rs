@@ -6,7 +6,7 @@ use super::tableau::{ALPHA, BETA, GAMMA, N_STAGES, T, T_INVERSE, Triple};
 use nalgebra::Complex;
 
 /// What one pass needs.
-pub struct Newton {
+pub(super) struct Newton {
     /// Residuals of the equations of motion at the stages, `n_q + n_c` each.
     pub residual: Triple<Vec<f64>>,
     real: Vec<f64>,
@@ -15,7 +15,7 @@ pub struct Newton {
 
 impl Newton {
     /// For `n` equations of motion.
-    pub fn new(n: usize) -> Self {
+    pub(super) fn new(n: usize) -> Self {
         Self {
             residual: std::array::from_fn(|_| vec![0.0; n]),
             real: vec![0.0; n],
@@ -25,7 +25,7 @@ impl Newton {
 
     /// Improves the stages of a step of length `h`; returns the root mean square of the changes of positions and
     /// velocities, each times its weight (`2 n_q`).
-    pub fn improve(&mut self, matrices: &mut Matrices, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
+    pub(super) fn improve(&mut self, matrices: &mut Matrices, stages: &mut Stages, h: f64, weights: &[f64]) -> f64 {
         self.solve(matrices);
         let n_q = stages.a[0].len();
         let (real_length, complex_length) = (h / GAMMA, Complex::new(h, 0.0) / Complex::new(ALPHA, BETA));

@@ -6,7 +6,7 @@ use crate::dynamics::State;
 /// Accelerations and multipliers at the three stages, and the increments of velocities and positions over the start of the
 /// step that belong to them: `v_i = v_0 + h Σ A_ij a_j`, `q_i = q_0 + c_i h v_0 + h² Σ A²_ij a_j`.
 #[derive(Debug, Clone)]
-pub struct Stages {
+pub(super) struct Stages {
     /// `n_q` each.
     pub a: Triple<Vec<f64>>,
     /// `n_c` each.
@@ -20,7 +20,7 @@ pub struct Stages {
 
 impl Stages {
     /// Everything zero.
-    pub fn zero(n_coordinates: usize, n_rows: usize, n_works: usize) -> Self {
+    pub(super) fn zero(n_coordinates: usize, n_rows: usize, n_works: usize) -> Self {
         let zero = |n: usize| std::array::from_fn(|_| vec![0.0; n]);
         Self {
             a: zero(n_coordinates),
@@ -32,7 +32,7 @@ impl Stages {
     }
 
     /// Everything as at the start.
-    pub fn hold(&mut self, a: &[f64], lambda: &[f64]) {
+    pub(super) fn hold(&mut self, a: &[f64], lambda: &[f64]) {
         for i in 0..N_STAGES {
             self.a[i].copy_from_slice(a);
             self.lambda[i].copy_from_slice(lambda);
@@ -40,7 +40,7 @@ impl Stages {
     }
 
     /// Accelerations and multipliers go on as in the step before, which was `1/ratio` times as long.
-    pub fn extrapolate(&mut self, before: &Self, ratio: f64) {
+    pub(super) fn extrapolate(&mut self, before: &Self, ratio: f64) {
         for (i, c) in NODES.iter().enumerate() {
             let weights = through_nodes(1.0 + ratio * c);
             combine(&weights, &before.a, &mut self.a[i]);
@@ -49,7 +49,7 @@ impl Stages {
     }
 
     /// Increments of positions and velocities that belong to the accelerations.
-    pub fn follow(&mut self, start_v: &[f64], h: f64) {
+    pub(super) fn follow(&mut self, start_v: &[f64], h: f64) {
         for i in 0..N_STAGES {
             combine(&A[i].map(|weight| h * weight), &self.a, &mut self.v[i]);
             combine(&A_SQUARED[i].map(|weight| h * h * weight), &self.a, &mut self.q[i]);
@@ -58,27 +58,27 @@ impl Stages {
     }
 
     /// Increments of works from the powers at the stages.
-    pub fn add_works(&mut self, powers: &Triple<Vec<f64>>, h: f64) {
+    pub(super) fn add_works(&mut self, powers: &Triple<Vec<f64>>, h: f64) {
         for (weights, work) in A.iter().zip(&mut self.work) {
             combine(&weights.map(|weight| h * weight), powers, work);
         }
     }
 
     /// Positions and velocities of stage `i`.
-    pub fn write_state(&self, i: usize, start: &State, q: &mut [f64], v: &mut [f64]) {
+    pub(super) fn write_state(&self, i: usize, start: &State, q: &mut [f64], v: &mut [f64]) {
         q.iter_mut().zip(&start.q).zip(&self.q[i]).for_each(|((q, start), by)| *q = start + by);
         v.iter_mut().zip(&start.v).zip(&self.v[i]).for_each(|((v, start), by)| *v = start + by);
     }
 }
 
 /// `out = Σ weight x`
-pub fn combine(weights: &Triple, x: &Triple<Vec<f64>>, out: &mut [f64]) {
+pub(super) fn combine(weights: &Triple, x: &Triple<Vec<f64>>, out: &mut [f64]) {
     out.fill(0.0);
     add_combination(weights, x, out);
 }
 
 /// `out += Σ weight x`
-pub fn add_combination(weights: &Triple, x: &Triple<Vec<f64>>, out: &mut [f64]) {
+pub(super) fn add_combination(weights: &Triple, x: &Triple<Vec<f64>>, out: &mut [f64]) {
     let [first, second, third] = x;
     for (((out, first), second), third) in out.iter_mut().zip(first).zip(second).zip(third) {
         *out += weights[0] * first + weights[1] * second + weights[2] * third;

@@ -5,52 +5,52 @@
 //! computed from the closed forms there.
 
 /// Number of stages; the last one is the end of the step.
-pub const N_STAGES: usize = 3;
+pub(super) const N_STAGES: usize = 3;
 
 /// Numbers of three stages.
-pub type Triple<T = f64> = [T; N_STAGES];
+pub(super) type Triple<T = f64> = [T; N_STAGES];
 
 /// Where the stages stand in the step: (4 ∓ √6)/10 and 1.
-pub const NODES: Triple = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
+pub(super) const NODES: Triple = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
 
 /// A, the integrals from 0 to each node; its last row integrates over the step.
-pub const A: Triple<Triple> = [
+pub(super) const A: Triple<Triple> = [
     [0.196_815_477_223_660_43, -0.065_535_425_850_198_39, 0.023_770_974_348_220_15],
     [0.394_424_314_739_087_3, 0.292_073_411_665_228_46, -0.041_548_752_125_997_93],
     [0.376_403_062_700_467_3, 0.512_485_826_188_421_6, 0.111_111_111_111_111_1],
 ];
 
 /// A², which takes accelerations to positions; its last entry is zero.
-pub const A_SQUARED: Triple<Triple> = [
+pub(super) const A_SQUARED: Triple<Triple> = [
     [0.021_835_034_190_722_74, -0.019_857_254_098_612_273, 0.010_042_630_196_562_41],
     [0.177_190_587_431_946_08, 0.038_164_965_809_277_26, -0.007_375_963_529_895_744],
     [0.318_041_381_743_977_17, 0.181_958_618_256_022_83, 0.0],
 ];
 
 /// Eigenvalues of A⁻¹: a real one, and `ALPHA ± i BETA`.
-pub const GAMMA: f64 = 3.637_834_252_744_496;
-pub const ALPHA: f64 = 2.681_082_873_627_752;
-pub const BETA: f64 = 3.050_430_199_247_410_6;
+pub(super) const GAMMA: f64 = 3.637_834_252_744_496;
+pub(super) const ALPHA: f64 = 2.681_082_873_627_752;
+pub(super) const BETA: f64 = 3.050_430_199_247_410_6;
 
 /// T, with T⁻¹ A⁻¹ T = [γ 0 0; 0 α −β; 0 β α].
-pub const T: Triple<Triple> = [
+pub(super) const T: Triple<Triple> = [
     [0.091_232_394_870_892_94, -0.141_255_295_020_954_2, -0.030_029_194_105_147_424],
     [0.241_717_932_707_107, 0.204_129_352_293_799_93, 0.382_942_112_757_261_9],
     [0.966_048_182_615_093, 1.0, 0.0],
 ];
 
 /// T⁻¹.
-pub const T_INVERSE: Triple<Triple> = [
+pub(super) const T_INVERSE: Triple<Triple> = [
     [4.325_579_890_063_155, 0.339_199_251_815_809_87, 0.541_770_539_935_874_9],
     [-4.178_718_591_551_905, -0.327_682_820_761_062_4, 0.476_623_554_500_550_45],
     [-0.502_872_634_945_786_9, 2.571_926_949_855_605, -0.596_039_204_828_224_9],
 ];
 
 /// Minus the slope at the start of the polynomial through the start and the stages, as sum of the stages' increments over h.
-pub const START_SLOPE: Triple = [-10.048_809_399_827_416, 1.382_142_733_160_749, -0.333_333_333_333_333_3];
+pub(super) const START_SLOPE: Triple = [-10.048_809_399_827_416, 1.382_142_733_160_749, -0.333_333_333_333_333_3];
 
 /// Values at `s`, in parts of the step, of the polynomials of degree 2 that are one at a node and zero at the others.
-pub fn through_nodes(s: f64) -> Triple {
+pub(super) fn through_nodes(s: f64) -> Triple {
     std::array::from_fn(|i| {
         let others = (0..N_STAGES).filter(|&k| k != i);
         others.fold(1.0, |product, k| product * (s - NODES[k]) / (NODES[i] - NODES[k]))
@@ -58,14 +58,14 @@ pub fn through_nodes(s: f64) -> Triple {
 }
 
 /// As [`through_nodes`], of the polynomials of degree 3 that are zero at the start besides.
-pub fn through_start_and_nodes(s: f64) -> Triple {
+pub(super) fn through_start_and_nodes(s: f64) -> Triple {
     let values = through_nodes(s);
     std::array::from_fn(|i| values[i] * s / NODES[i])
 }
 
 /// What the collocation polynomial leaves at `s`, over what it leaves in the quadrature that takes the slope at the start with
 /// the weight 1/γ: the integral of (x − c₁)(x − c₂)(x − 1), zero at both ends.
-pub fn remainder(s: f64) -> f64 {
+pub(super) fn remainder(s: f64) -> f64 {
     -10.0 * GAMMA * s * (-0.1 + s * (0.45 + s * (-0.6 + 0.25 * s)))
 }
 

@@ -5,7 +5,7 @@ use crate::model::{Series, SeriesStore};
 use crate::scalar::Scalar;
 
 /// Solves for `a` and `lambda` of each order from `force` and `row`, where the scene's own elimination does not.
-pub trait OrderSolver<T: Scalar> {
+pub(super) trait OrderSolver<T: Scalar> {
     /// Inputs and constants.
     fn fixed(&self) -> &[T];
 
@@ -15,7 +15,7 @@ pub trait OrderSolver<T: Scalar> {
 
 /// Coefficients of q up to `order + 1` and of the multipliers up to `order - 1`, behind [`Series::begin`], with the
 /// scene's own factors.
-pub fn expand<T: Scalar>(series: &dyn Series<T>, c: &[T], order: usize, store: &mut SeriesStore<T>) {
+pub(super) fn expand<T: Scalar>(series: &dyn Series<T>, c: &[T], order: usize, store: &mut SeriesStore<T>) {
     series.solve(c, 0, store);
     sum_products(store, 2);
     series.finish(c, 0, store);
@@ -26,7 +26,7 @@ pub fn expand<T: Scalar>(series: &dyn Series<T>, c: &[T], order: usize, store: &
 }
 
 /// As [`expand`], by another solver.
-pub fn expand_with<T: Scalar>(
+pub(super) fn expand_with<T: Scalar>(
     series: &dyn Series<T>,
     solver: &mut dyn OrderSolver<T>,
     order: usize,
@@ -47,7 +47,7 @@ pub fn expand_with<T: Scalar>(
 const TWO_BODIES: usize = 6;
 
 /// What q and v gain over `s`, from coefficients of q up to `order + 1`.
-pub fn increment<T: Scalar>(store: &SeriesStore<T>, order: usize, s: T, q: &mut [T], v: &mut [T]) {
+pub(super) fn increment<T: Scalar>(store: &SeriesStore<T>, order: usize, s: T, q: &mut [T], v: &mut [T]) {
     let n_q = q.len();
     let (pairs_q, single_q) = q.as_chunks_mut::<TWO_BODIES>();
     let (pairs_v, single_v) = v.as_chunks_mut::<TWO_BODIES>();

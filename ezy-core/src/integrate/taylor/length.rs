@@ -16,7 +16,7 @@ const MORE_ORDERS: f64 = 2.0;
 ///
 /// # Source
 /// Jorba, Zou, Exp. Math. 14 (2005), sec. 3.
-pub fn order_for(tolerance: Tolerance) -> usize {
+pub(crate) fn order_for(tolerance: Tolerance) -> usize {
     let order = 1.0 - 0.5 * tolerance.relative.max(tolerance.absolute).max(f64::EPSILON).ln() + MORE_ORDERS;
     (order.ceil() as usize).clamp(*ORDERS.start(), *ORDERS.end())
 }
@@ -38,7 +38,7 @@ const LOG_NOTHING: f64 = -1023.0;
 /// The order of a step is that of v, so that y_k holds q_k and v_k = (k + 1) q_{k+1}, each over its tolerance. The last four
 /// orders give a radius of convergence and, each carried on to the last order with it, the size of the last term; the
 /// step is such that all terms after it, as a geometric series, make the tolerance.
-pub fn longest_step<T: Scalar>(store: &SeriesStore<T>, order: usize, weights: &[f64]) -> f64 {
+pub(super) fn longest_step<T: Scalar>(store: &SeriesStore<T>, order: usize, weights: &[f64]) -> f64 {
     let size = |k: usize| log2(norm(store, k, weights));
     let mut sizes = [LOG_NOTHING; N_LAST];
     sizes.iter_mut().enumerate().for_each(|(i, last)| *last = size(order + 1 + i - N_LAST));
@@ -61,7 +61,7 @@ pub fn longest_step<T: Scalar>(store: &SeriesStore<T>, order: usize, weights: &[
 }
 
 /// Reciprocals of what is tolerated, for q and then for v.
-pub fn write_weights<T: Scalar>(store: &SeriesStore<T>, tolerance: Tolerance, weights: &mut [f64]) {
+pub(super) fn write_weights<T: Scalar>(store: &SeriesStore<T>, tolerance: Tolerance, weights: &mut [f64]) {
     for (weight, x) in weights.iter_mut().zip(&store.q) {
         *weight = 1.0 / (tolerance.absolute + tolerance.relative * x.magnitude());
     }

@@ -12,7 +12,7 @@ use crate::model::{Scene, Series, SeriesStore};
 use expansion::{OrderSolver, expand, expand_with, increment};
 use work::Quadrature;
 
-pub use length::order_for as taylor_order;
+pub(crate) use length::order_for as taylor_order;
 pub use precise::{PreciseError, PreciseMotion};
 
 /// Series of q, v and the multipliers, one a step, from one factorisation of K.

@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 ///
 /// # Cost
 /// n − 1 multiplications and additions for each product, eight products at a time in vector registers.
-pub fn sum_products<T: Scalar>(store: &mut SeriesStore<T>, n: usize) {
+pub(super) fn sum_products<T: Scalar>(store: &mut SeriesStore<T>, n: usize) {
     if size_of::<T>() == size_of::<f64>() {
         sum_groups::<T, PRODUCT_GROUP>(store, n);
     } else {

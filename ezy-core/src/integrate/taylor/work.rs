@@ -9,7 +9,7 @@ use crate::model::{Scene, SeriesStore};
 /// # Source
 /// Nodes by Newton's method from the estimate of Abramowitz, Stegun (1964), 22.16.6; weights: 25.4.29.
 #[derive(Debug)]
-pub struct Quadrature {
+pub(super) struct Quadrature {
     nodes: Vec<(f64, f64)>,
     at: State,
     lambda: Vec<f64>,
@@ -20,14 +20,14 @@ const PASSES: usize = 5;
 
 impl Quadrature {
     /// Exact for polynomials of degree `degree`.
-    pub fn new(degree: usize, n_q: usize, n_c: usize, n_works: usize) -> Self {
+    pub(super) fn new(degree: usize, n_q: usize, n_c: usize, n_works: usize) -> Self {
         let n = degree / 2 + 1;
         let nodes = if n_works == 0 { Vec::new() } else { (0..n).map(|i| node(n, i)).collect() };
         Self { nodes, at: State::zero(n_q, n_works), lambda: vec![0.0; n_c] }
     }
 
     /// Adds to `work` what each power does over `h` from the state `from`.
-    pub fn add_works<S: Scene + ?Sized>(
+    pub(super) fn add_works<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,
         store: &SeriesStore<f64>,

@@ -30,32 +30,32 @@ const LINE_MARKERS: [Marker; 4] = [Marker::Circle, Marker::Square, Marker::Trian
 const LIGHTEST_BODY: f64 = 130.0;
 
 impl Look {
-    pub fn line(index: usize) -> Self {
+    pub(super) fn line(index: usize) -> Self {
         let k = index % LINE_COLORS.len();
         Self { color: LINE_COLORS[k], dash: LINE_DASHES[k], width_pt: 1.8, marker: Marker::None }
     }
 
-    pub fn with_marker(self, index: usize) -> Self {
+    pub(super) fn with_marker(self, index: usize) -> Self {
         Self { marker: LINE_MARKERS[index % LINE_MARKERS.len()], ..self }
     }
 
-    pub fn band() -> Self {
+    pub(super) fn band() -> Self {
         Self { color: [170, 205, 235], dash: &[], width_pt: 6.0, marker: Marker::None }
     }
 
-    pub fn guide() -> Self {
+    pub(super) fn guide() -> Self {
         Self { color: [110, 110, 110], dash: &[1.5, 3.0], width_pt: 1.4, marker: Marker::None }
     }
 
-    pub fn body(shade: f64) -> Self {
+    pub(super) fn body(shade: f64) -> Self {
         Self { color: grey(shade), dash: &[], width_pt: 2.4, marker: Marker::None }
     }
 
-    pub fn wheel(shade: f64) -> Self {
+    pub(super) fn wheel(shade: f64) -> Self {
         Self { color: grey(shade), dash: &[], width_pt: 5.0, marker: Marker::None }
     }
 
-    pub fn hinge() -> Self {
+    pub(super) fn hinge() -> Self {
         Self { color: [255, 255, 255], dash: &[], width_pt: 0.0, marker: Marker::Circle }
     }
 }

@@ -4,16 +4,16 @@ use super::DoubleDouble;
 use std::f64::consts;
 
 /// π/2, in parts of 53 bits.
-pub const HALF_PI: [f64; 3] = [consts::FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33];
+pub(super) const HALF_PI: [f64; 3] = [consts::FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33];
 
 /// ln 2, in parts of 53 bits.
-pub const LN_2: [f64; 3] = [consts::LN_2, 2.3190468138462996e-17, 5.707708438416212e-34];
+pub(super) const LN_2: [f64; 3] = [consts::LN_2, 2.3190468138462996e-17, 5.707708438416212e-34];
 
 /// π
-pub const PI: DoubleDouble = DoubleDouble { high: consts::PI, low: 1.2246467991473532e-16 };
+pub(super) const PI: DoubleDouble = DoubleDouble { high: consts::PI, low: 1.2246467991473532e-16 };
 
 /// 1/n! of n = 2, 3, … 30.
-pub const INVERSE_FACTORIALS: [DoubleDouble; 29] = [
+pub(super) const INVERSE_FACTORIALS: [DoubleDouble; 29] = [
     DoubleDouble { high: 0.5, low: 0.0 },
     DoubleDouble { high: 0.16666666666666666, low: 9.25185853854297e-18 },
     DoubleDouble { high: 0.041666666666666664, low: 2.3129646346357427e-18 },

@@ -36,7 +36,7 @@ const COS: [f64; 6] = [
 ];
 
 #[inline(always)]
-pub fn sin_cos<const L: usize>(x: &[f64; L]) -> ([f64; L], [f64; L]) {
+pub(super) fn sin_cos<const L: usize>(x: &[f64; L]) -> ([f64; L], [f64; L]) {
     let small = x.iter().fold(true, |all, x| all & (x.abs() <= LARGEST));
     if !small {
         return (from_fn(|i| x[i].sin()), from_fn(|i| x[i].cos()));

@@ -54,7 +54,7 @@ pub(in crate::simulate) struct Kinks {
 }
 
 impl Kinks {
-    pub fn new(info: &SceneInfo) -> Self {
+    pub(crate) fn new(info: &SceneInfo) -> Self {
         let is_kink = |&i: &usize| info.events[i].kind == EventKind::Kink;
         let places: Vec<usize> = (0..info.events.len()).filter(is_kink).collect();
         // without kinks there is nothing to look for
@@ -72,18 +72,23 @@ impl Kinks {
     }
 
     /// Nothing was cut before.
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         self.debt = 0;
     }
 
     /// A step of fixed length came to its end.
-    pub fn rest(&mut self) {
+    pub(crate) fn rest(&mut self) {
         self.debt = self.debt.saturating_sub(1);
     }
 
     /// Whether a step goes over a kink, to its end or to the other places, `ends`, in which it looks at the law of that time;
     /// leaves the values at the start and beyond.
-    pub fn are_crossed<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, ends: &[&State]) -> bool {
+    pub(crate) fn are_crossed<S: Scene + ?Sized>(
+        &mut self,
+        system: &System<'_, S>,
+        from: &State,
+        ends: &[&State],
+    ) -> bool {
         let Self { places, values: [before, after, inside], .. } = self;
         if places.is_empty() {
             return false;
@@ -104,7 +109,12 @@ impl Kinks {
     }
 
     /// Length of the step from `from` that ends at the first kink, s, where the step to `end` goes over one.
-    pub fn up_to<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, from: Knot<'_>, end: &State) -> Option<f64> {
+    pub(crate) fn up_to<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: Knot<'_>,
+        end: &State,
+    ) -> Option<f64> {
         if !self.are_crossed(system, from.state, &[end]) {
             return None;
         }
@@ -130,7 +140,7 @@ impl Kinks {
 
     /// A step from `from` that ends at the first kink, where the one to `ends` goes over one; `whole_s` is the length that
     /// steps have otherwise.
-    pub fn cut<S: Scene + ?Sized>(
+    pub(crate) fn cut<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,
         from: Knot<'_>,

@@ -64,7 +64,7 @@ pub(super) struct Lookout {
 }
 
 impl Lookout {
-    pub fn new(sought: Sought, events: &'static [EventInfo], n_q: usize, n_works: usize) -> Self {
+    pub(super) fn new(sought: Sought, events: &'static [EventInfo], n_q: usize, n_works: usize) -> Self {
         let zeros = || vec![0.0; events.len()];
         Self {
             sought,
@@ -81,12 +81,15 @@ impl Lookout {
         }
     }
 
-    pub fn is_idle(&self) -> bool {
+    pub(super) fn is_idle(&self) -> bool {
         self.n_told == 0
     }
 
     /// Looks at the step that `motion` has made, both ends evaluated; returns what ends the run.
-    pub fn look<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<Option<Passage>, MotionError> {
+    pub(super) fn look<S: Scene + ?Sized>(
+        &mut self,
+        motion: &mut Motion<'_, S>,
+    ) -> Result<Option<Passage>, MotionError> {
         self.find(motion)?;
         let end = self.passages.iter().position(|passage| passage.event.kind == EventKind::End);
         if let Some(end) = end {
@@ -96,7 +99,7 @@ impl Lookout {
     }
 
     /// Keeps what took place in the step that was looked at last.
-    pub fn keep<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
+    pub(super) fn keep<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
         for Passage { t, event } in self.passages.drain(..) {
             motion.inside(t, &mut self.place)?;
             motion.project(&mut self.place)?;
@@ -106,7 +109,7 @@ impl Lookout {
     }
 
     /// Time of the first passage of a step that is looked at by itself, s: from above zero, unless it `begins` there.
-    pub fn first<S: Scene + ?Sized>(
+    pub(super) fn first<S: Scene + ?Sized>(
         &mut self,
         motion: &mut Motion<'_, S>,
         begins: bool,
@@ -118,7 +121,7 @@ impl Lookout {
     }
 
     /// Last time of the step at which the values are defined, s; they are not at `undefined`.
-    pub fn last_defined<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, undefined: f64) -> f64 {
+    pub(super) fn last_defined<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, undefined: f64) -> f64 {
         let (mut last, mut beyond) = (motion.now.state.t, undefined);
         while beyond - last > resolution_at(beyond) {
             let t = 0.5 * (last + beyond);
@@ -131,7 +134,7 @@ impl Lookout {
     }
 
     /// Whether a value is below zero at the end of the step.
-    pub fn ends_below(&self) -> bool {
+    pub(super) fn ends_below(&self) -> bool {
         self.values[N_PARTS].iter().any(|&value| value < 0.0)
     }
 

@@ -18,7 +18,7 @@ pub(in crate::simulate) enum Sought {
 }
 
 impl Sought {
-    pub fn read<S: Scene + ?Sized>(
+    pub(crate) fn read<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         t: f64,

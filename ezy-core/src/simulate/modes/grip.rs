@@ -11,7 +11,7 @@ const SLIDES_LEFT: usize = 1;
 const SLIDES_RIGHT: usize = 2;
 
 /// To which side of its direction it slides: to the left 1, to the right -1.
-pub fn side(mode: usize) -> Option<f64> {
+pub(super) fn side(mode: usize) -> Option<f64> {
     match mode {
         SLIDES_LEFT => Some(1.0),
         SLIDES_RIGHT => Some(-1.0),
@@ -20,7 +20,7 @@ pub fn side(mode: usize) -> Option<f64> {
 }
 
 /// Whether it needs more than its limit.
-pub fn ends<S: Scene + ?Sized>(
+pub(super) fn ends<S: Scene + ?Sized>(
     modes: &Modes<'_, S>,
     info: &GripInfo,
     motion: &Motion<'_, S>,
@@ -31,7 +31,7 @@ pub fn ends<S: Scene + ?Sized>(
 
 /// From holding to the slide that its reaction opposes; from a slide to holding, or on to the other side. Whether it slides
 /// then, so that its velocity begins at zero.
-pub fn change<'s, S: Scene + ?Sized>(
+pub(super) fn change<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static GripInfo,
     motion: &mut Motion<'s, S>,
@@ -50,7 +50,7 @@ pub fn change<'s, S: Scene + ?Sized>(
 }
 
 /// What ends a mode.
-pub fn sought<S: Scene + ?Sized>(
+pub(super) fn sought<S: Scene + ?Sized>(
     info: &'static GripInfo,
     mode: usize,
     motion: &Motion<'_, S>,

@@ -56,7 +56,7 @@ enum Cut {
 
 impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// Of a scene that begins as `first` and may become one of `others`; `None` where it stays what it is.
-    pub fn new(first: &Motion<'s, S>, others: Vec<Motion<'s, S>>) -> Option<Self> {
+    pub(super) fn new(first: &Motion<'s, S>, others: Vec<Motion<'s, S>>) -> Option<Self> {
         let info = first.system.info();
         let law = info.grip.as_ref().map(Law::Grip).or(info.stop.as_ref().map(Law::Stop))?;
         let lookout = lookout(law, 0, first);
@@ -76,25 +76,25 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Description of the mode that has every row.
-    pub fn record_info(&self, motion: &Motion<'s, S>) -> &'static SceneInfo {
+    pub(super) fn record_info(&self, motion: &Motion<'s, S>) -> &'static SceneInfo {
         let infos = self.parked().chain([motion]).map(|motion| motion.system.info());
         infos.max_by_key(|info| info.n_rows()).unwrap_or(motion.system.info())
     }
 
     /// The row that the mode under way lacks, and its multiplier as a multiple of the limit of the skate.
-    pub fn lacking(&self) -> Option<(usize, f64)> {
+    pub(super) fn lacking(&self) -> Option<(usize, f64)> {
         match self.law {
             Law::Grip(info) => grip::side(self.mode).map(|side| (info.row, side)),
             Law::Stop(info) => (self.mode == 0).then_some((info.row, 0.0)),
         }
     }
 
-    pub fn parked(&self) -> impl Iterator<Item = &Motion<'s, S>> {
+    pub(super) fn parked(&self) -> impl Iterator<Item = &Motion<'s, S>> {
         self.parked.iter().map(|(_, motion)| motion)
     }
 
     /// Steps that were tried and not taken in any mode but the one under way, or made in any and taken back.
-    pub fn n_rejected(&self) -> u64 {
+    pub(super) fn n_rejected(&self) -> u64 {
         self.n_taken_back + self.parked().map(Motion::n_rejected).sum::<u64>()
     }
 
@@ -102,7 +102,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     ///
     /// # Errors
     /// [`SetupError::BeyondStop`], and those of laws that cannot be read and of the change.
-    pub fn start(&mut self, motion: &mut Motion<'s, S>) -> Result<(), SetupError> {
+    pub(super) fn start(&mut self, motion: &mut Motion<'s, S>) -> Result<(), SetupError> {
         match self.law {
             Law::Grip(_) => Ok(self.settle(motion)?),
             Law::Stop(info) => stop::start(self, info, motion),
@@ -110,7 +110,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// A step, up to where the mode changes; whether it ends there.
-    pub fn advance(&mut self, motion: &mut Motion<'s, S>, h: f64, t_next: f64) -> Result<bool, MotionError> {
+    pub(super) fn advance(&mut self, motion: &mut Motion<'s, S>, h: f64, t_next: f64) -> Result<bool, MotionError> {
         self.settle(motion)?;
         for _ in 0..MAX_AT_ONCE {
             if h > self.longest_s {
@@ -146,7 +146,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Goes on in the mode that follows.
-    pub fn change(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+    pub(super) fn change(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
         self.longest_s = f64::INFINITY;
         self.begins = match self.law {
             Law::Grip(info) => grip::change(self, info, motion)?,

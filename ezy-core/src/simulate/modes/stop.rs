@@ -37,7 +37,7 @@ struct Contact {
 }
 
 /// Begins at rest on an end where the scene does; refuses what is beyond one.
-pub fn start<'s, S: Scene + ?Sized>(
+pub(super) fn start<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static StopInfo,
     motion: &mut Motion<'s, S>,
@@ -65,12 +65,12 @@ pub fn start<'s, S: Scene + ?Sized>(
 }
 
 /// Whether it holds, and would have to pull.
-pub fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &StopInfo, motion: &Motion<'_, S>) -> bool {
+pub(super) fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &StopInfo, motion: &Motion<'_, S>) -> bool {
     modes.mode != FREE && push(info, modes.mode, motion) < 0.0
 }
 
 /// From free to free again or to rest, by an impact; from rest to free. Whether the distance begins at zero then.
-pub fn change<'s, S: Scene + ?Sized>(
+pub(super) fn change<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static StopInfo,
     motion: &mut Motion<'s, S>,
@@ -85,7 +85,7 @@ pub fn change<'s, S: Scene + ?Sized>(
 }
 
 /// What ends a mode.
-pub fn sought<S: Scene + ?Sized>(
+pub(super) fn sought<S: Scene + ?Sized>(
     info: &'static StopInfo,
     mode: usize,
     motion: &Motion<'_, S>,

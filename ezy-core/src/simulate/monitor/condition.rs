@@ -35,7 +35,7 @@ pub(super) struct ConditionWatch {
 
 impl ConditionWatch {
     /// None for a scene without rows or one that is too large.
-    pub fn new<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Option<Box<Self>> {
+    pub(super) fn new<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Option<Box<Self>> {
         let info = system.info();
         let n = info.n_unknowns();
         if info.n_rows() == 0 || n > LARGEST {
@@ -48,7 +48,13 @@ impl ConditionWatch {
     }
 
     /// Looks after step `n_steps` when it is time, or at the end.
-    pub fn look<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, state: &State, n_steps: u64, last: bool) {
+    pub(super) fn look<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        state: &State,
+        n_steps: u64,
+        last: bool,
+    ) {
         if !last && !n_steps.is_multiple_of(self.n_between) {
             return;
         }

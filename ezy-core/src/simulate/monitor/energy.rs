@@ -28,7 +28,7 @@ pub(super) struct EnergyWatch {
 }
 
 impl EnergyWatch {
-    pub fn new<S: Scene + ?Sized>(system: &System<'_, S>, start: &State) -> Self {
+    pub(super) fn new<S: Scene + ?Sized>(system: &System<'_, S>, start: &State) -> Self {
         let initial_kinetic = system.kinetic_energy(&start.v);
         let initial_potential = system.potential_energy(start.t, &start.q);
         let largest = EnergyError { joules: 0.0, relative: 0.0, t: start.t };
@@ -36,7 +36,7 @@ impl EnergyWatch {
     }
 
     /// The balance at a state.
-    pub fn balance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, state: &State) -> EnergyError {
+    pub(super) fn balance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, state: &State) -> EnergyError {
         let State { t, q, v, work } = state;
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
         let (mut done, mut turned_over) = (0.0, kinetic + (potential - self.initial_potential).abs());
@@ -53,7 +53,7 @@ impl EnergyWatch {
     }
 
     /// Keeps a balance when it is the largest.
-    pub fn keep(&mut self, now: EnergyError) {
+    pub(super) fn keep(&mut self, now: EnergyError) {
         if now.joules.is_nan() || now.joules.abs() > self.largest.joules.abs() {
             self.largest = now;
         }

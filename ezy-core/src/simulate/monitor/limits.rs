@@ -25,7 +25,7 @@ impl Default for Limits {
 
 impl Limits {
     /// Limits that can be kept, or [`SetupError::Limit`].
-    pub fn checked(self) -> Result<Self, SetupError> {
+    pub(crate) fn checked(self) -> Result<Self, SetupError> {
         for (name, value) in [("max-drift", self.drift), ("max-energy-error", self.energy_error)] {
             if value.is_nan() || value < 0.0 {
                 return Err(SetupError::Limit { name, value });
@@ -35,7 +35,7 @@ impl Limits {
     }
 
     /// Steps that a run may take.
-    pub fn most_steps(&self, chooses_steps: bool) -> u64 {
+    pub(crate) fn most_steps(&self, chooses_steps: bool) -> u64 {
         self.steps.unwrap_or(if chooses_steps { MAX_CHOSEN_STEPS } else { u64::MAX })
     }
 }

@@ -30,7 +30,7 @@ pub(in crate::simulate) struct Watch {
 
 impl Watch {
     /// From the start of a run. `work`: whether the run integrates works.
-    pub fn new<S: Scene + ?Sized>(
+    pub(crate) fn new<S: Scene + ?Sized>(
         system: &mut System<'_, S>,
         start: &State,
         limits: Limits,
@@ -62,7 +62,7 @@ impl Watch {
     }
 
     /// Whether another step may be taken; `n_rejected` were taken back.
-    pub fn admits_step(&self, chooses_steps: bool, n_rejected: u64) -> Result<(), ExceededLimit> {
+    pub(crate) fn admits_step(&self, chooses_steps: bool, n_rejected: u64) -> Result<(), ExceededLimit> {
         let limit = self.limits.most_steps(chooses_steps);
         if self.n_steps + n_rejected < limit {
             Ok(())
@@ -72,7 +72,7 @@ impl Watch {
     }
 
     /// Looks at the projected end of a step that began at `from`, s. A state that exceeds a limit is not counted.
-    pub fn look<S: Scene + ?Sized>(
+    pub(crate) fn look<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: f64,
@@ -158,7 +158,7 @@ impl Watch {
     }
 
     /// What was watched.
-    pub fn monitors(&self) -> Monitors {
+    pub(crate) fn monitors(&self) -> Monitors {
         Monitors {
             position_residual: self.position_residual,
             velocity_residual: self.velocity_residual,

@@ -340,11 +340,22 @@ impl Writer<'_> {
             Node::Input(symbol) => return self.symbols.code_name(*symbol),
             Node::Add(..) => "sum",
             Node::Sub(..) => "difference",
-            Node::Mul(..) => "product",
+            Node::Mul(a, b) => match (self.label(*a), self.label(*b)) {
+                (Some(a), Some(b)) if a.len() + b.len() < LONGEST_NAME => return format!("{a}_{b}"),
+                _ => "product",
+            },
             Node::Div(..) => "quotient",
             _ => "value",
         };
         format!("{kind}_{}", id.0)
+    }
+
+    /// What an operand is called within the name of a product: `c[3]` is `c3`.
+    fn label(&self, id: NodeId) -> Option<String> {
+        match self.program.node(id) {
+            Node::Constant(i) => Some(format!("c{}", self.symbols.n_inputs() + i)),
+            _ => self.names.get(&id).map(Ident::to_string),
+        }
     }
 
     fn declare(&mut self, id: NodeId, suggestion: String) -> Ident {
@@ -390,6 +401,9 @@ impl Writer<'_> {
         quote!(#a #operator #b)
     }
 }
+
+/// Products with longer names are numbered.
+const LONGEST_NAME: usize = 24;
 
 /// Arguments of kernels, which temporaries must not shadow.
 const RESERVED: [&str; 11] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed"];

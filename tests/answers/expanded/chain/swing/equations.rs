@@ -85,12 +85,12 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let link_0_vx = v[slots[0] + 0];
             let link_0_omega = v[slots[0] + 2];
-            let product_5 = c[2usize] * link_0_omega;
+            let c2_link_0_omega = c[2usize] * link_0_omega;
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
-            let sum_9 = T::fused(product_5, sin_link_0_phi, link_0_vx);
+            let sum_9 = T::fused(c2_link_0_omega, sin_link_0_phi, link_0_vx);
             let link_0_vy = v[slots[0] + 1];
-            let difference_13 = T::fused(product_5, cos_link_0_phi, -link_0_vy);
+            let difference_13 = T::fused(c2_link_0_omega, cos_link_0_phi, -link_0_vy);
             let value_14 = -sum_9;
             out[place] = value_14;
             place += 1;
@@ -133,17 +133,17 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
-            let product_4 = c[2usize] * sin_link_0_phi;
-            let product_6 = c[2usize] * cos_link_0_phi;
+            let c2_sin_link_0_phi = c[2usize] * sin_link_0_phi;
+            let c2_cos_link_0_phi = c[2usize] * cos_link_0_phi;
             let value_7 = -T::from_f64(1f64);
-            let value_8 = -product_4;
+            let value_8 = -c2_sin_link_0_phi;
             out[place] = value_7;
             place += 1;
             out[place] = value_8;
             place += 1;
             out[place] = value_7;
             place += 1;
-            out[place] = product_6;
+            out[place] = c2_cos_link_0_phi;
             place += 1;
         }
         for at_i in 1..(self.n as i64) {
@@ -153,15 +153,15 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             ];
             let link_i_1_phi = q[slots[0] + 2];
             let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
-            let product_4 = c[2usize] * sin_link_i_1_phi;
+            let c2_sin_link_i_1_phi = c[2usize] * sin_link_i_1_phi;
             let link_i_phi = q[slots[1] + 2];
             let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
-            let product_7 = c[2usize] * sin_link_i_phi;
-            let product_9 = c[2usize] * cos_link_i_1_phi;
-            let product_11 = c[2usize] * cos_link_i_phi;
-            let value_12 = -product_4;
+            let c2_sin_link_i_phi = c[2usize] * sin_link_i_phi;
+            let c2_cos_link_i_1_phi = c[2usize] * cos_link_i_1_phi;
+            let c2_cos_link_i_phi = c[2usize] * cos_link_i_phi;
+            let value_12 = -c2_sin_link_i_1_phi;
             let value_13 = -T::from_f64(1f64);
-            let value_14 = -product_7;
+            let value_14 = -c2_sin_link_i_phi;
             out[place] = T::from_f64(1f64);
             place += 1;
             out[place] = value_12;
@@ -172,11 +172,11 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             place += 1;
             out[place] = T::from_f64(1f64);
             place += 1;
-            out[place] = product_9;
+            out[place] = c2_cos_link_i_1_phi;
             place += 1;
             out[place] = value_13;
             place += 1;
-            out[place] = product_11;
+            out[place] = c2_cos_link_i_phi;
             place += 1;
         }
     }
@@ -186,14 +186,14 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let link_0_omega = v[slots[0] + 2];
-            let product_2 = c[2usize] * link_0_omega;
-            let product_3 = link_0_omega * product_2;
+            let c2_link_0_omega = c[2usize] * link_0_omega;
+            let product_3 = link_0_omega * c2_link_0_omega;
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
-            let product_7 = product_3 * cos_link_0_phi;
-            let product_9 = product_3 * sin_link_0_phi;
-            let value_10 = -product_7;
-            let value_11 = -product_9;
+            let product_3_cos_link_0_phi = product_3 * cos_link_0_phi;
+            let product_3_sin_link_0_phi = product_3 * sin_link_0_phi;
+            let value_10 = -product_3_cos_link_0_phi;
+            let value_11 = -product_3_sin_link_0_phi;
             out[place] = value_10;
             place += 1;
             out[place] = value_11;
@@ -214,12 +214,12 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             let link_i_phi = q[slots[1] + 2];
             let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
             let sum_12 = T::fused(product_8, cos_link_i_phi, product_6);
-            let product_14 = sum_12 * c[2usize];
+            let sum_12_c2 = sum_12 * c[2usize];
             let product_16 = product_3 * sin_link_i_1_phi;
             let sum_19 = T::fused(product_8, sin_link_i_phi, product_16);
-            let product_20 = c[2usize] * sum_19;
-            let value_21 = -product_14;
-            let value_22 = -product_20;
+            let c2_sum_19 = c[2usize] * sum_19;
+            let value_21 = -sum_12_c2;
+            let value_22 = -c2_sum_19;
             out[place] = value_21;
             place += 1;
             out[place] = value_22;

@@ -46,11 +46,11 @@ impl ezy::Scene for Swing {
             let link_n_1_x = q[slots[0] + 0];
             let link_n_1_phi = q[slots[0] + 2];
             let (sin_link_n_1_phi, cos_link_n_1_phi) = f64::sin_cos(link_n_1_phi);
-            let product_6 = c[2usize] * cos_link_n_1_phi;
-            let sum_7 = link_n_1_x + product_6;
+            let c2_cos_link_n_1_phi = c[2usize] * cos_link_n_1_phi;
+            let sum_7 = link_n_1_x + c2_cos_link_n_1_phi;
             let link_n_1_y = q[slots[0] + 1];
-            let product_10 = c[2usize] * sin_link_n_1_phi;
-            let sum_11 = link_n_1_y + product_10;
+            let c2_sin_link_n_1_phi = c[2usize] * sin_link_n_1_phi;
+            let sum_11 = link_n_1_y + c2_sin_link_n_1_phi;
             out[place] = sum_7;
             place += 1;
             out[place] = sum_11;
@@ -61,11 +61,11 @@ impl ezy::Scene for Swing {
             let link_i_1_x = q[slots[0] + 0];
             let link_i_1_phi = q[slots[0] + 2];
             let (sin_link_i_1_phi, cos_link_i_1_phi) = f64::sin_cos(link_i_1_phi);
-            let product_6 = c[2usize] * cos_link_i_1_phi;
-            let sum_7 = link_i_1_x + product_6;
+            let c2_cos_link_i_1_phi = c[2usize] * cos_link_i_1_phi;
+            let sum_7 = link_i_1_x + c2_cos_link_i_1_phi;
             let link_i_1_y = q[slots[0] + 1];
-            let product_10 = c[2usize] * sin_link_i_1_phi;
-            let sum_11 = link_i_1_y + product_10;
+            let c2_sin_link_i_1_phi = c[2usize] * sin_link_i_1_phi;
+            let sum_11 = link_i_1_y + c2_sin_link_i_1_phi;
             out[place] = sum_7;
             place += 1;
             out[place] = sum_11;
@@ -78,11 +78,11 @@ impl ezy::Scene for Swing {
         {
             let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
             let link_n_1_y = q[slots[0] + 1];
-            let product_3 = c[4usize] * link_n_1_y;
+            let c4_link_n_1_y = c[4usize] * link_n_1_y;
             let link_n_1_phi = q[slots[0] + 2];
             let sin_link_n_1_phi = f64::sin(link_n_1_phi);
-            let product_8 = c[5usize] * sin_link_n_1_phi;
-            let sum_9 = product_3 + product_8;
+            let c5_sin_link_n_1_phi = c[5usize] * sin_link_n_1_phi;
+            let sum_9 = c4_link_n_1_y + c5_sin_link_n_1_phi;
             let value_10 = -sum_9;
             out[place] = value_10;
             place += 1;
@@ -94,8 +94,8 @@ impl ezy::Scene for Swing {
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
             let link_i_y = q[slots[0] + 1];
-            let product_2 = c[3usize] * link_i_y;
-            total += product_2;
+            let c3_link_i_y = c[3usize] * link_i_y;
+            total += c3_link_i_y;
         }
         total
     }

@@ -133,22 +133,22 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let bar_vx = v[3usize];
         let difference_4 = seat_vx - bar_vx;
         let bar_omega = v[5usize];
-        let product_7 = c[13usize] * bar_omega;
+        let c13_bar_omega = c[13usize] * bar_omega;
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let difference_11 = T::fused(-product_7, sin_bar_phi, difference_4);
+        let difference_11 = T::fused(-c13_bar_omega, sin_bar_phi, difference_4);
         let seat_omega = v[2usize];
-        let product_14 = c[12usize] * seat_omega;
+        let c12_seat_omega = c[12usize] * seat_omega;
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let difference_18 = T::fused(-product_14, sin_seat_phi, difference_11);
+        let difference_18 = T::fused(-c12_seat_omega, sin_seat_phi, difference_11);
         let seat_vy = v[1usize];
         let bar_vy = v[4usize];
         let difference_21 = seat_vy - bar_vy;
-        let sum_24 = T::fused(product_7, cos_bar_phi, difference_21);
-        let sum_27 = T::fused(product_14, cos_seat_phi, sum_24);
-        let product_29 = bar_omega * c[30usize];
-        let difference_31 = T::fused(-bar_vx, sin_bar_phi, product_29);
+        let sum_24 = T::fused(c13_bar_omega, cos_bar_phi, difference_21);
+        let sum_27 = T::fused(c12_seat_omega, cos_seat_phi, sum_24);
+        let bar_omega_c30 = bar_omega * c[30usize];
+        let difference_31 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c30);
         let sum_33 = T::fused(bar_vy, cos_bar_phi, difference_31);
         out[0usize] = difference_18;
         out[1usize] = sum_27;
@@ -160,24 +160,24 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let out = ezy::array_mut::<11usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_4 = c[12usize] * sin_seat_phi;
+        let c12_sin_seat_phi = c[12usize] * sin_seat_phi;
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let product_8 = c[13usize] * sin_bar_phi;
-        let product_10 = c[12usize] * cos_seat_phi;
-        let product_12 = c[13usize] * cos_bar_phi;
-        let value_14 = -product_4;
+        let c13_sin_bar_phi = c[13usize] * sin_bar_phi;
+        let c12_cos_seat_phi = c[12usize] * cos_seat_phi;
+        let c13_cos_bar_phi = c[13usize] * cos_bar_phi;
+        let value_14 = -c12_sin_seat_phi;
         let value_15 = -T::from_f64(1f64);
-        let value_16 = -product_8;
+        let value_16 = -c13_sin_bar_phi;
         let value_17 = -sin_bar_phi;
         out[0usize] = T::from_f64(1f64);
         out[1usize] = value_14;
         out[2usize] = value_15;
         out[3usize] = value_16;
         out[4usize] = T::from_f64(1f64);
-        out[5usize] = product_10;
+        out[5usize] = c12_cos_seat_phi;
         out[6usize] = value_15;
-        out[7usize] = product_12;
+        out[7usize] = c13_cos_bar_phi;
         out[8usize] = value_17;
         out[9usize] = cos_bar_phi;
         out[10usize] = c[30usize];
@@ -188,27 +188,35 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let v = ezy::array::<6usize, T>(v);
         let out = ezy::array_mut::<3usize, T>(out);
         let seat_omega = v[2usize];
-        let product_3 = c[12usize] * seat_omega;
-        let product_4 = seat_omega * product_3;
+        let c12_seat_omega = c[12usize] * seat_omega;
+        let product_4 = seat_omega * c12_seat_omega;
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_8 = product_4 * cos_seat_phi;
+        let product_4_cos_seat_phi = product_4 * cos_seat_phi;
         let bar_omega = v[5usize];
-        let product_11 = c[13usize] * bar_omega;
-        let product_12 = bar_omega * product_11;
+        let c13_bar_omega = c[13usize] * bar_omega;
+        let bar_omega_c13_bar_omega = bar_omega * c13_bar_omega;
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let sum_16 = T::fused(product_12, cos_bar_phi, product_8);
-        let product_18 = product_4 * sin_seat_phi;
-        let sum_21 = T::fused(product_12, sin_bar_phi, product_18);
+        let sum_16 = T::fused(
+            bar_omega_c13_bar_omega,
+            cos_bar_phi,
+            product_4_cos_seat_phi,
+        );
+        let product_4_sin_seat_phi = product_4 * sin_seat_phi;
+        let sum_21 = T::fused(
+            bar_omega_c13_bar_omega,
+            sin_bar_phi,
+            product_4_sin_seat_phi,
+        );
         let bar_vx = v[3usize];
-        let product_23 = cos_bar_phi * bar_vx;
+        let cos_bar_phi_bar_vx = cos_bar_phi * bar_vx;
         let bar_vy = v[4usize];
-        let sum_26 = T::fused(sin_bar_phi, bar_vy, product_23);
-        let product_27 = bar_omega * sum_26;
+        let sum_26 = T::fused(sin_bar_phi, bar_vy, cos_bar_phi_bar_vx);
+        let bar_omega_sum_26 = bar_omega * sum_26;
         let value_28 = -sum_16;
         let value_29 = -sum_21;
-        let value_30 = -product_27;
+        let value_30 = -bar_omega_sum_26;
         out[0usize] = value_28;
         out[1usize] = value_29;
         out[2usize] = value_30;
@@ -220,15 +228,15 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let out = ezy::array_mut::<6usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_4 = c[24usize] * sin_seat_phi;
-        let product_6 = c[24usize] * cos_seat_phi;
-        let product_11 = c[1usize] * t;
-        let cos_11 = T::cos(product_11);
-        let product_13 = c[0usize] * cos_11;
-        let sum_15 = product_13 + c[2usize];
-        let value_16 = -product_6;
-        let value_17 = -product_13;
-        out[0usize] = product_4;
+        let c24_sin_seat_phi = c[24usize] * sin_seat_phi;
+        let c24_cos_seat_phi = c[24usize] * cos_seat_phi;
+        let c1_t = c[1usize] * t;
+        let cos_11 = T::cos(c1_t);
+        let c0_cos_11 = c[0usize] * cos_11;
+        let sum_15 = c0_cos_11 + c[2usize];
+        let value_16 = -c24_cos_seat_phi;
+        let value_17 = -c0_cos_11;
+        out[0usize] = c24_sin_seat_phi;
         out[1usize] = value_16;
         out[2usize] = sum_15;
         out[3usize] = T::from_f64(0f64);
@@ -250,48 +258,56 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let v = ezy::array::<6usize, T>(v);
         let a = ezy::array_mut::<6usize, T>(a);
         let lambda = ezy::array_mut::<3usize, T>(lambda);
-        let product_4 = c[1usize] * t;
-        let cos_4 = T::cos(product_4);
+        let c1_t = c[1usize] * t;
+        let cos_4 = T::cos(c1_t);
         let force_seat_phi = T::fused(c[0usize], cos_4, c[2usize]);
         let bar_vx = v[3usize];
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let product_13 = bar_vx * cos_bar_phi;
+        let bar_vx_cos_bar_phi = bar_vx * cos_bar_phi;
         let bar_vy = v[4usize];
-        let sum_17 = T::fused(bar_vy, sin_bar_phi, product_13);
+        let sum_17 = T::fused(bar_vy, sin_bar_phi, bar_vx_cos_bar_phi);
         let bar_omega = v[5usize];
-        let product_19 = sum_17 * bar_omega;
-        let minus_right_side_front = T::fused(cos_4, c[3usize], product_19);
+        let sum_17_bar_omega = sum_17 * bar_omega;
+        let minus_right_side_front = T::fused(cos_4, c[3usize], sum_17_bar_omega);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_26 = c[4usize] * cos_seat_phi;
-        let product_29 = cos_bar_phi * c[5usize];
-        let product_30 = cos_bar_phi * product_29;
-        let difference_31 = T::fused(-cos_seat_phi, product_26, product_30);
+        let c4_cos_seat_phi = c[4usize] * cos_seat_phi;
+        let cos_bar_phi_c5 = cos_bar_phi * c[5usize];
+        let product_30 = cos_bar_phi * cos_bar_phi_c5;
+        let difference_31 = T::fused(-cos_seat_phi, c4_cos_seat_phi, product_30);
         let sum_33 = difference_31 + c[6usize];
-        let product_35 = c[4usize] * sin_seat_phi;
-        let product_37 = sin_bar_phi * c[5usize];
-        let product_38 = cos_bar_phi * product_37;
-        let difference_39 = T::fused(-cos_seat_phi, product_35, product_38);
+        let c4_sin_seat_phi = c[4usize] * sin_seat_phi;
+        let sin_bar_phi_c5 = sin_bar_phi * c[5usize];
+        let product_38 = cos_bar_phi * sin_bar_phi_c5;
+        let difference_39 = T::fused(-cos_seat_phi, c4_sin_seat_phi, product_38);
         let difference_41 = c[7usize] - difference_31;
         let difference_45 = T::fused(-force_seat_phi, c[9usize], c[8usize]);
         let product_46 = sin_seat_phi * difference_45;
-        let product_48 = cos_4 * c[10usize];
-        let sum_51 = T::fused(minus_right_side_front, c[11usize], product_48);
+        let cos_4_c10 = cos_4 * c[10usize];
+        let sum_51 = T::fused(minus_right_side_front, c[11usize], cos_4_c10);
         let sum_53 = T::fused(sin_bar_phi, sum_51, product_46);
         let seat_omega = v[2usize];
-        let product_56 = c[12usize] * seat_omega;
-        let product_57 = seat_omega * product_56;
+        let c12_seat_omega = c[12usize] * seat_omega;
+        let product_57 = seat_omega * c12_seat_omega;
         let difference_59 = T::fused(-cos_seat_phi, product_57, sum_53);
-        let product_61 = bar_omega * c[13usize];
-        let product_62 = bar_omega * product_61;
-        let difference_64 = T::fused(-cos_bar_phi, product_62, difference_59);
+        let bar_omega_c13 = bar_omega * c[13usize];
+        let bar_omega_bar_omega_c13 = bar_omega * bar_omega_c13;
+        let difference_64 = T::fused(
+            -cos_bar_phi,
+            bar_omega_bar_omega_c13,
+            difference_59,
+        );
         let product_65 = cos_seat_phi * difference_45;
         let sum_67 = T::fused(cos_bar_phi, sum_51, product_65);
         let sum_69 = T::fused(sin_seat_phi, product_57, sum_67);
-        let sum_71 = T::fused(sin_bar_phi, product_62, sum_69);
-        let product_72 = sum_33 * difference_41;
-        let difference_74 = T::fused(-difference_39, difference_39, product_72);
+        let sum_71 = T::fused(sin_bar_phi, bar_omega_bar_omega_c13, sum_69);
+        let sum_33_difference_41 = sum_33 * difference_41;
+        let difference_74 = T::fused(
+            -difference_39,
+            difference_39,
+            sum_33_difference_41,
+        );
         let quotient_75 = T::from_f64(1f64) / difference_74;
         let product_76 = difference_41 * difference_64;
         let sum_78 = T::fused(difference_39, sum_71, product_76);
@@ -299,40 +315,40 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let product_80 = difference_39 * difference_64;
         let sum_82 = T::fused(sum_33, sum_71, product_80);
         let minus_lambda_B_y = quotient_75 * sum_82;
-        let product_84 = sin_bar_phi * lambda_B_x;
-        let sum_86 = T::fused(cos_bar_phi, minus_lambda_B_y, product_84);
-        let product_87 = c[11usize] * sum_86;
+        let sin_bar_phi_lambda_B_x = sin_bar_phi * lambda_B_x;
+        let sum_86 = T::fused(cos_bar_phi, minus_lambda_B_y, sin_bar_phi_lambda_B_x);
+        let c11_sum_86 = c[11usize] * sum_86;
         let minus_lambda_front = T::fused(
             minus_right_side_front,
             c[14usize],
-            product_87,
+            c11_sum_86,
         );
-        let product_91 = sin_seat_phi * c[8usize];
-        let difference_94 = T::fused(-lambda_B_x, c[15usize], product_91);
-        let product_96 = minus_lambda_B_y * c[15usize];
-        let difference_97 = T::fused(-cos_seat_phi, c[8usize], product_96);
-        let product_98 = sin_seat_phi * lambda_B_x;
-        let sum_100 = T::fused(cos_seat_phi, minus_lambda_B_y, product_98);
-        let product_101 = c[9usize] * sum_100;
-        let sum_104 = T::fused(force_seat_phi, c[16usize], product_101);
+        let sin_seat_phi_c8 = sin_seat_phi * c[8usize];
+        let difference_94 = T::fused(-lambda_B_x, c[15usize], sin_seat_phi_c8);
+        let minus_lambda_B_y_c15 = minus_lambda_B_y * c[15usize];
+        let difference_97 = T::fused(-cos_seat_phi, c[8usize], minus_lambda_B_y_c15);
+        let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+        let sum_100 = T::fused(cos_seat_phi, minus_lambda_B_y, sin_seat_phi_lambda_B_x);
+        let c9_sum_100 = c[9usize] * sum_100;
+        let sum_104 = T::fused(force_seat_phi, c[16usize], c9_sum_100);
         let difference_106 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
-        let product_108 = difference_106 * c[17usize];
+        let difference_106_c17 = difference_106 * c[17usize];
         let difference_110 = T::fused(
             cos_bar_phi,
             minus_lambda_front,
             -minus_lambda_B_y,
         );
-        let product_111 = c[17usize] * difference_110;
-        let product_113 = sum_86 * c[18usize];
-        let difference_116 = T::fused(-cos_4, c[19usize], product_113);
+        let c17_difference_110 = c[17usize] * difference_110;
+        let sum_86_c18 = sum_86 * c[18usize];
+        let difference_116 = T::fused(-cos_4, c[19usize], sum_86_c18);
         let sum_119 = T::fused(minus_lambda_front, c[20usize], difference_116);
         let value_123 = -minus_lambda_B_y;
         let value_124 = -minus_lambda_front;
         a[0usize] = difference_94;
         a[1usize] = difference_97;
         a[2usize] = sum_104;
-        a[3usize] = product_108;
-        a[4usize] = product_111;
+        a[3usize] = difference_106_c17;
+        a[4usize] = c17_difference_110;
         a[5usize] = sum_119;
         lambda[0usize] = lambda_B_x;
         lambda[1usize] = value_123;
@@ -357,55 +373,59 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let right_side_front = residual[2usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let product_6 = c[4usize] * cos_seat_phi;
+        let c4_cos_seat_phi = c[4usize] * cos_seat_phi;
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
-        let product_11 = c[5usize] * cos_bar_phi;
-        let product_12 = cos_bar_phi * product_11;
-        let difference_13 = T::fused(-cos_seat_phi, product_6, product_12);
+        let c5_cos_bar_phi = c[5usize] * cos_bar_phi;
+        let product_12 = cos_bar_phi * c5_cos_bar_phi;
+        let difference_13 = T::fused(-cos_seat_phi, c4_cos_seat_phi, product_12);
         let sum_15 = difference_13 + c[6usize];
-        let product_17 = c[4usize] * sin_seat_phi;
-        let product_20 = c[5usize] * sin_bar_phi;
-        let product_21 = cos_bar_phi * product_20;
-        let difference_22 = T::fused(-cos_seat_phi, product_17, product_21);
+        let c4_sin_seat_phi = c[4usize] * sin_seat_phi;
+        let c5_sin_bar_phi = c[5usize] * sin_bar_phi;
+        let product_21 = cos_bar_phi * c5_sin_bar_phi;
+        let difference_22 = T::fused(-cos_seat_phi, c4_sin_seat_phi, product_21);
         let difference_24 = c[7usize] - difference_13;
         let residual_0 = residual[0usize];
-        let product_27 = right_side_front * c[11usize];
-        let difference_29 = T::fused(-sin_bar_phi, product_27, residual_0);
+        let right_side_front_c11 = right_side_front * c[11usize];
+        let difference_29 = T::fused(-sin_bar_phi, right_side_front_c11, residual_0);
         let residual_1 = residual[1usize];
-        let sum_32 = T::fused(cos_bar_phi, product_27, residual_1);
-        let product_33 = sum_15 * difference_24;
-        let difference_35 = T::fused(-difference_22, difference_22, product_33);
+        let sum_32 = T::fused(cos_bar_phi, right_side_front_c11, residual_1);
+        let sum_15_difference_24 = sum_15 * difference_24;
+        let difference_35 = T::fused(
+            -difference_22,
+            difference_22,
+            sum_15_difference_24,
+        );
         let quotient_36 = T::from_f64(1f64) / difference_35;
         let product_37 = difference_24 * difference_29;
         let difference_39 = T::fused(-difference_22, sum_32, product_37);
         let lambda_B_x = quotient_36 * difference_39;
-        let product_42 = sum_15 * sum_32;
-        let difference_43 = T::fused(-difference_22, difference_29, product_42);
+        let sum_15_sum_32 = sum_15 * sum_32;
+        let difference_43 = T::fused(-difference_22, difference_29, sum_15_sum_32);
         let lambda_B_y = quotient_36 * difference_43;
-        let product_46 = cos_bar_phi * lambda_B_y;
-        let difference_47 = T::fused(-sin_bar_phi, lambda_B_x, product_46);
-        let product_48 = c[11usize] * difference_47;
-        let lambda_front = T::fused(right_side_front, c[14usize], product_48);
-        let product_53 = lambda_B_x * c[15usize];
-        let product_54 = lambda_B_y * c[15usize];
-        let product_55 = sin_seat_phi * lambda_B_x;
-        let difference_57 = T::fused(-cos_seat_phi, lambda_B_y, product_55);
-        let product_59 = difference_57 * c[9usize];
+        let cos_bar_phi_lambda_B_y = cos_bar_phi * lambda_B_y;
+        let difference_47 = T::fused(-sin_bar_phi, lambda_B_x, cos_bar_phi_lambda_B_y);
+        let c11_difference_47 = c[11usize] * difference_47;
+        let lambda_front = T::fused(right_side_front, c[14usize], c11_difference_47);
+        let lambda_B_x_c15 = lambda_B_x * c[15usize];
+        let lambda_B_y_c15 = lambda_B_y * c[15usize];
+        let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+        let difference_57 = T::fused(-cos_seat_phi, lambda_B_y, sin_seat_phi_lambda_B_x);
+        let difference_57_c9 = difference_57 * c[9usize];
         let sum_61 = T::fused(sin_bar_phi, lambda_front, lambda_B_x);
-        let product_63 = sum_61 * c[17usize];
+        let sum_61_c17 = sum_61 * c[17usize];
         let difference_65 = T::fused(-cos_bar_phi, lambda_front, lambda_B_y);
-        let product_66 = c[17usize] * difference_65;
-        let product_68 = difference_47 * c[18usize];
-        let sum_71 = T::fused(lambda_front, c[20usize], product_68);
-        let value_75 = -product_53;
-        let value_76 = -product_54;
+        let c17_difference_65 = c[17usize] * difference_65;
+        let difference_47_c18 = difference_47 * c[18usize];
+        let sum_71 = T::fused(lambda_front, c[20usize], difference_47_c18);
+        let value_75 = -lambda_B_x_c15;
+        let value_76 = -lambda_B_y_c15;
         let value_77 = -sum_71;
         delta[0usize] = value_75;
         delta[1usize] = value_76;
-        delta[2usize] = product_59;
-        delta[3usize] = product_63;
-        delta[4usize] = product_66;
+        delta[2usize] = difference_57_c9;
+        delta[3usize] = sum_61_c17;
+        delta[4usize] = c17_difference_65;
         delta[5usize] = value_77;
         ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))

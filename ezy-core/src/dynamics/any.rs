@@ -17,11 +17,6 @@ pub trait Dynamics<T: Scalar> {
     /// Power of each effect, W, as [`System::power`].
     fn power(&self, t: f64, q: &[T], v: &[T], lambda: &[T], out: &mut [T]);
 
-    /// Whether rows nearly depend on each other at `q`; `false` where that is not known.
-    fn is_near_rank_loss(&mut self, _t: f64, _q: &[T]) -> bool {
-        false
-    }
-
     /// Takes from `x` (`n_q`) what a projection at `q` would take from an error of positions or velocities; `false` where
     /// that is not known.
     fn take_what_rows_forbid(&mut self, _t: f64, _q: &[T], _x: &mut [T]) -> bool {
@@ -45,10 +40,6 @@ impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
     #[inline]
     fn power(&self, t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {
         self.power(t, q, v, lambda, out);
-    }
-
-    fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
-        self.is_near_rank_loss(t, q)
     }
 
     fn take_what_rows_forbid(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {

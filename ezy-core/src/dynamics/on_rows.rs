@@ -42,10 +42,6 @@ impl<S: Scene + ?Sized> Dynamics<f64> for OnRows<'_, '_, S> {
         self.system.power(t, &self.projected.q, &self.projected.v, lambda, out);
     }
 
-    fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
-        self.system.is_near_rank_loss(t, q)
-    }
-
     fn take_what_rows_forbid(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
         self.system.project_onto_null_space(t, q, x).is_ok()
     }

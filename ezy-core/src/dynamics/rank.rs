@@ -59,14 +59,6 @@ const VELOCITIES_AGREE: f64 = 1e-6;
 const NEARLY_DEPENDENT: f64 = 0.1;
 
 impl<S: Scene + ?Sized> System<'_, S> {
-    /// Whether rows nearly depend on each other at a state, whatever the masses are. Slow.
-    pub(crate) fn is_near_rank_loss(&mut self, t: f64, q: &[f64]) -> bool {
-        match self.independence(t, q) {
-            Some(independence) => independence <= NEARLY_DEPENDENT * NEARLY_DEPENDENT,
-            None => self.at_with(t, q, Rows::Projected).vanished_row().is_some(),
-        }
-    }
-
     /// Square of the smallest pivot of G, rows scaled to one and angles in units of their levers: how far rows are from depending on each
     /// other, whatever the masses are. Masses far apart make small pivots of G M⁻¹ Gᵀ everywhere, and no position singular.
     /// `None` in a system too large to tell. Slow.

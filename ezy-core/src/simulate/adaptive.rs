@@ -6,18 +6,18 @@ use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
 
-/// Tries of one step to end at a kink: each knows better where it is.
+/// Attempts of one step to end at a kink: each one locates it better.
 const MAX_KINKS: u32 = 3;
 
-/// The stages of a long step that ends at a kink are beyond it by their own errors, and see the other law there. So a
-/// kink is approached up to this part of the way, and what is left is a step of its own.
+/// Stages of a long step that ends at a kink may be beyond it by their own error and then see the other law. So a step covers
+/// this part of the way to the kink, and the rest is a short step of its own.
 const APPROACH: f64 = 31.0 / 32.0;
 
-/// What is left is short when it is below this part of the step that was tried.
+/// The rest is short when it is below this part of the attempted step.
 const LEFT: f64 = 1.0 / 16.0;
 
-/// A step to a kink below this part of the one that was tried follows another kink closely, as where dry friction sticks:
-/// the next one is not tried at full length again.
+/// A step to a kink that is shorter than this part of the attempted one follows another kink closely, as where dry friction
+/// sticks. The next step is then not attempted at full length.
 const SPLINTER: f64 = 1e-5;
 
 /// DOP853 with the length of its next step.
@@ -31,23 +31,24 @@ pub(super) struct Adaptive<T = f64> {
     last_s: Option<f64>,
     watch: StiffnessWatch,
     rejected: u64,
-    /// Whether values between the ends of the last step are prepared.
+    /// Whether the interpolant of the last step is prepared.
     dense: bool,
-    /// Whether steps are projected, so that errors across the rows do not count.
+    /// Whether steps are projected, so that errors normal to the constraints do not count.
     projects: bool,
-    /// Whether the last step was good without these errors only.
+    /// Whether the last step was accepted only because such errors were not counted.
     is_held_by_rows: bool,
-    /// Length of the longest of the last other steps, s.
+    /// Usual length of the other steps, s.
     usual_s: f64,
 }
 
-/// So many tries of one step fail before errors across the rows are told from the others: away from rank loss it is one.
+/// Rejections of one step before errors normal to the constraints are separated from the others. Away from rank loss one
+/// rejection is usual.
 const PATIENCE: u32 = 2;
 
-/// A step counts as the shortest when it is longer by what the clock and the end of the run make of it.
+/// Rounding of the time and the end of the run may lengthen the shortest step by this factor.
 const ABOUT: f64 = 1.01;
 
-/// Part of the usual length below which a step next to rank loss leads nowhere but into noise.
+/// A step next to rank loss that is shorter than this part of the usual one makes no progress.
 const CREEPING: f64 = 1e-4;
 
 impl<T: Scalar> Adaptive<T> {
@@ -67,7 +68,7 @@ impl<T: Scalar> Adaptive<T> {
         }
     }
 
-    /// Steps of another method, of usually this length, s, led here.
+    /// Continues from steps of another method with this usual length, s.
     pub fn take_over(&mut self, usual_s: f64) {
         self.restart_with(usual_s);
         self.usual_s = usual_s;
@@ -84,18 +85,18 @@ impl<T: Scalar> Adaptive<T> {
         self.watch.restart();
     }
 
-    /// Forgets the steps taken so far, but for what a step from here may be, s.
+    /// Forgets the steps taken so far, and begins with this step length, s.
     pub fn restart_with(&mut self, step_s: f64) {
         self.restart();
         self.step_s = Some(step_s);
     }
 
-    /// Since when stability holds the steps, s.
+    /// Time since which stability limits the steps, s.
     pub fn stiff_since(&self) -> Option<f64> {
         self.watch.since()
     }
 
-    /// Steps that were tried and not taken.
+    /// Rejected steps.
     pub fn n_rejected(&self) -> u64 {
         self.rejected
     }
@@ -117,8 +118,8 @@ impl<T: Scalar> Adaptive<T> {
         Ok(())
     }
 
-    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected. `up_to` knows how long
-    /// a step is, s, that ends at the kink that the present one goes over.
+    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. `up_to` returns the length of a
+    /// step, s, up to the kink that the present step crosses.
     pub fn step<D: Dynamics<T>>(
         &mut self,
         system: &mut D,
@@ -139,7 +140,7 @@ impl<T: Scalar> Adaptive<T> {
             Some(step_s) => step_s,
             None => self.method.first_step(system, from, left, self.tolerance)?,
         };
-        // the length before a kink: behind it the law is as smooth as before
+        // the step length before a kink, to continue with behind it
         let (mut whole, mut n_kinks) = (None, 0);
         let shortest = usual::SHORTEST * self.usual_s;
         if length < shortest {
@@ -190,7 +191,7 @@ impl<T: Scalar> Adaptive<T> {
                         }
                     }
                 }
-                // a stage may have left the region of the motion: a shorter step may not
+                // a stage may have left the region where the equations are defined; a shorter step may not
                 Err(error) => {
                     length = h * self.control.reject(f64::NAN);
                     if is_too_short(t, length) {
@@ -203,7 +204,7 @@ impl<T: Scalar> Adaptive<T> {
         }
     }
 
-    /// Where rows nearly depend on each other, the error of the step that was tried last without what the projection takes away.
+    /// Next to rank loss, the error of the attempted step without the part that the projection removes.
     fn tangential_error(
         &mut self,
         system: &mut impl Dynamics<T>,

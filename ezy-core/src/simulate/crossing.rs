@@ -1,4 +1,4 @@
-//! Past positions in which rows depend on each other for an instant.
+//! Crossing of singular positions, in which the rank of G drops for an instant.
 
 use super::instantaneous::Instantaneous;
 use super::singular::Approach;
@@ -7,48 +7,48 @@ use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
 
-/// Steps that begin well before a singular position and end well beyond.
+/// Steps that begin well before a singular position and end well beyond it.
 ///
-/// At a distance D from it rounding of positions comes back as velocities with 1/D² and as forces with 1/D³. So no step ends
-/// near; one leads over, of DOP853, with the position in the widest gap of its nodes. Its stages are projected, since off the
-/// rows accelerations have a pole there.
+/// At a distance D from it, rounding of positions appears in velocities multiplied by 1/D² and in forces by 1/D³. So no step
+/// ends near it. One step of DOP853 crosses it, with the singular position in the widest gap between its nodes. The stages are
+/// projected, since accelerations have a pole there off the constraints.
 pub(super) struct Crossing {
     method: Dop853,
     on_rows: State,
     control: StepControl,
     tolerance: Tolerance,
-    /// Whether steps are controlled, or as long as they have to be.
+    /// Whether the method of the run chooses its steps.
     chooses_steps: bool,
-    /// Length of a step that keeps to the tolerance, s.
+    /// Step length for the tolerance, s.
     length_s: f64,
-    /// Where the last step began, s.
+    /// Start of the last step, s.
     begin_s: f64,
-    /// Where it ends, projected and evaluated.
+    /// Its end, projected and evaluated.
     pub end: Instantaneous,
-    /// Whether the motion is on its way there, or has just arrived.
+    /// Whether the run is within this step or at its end.
     pub is_under_way: bool,
-    /// Time of a singular position that is approached, s.
+    /// Predicted time of the singular position, s.
     ahead_s: Option<f64>,
-    /// Until when nothing is tried, s.
+    /// No attempt before this time, s.
     in_vain_until_s: f64,
 }
 
-/// Where in a leap the singular position lies: 0.13 of its length from the nearest node of DOP853.
+/// Place of the singular position in the crossing step, from 0 to 1: 0.13 of the step from the nearest node of DOP853.
 const MIDDLE: f64 = 0.46;
 
-/// A leap of the controlled length begins within this of where it should.
+/// The crossing step may begin this factor too far from its ideal start.
 const ABOUT: f64 = 1.1;
 
-/// Error of the shortest steps that is taken for noise, relative like a tolerance.
+/// Relative error that the shortest steps may have: it is noise.
 const NOISE: f64 = 1e-10;
 
-/// Tries of one step.
+/// Attempts of one step.
 const MAX_TRIES: u32 = 10;
 
-/// Tolerance below which estimates next to a singular position are rounding.
+/// Smallest useful tolerance: below it error estimates next to a singular position are rounding.
 const FINEST: f64 = 1e-13;
 
-/// For methods with a fixed step, whose own errors are larger.
+/// Tolerance for methods with a fixed step, whose own errors are larger.
 const OF_FIXED_STEPS: f64 = 1e-9;
 
 impl Crossing {
@@ -72,20 +72,20 @@ impl Crossing {
         }
     }
 
-    /// Whether the last step led towards a singular position.
+    /// Whether the last step approached a singular position.
     pub fn is_heading(&self) -> bool {
         self.ahead_s.is_some()
     }
 
-    /// Forgets what was under way.
+    /// Forgets the step under way.
     pub fn restart(&mut self) {
         self.is_under_way = false;
         self.ahead_s = None;
         self.in_vain_until_s = f64::NEG_INFINITY;
     }
 
-    /// A step over a singular position or towards it, when one is near; false when there is none, or no way over it. `usual_s` is
-    /// the length of the steps before.
+    /// A step across a singular position or towards it, when one is near. False when none is near or no step succeeds. `usual_s`
+    /// is the usual step length.
     pub fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -137,7 +137,7 @@ impl Crossing {
         false
     }
 
-    /// Error of a step over the tolerance, of what its projection leaves.
+    /// Error over tolerance of a step, without the part that its projection removes.
     fn attempt<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -152,7 +152,7 @@ impl Crossing {
         Ok(tangential.unwrap_or(error))
     }
 
-    /// What belongs to the end of a step, and to values on the way.
+    /// Projects and evaluates the end of a step, and prepares its interpolant.
     fn finish<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -165,7 +165,7 @@ impl Crossing {
         self.method.prepare_dense(&mut on_rows, now.knot(), self.end.knot())
     }
 
-    /// The state at `t` on the way, not projected.
+    /// The state at `t` within the step, not projected.
     pub fn between(&mut self, t: f64, out: &mut State) {
         self.method.dense_at((t - self.begin_s) / (self.end.state.t - self.begin_s), out);
         out.t = t;

@@ -1,4 +1,4 @@
-//! Taylor's method, with another one for the neighbourhood of singular positions.
+//! Taylor's method with DOP853 as its fallback next to singular positions.
 
 use super::adaptive::Adaptive;
 use super::reach::{Reach, is_too_short, reach};
@@ -7,18 +7,18 @@ use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Knot, Taylor, Tolerance};
 use crate::model::Scene;
 
-/// Steps along series, and stages instead next to rank loss: there, what rounding does to a coefficient grows with its order.
+/// Taylor's method, and DOP853 next to rank loss, where the rounding error of a coefficient grows with its order.
 pub(super) struct TaylorWithDetour<'s> {
     pub taylor: Taylor<'s>,
     tolerance: Tolerance,
-    /// A usual length of a step, s.
+    /// Usual step length, s.
     usual_s: f64,
     detour: Adaptive,
-    /// Whether the last step was a detour.
+    /// Whether the last step was one of the fallback.
     is_on_detour: bool,
 }
 
-/// Steps that shorten to this part of the usual raise the question of rank.
+/// The rank is checked when a step is shorter than this part of the usual one.
 const SHORT: f64 = 0.2;
 
 impl<'s> TaylorWithDetour<'s> {
@@ -33,7 +33,7 @@ impl<'s> TaylorWithDetour<'s> {
         self.usual_s = 0.0;
     }
 
-    /// Steps that were tried and not taken.
+    /// Rejected steps.
     pub fn n_rejected(&self) -> u64 {
         self.detour.n_rejected()
     }
@@ -54,7 +54,7 @@ impl<'s> TaylorWithDetour<'s> {
         Ok(())
     }
 
-    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
+    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected.
     pub fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -73,7 +73,7 @@ impl<'s> TaylorWithDetour<'s> {
             if !was_on_detour {
                 self.detour.take_over(self.usual_s);
             }
-            // laws that have series have no kinks
+            // laws with a series are smooth
             return self.detour.step(system, from, end, to, |_, _| None);
         }
         if is_too_short(t, length) && length < end - t {

@@ -1,4 +1,4 @@
-//! What keeps a run from starting.
+//! Errors of a run that cannot start.
 
 use crate::dynamics::{MotionError, StartError, SystemError};
 use crate::model::{SceneInfo, SeriesInfo};

@@ -4,7 +4,7 @@ use crate::dynamics::{MotionError, State, System};
 use crate::integrate::Knot;
 use crate::model::{Scene, SceneInfo};
 
-/// A state with all that is known about it.
+/// A state with its accelerations, multipliers and powers.
 pub(super) struct Instantaneous {
     pub state: State,
     pub a: Vec<f64>,
@@ -39,7 +39,7 @@ impl Instantaneous {
         self.complete(system)
     }
 
-    /// What belongs to accelerations that were computed last.
+    /// Checks the accelerations that were computed last, and computes the powers.
     ///
     /// # Errors
     /// [`MotionError::ContradictoryRows`].

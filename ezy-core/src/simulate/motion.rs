@@ -1,4 +1,4 @@
-//! A scene in motion: where it is, and how it gets one step further. What runs and steppers share.
+//! A scene with the state of its integration: one step, projected. Shared by runs and steppers.
 
 use super::SetupError;
 use super::crossing::Crossing;
@@ -11,29 +11,29 @@ use crate::dynamics::{Metric, MotionError, Projection, State, Strain, System, no
 use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
 
-/// A step that ends at a singular position, where accelerations are hardly known, ends earlier instead by this factor.
+/// A step that ends at a singular position is shortened by this factor, since accelerations are inaccurate there.
 const SHORTENED: f64 = 0.9;
 
-/// A step whose end has a smaller part of the pivot at its start ends next to a singular position.
+/// A step ends next to a singular position when the smallest pivot falls below this part of its value at the start.
 const TOO_NEAR: f64 = 0.03;
 
-/// More than one are needed only where rank is lost for good.
+/// More than one is needed only where constraints are redundant for good.
 const MAX_SHORTENED: usize = 3;
 
-/// The state `now`, and `next` where the step under way ends.
+/// The state `now`, and the end `next` of the step under way.
 pub(super) struct Motion<'s, S: Scene + ?Sized> {
     pub system: System<'s, S>,
     integrator: Integrator<'s>,
     kinks: Kinks,
     projection: Projection,
     metric: Metric,
-    /// Whether singular positions are crossed by steps of their own: where steps are projected.
+    /// Whether singular positions are crossed by special steps: only when steps are projected.
     crosses: bool,
-    /// Of a method that chooses its steps.
+    /// Tolerance of a method that chooses its steps.
     tolerance: Option<Tolerance>,
     /// Made when it is first needed.
     crossing: Option<Box<Crossing>>,
-    /// About the length of the last steps, s; zero before the first.
+    /// Usual step length, s; zero before the first step.
     usual_s: f64,
     /// Whether works are integrated.
     pub work: bool,
@@ -70,7 +70,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         })
     }
 
-    /// Goes to a state without history; what belongs to it is not evaluated.
+    /// Moves to a state without history, which is not evaluated.
     pub fn place(&mut self, state: &State) {
         let now = &mut self.now.state;
         now.t = state.t;
@@ -95,7 +95,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
-    /// that chooses its steps may stop before `t_next`, and any at a kink.
+    /// that chooses its steps may stop before `t_next`, and every method stops at a kink.
     pub fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let outcome = match self.advance_on_leap(t_next) {
             Ok(true) => Ok(()),
@@ -110,7 +110,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         outcome.map_err(|error| self.system.locked_up(*t, q, error))
     }
 
-    /// A step over a singular position, or a part of one; false where there is none.
+    /// A step across a singular position, or a part of such a step; false where there is none.
     fn advance_on_leap(&mut self, t_next: f64) -> Result<bool, MotionError> {
         let chooses_steps = self.integrator.chooses_steps();
         let Self { system, crossing, now, next, .. } = self;
@@ -120,7 +120,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
             crossing.is_under_way = false;
         }
         if !crossing.as_ref().is_some_and(|crossing| crossing.is_under_way) {
-            // a step over several ticks of a clock knows the inputs of the first one only
+            // a step over several ticks of the clock has the inputs of the first one only
             let holds_inputs = chooses_steps || system.inputs().is_empty();
             let approach = Approach { now, before: next };
             let is_heading = crossing.as_ref().is_some_and(|crossing| crossing.is_heading());
@@ -198,7 +198,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.integrator.chooses_steps()
     }
 
-    /// What moves the scene hardest at `now`, which is evaluated.
+    /// The largest acceleration at `now`, which is evaluated, and its cause.
     pub fn strain(&mut self) -> Option<Strain> {
         let Instantaneous { state, a, lambda, .. } = &self.now;
         self.system.strain(state.t, &state.q, &state.v, a, lambda)
@@ -229,7 +229,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.next.evaluate(&mut self.system)
     }
 
-    /// Goes to where another scene of the same coordinates is, without history, and evaluates there.
+    /// Takes over the state of another scene with the same coordinates, without history, and evaluates it.
     pub fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
@@ -237,8 +237,8 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.evaluate_now()
     }
 
-    /// Goes to where another scene comes to rest on the rows of this one, as by an impulse; to the last digit, since errors
-    /// across the rows would stay while flights become short.
+    /// Takes over the state of another scene after a plastic impact on the constraints of this one. Positions are projected to the
+    /// last digit: errors normal to the constraints would remain while flights become short.
     pub fn land(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
@@ -254,7 +254,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.now.state.work.copy_from_slice(&from.now.state.work);
     }
 
-    /// Goes on from other positions and velocities, without history.
+    /// Continues from other positions and velocities, without history.
     pub fn rebound(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
         self.now.state.q.copy_from_slice(q);
         self.now.state.v = v;
@@ -268,7 +268,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.system.kinetic_energy(v) + self.system.potential_energy(*t, q)
     }
 
-    /// Makes the step under way again, as one of length `h` without history.
+    /// Repeats the step under way with the length `h`, without history.
     pub fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.integrator.restart_with(h);
         self.forget_crossing();

@@ -1,32 +1,32 @@
-//! When a motion comes to a position in which rows depend on each other.
+//! Prediction of singular positions, in which the rank of G drops.
 
 use super::instantaneous::Instantaneous;
 use crate::dynamics::{State, System};
 use crate::model::Scene;
 
-/// The last two states of a motion; the root of the smallest pivot falls in proportion to the distance to a singular position.
+/// The last two states of a motion. The square root of the smallest pivot is proportional to the distance from a singular position.
 pub(super) struct Approach<'m> {
     pub now: &'m Instantaneous,
     pub before: &'m Instantaneous,
 }
 
-/// A singular position nearer than this many usual steps is looked for.
+/// Singular positions are searched for within this many usual steps.
 const NEAR: f64 = 1.6;
 
-/// A pivot that falls below this part of what it is now, on the way that is foreseen, vanishes there.
+/// A pivot vanishes where it falls below this part of its present value on the predicted path.
 const VANISHES: f64 = 0.02;
 
-/// The way that is looked at, in distances as foreseen by the last two pivots.
+/// Length of the searched path, in distances predicted by the last two pivots.
 const FARTHEST: f64 = 1.6;
 
-/// Of golden sections: 1/2000 of the way.
+/// Golden sections: they reduce the path to 1/2000.
 const N_SECTIONS: usize = 16;
 
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 impl Approach<'_> {
-    /// Time to a singular position as foreseen by the last two pivots, s; none where it is far. `usual_s` is the length of the
-    /// steps before; zero when there were none.
+    /// Time to a singular position as predicted by the last two pivots, s; none when it is far. `usual_s` is the usual step length,
+    /// zero before the first step.
     pub fn distance(&self, usual_s: f64) -> Option<f64> {
         let (now, before) = (self.now.pivot, self.before.pivot);
         if now >= before || now <= 0.0 || usual_s == 0.0 {
@@ -37,7 +37,7 @@ impl Approach<'_> {
         (distance < NEAR * usual_s).then_some(distance)
     }
 
-    /// Time to where the smallest pivot vanishes on the way that is foreseen, about `guess` from now, s; `q` is a buffer.
+    /// Time until the smallest pivot vanishes on the predicted path, about `guess` from now, s; `q` is a buffer.
     pub fn find<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, q: &mut [f64], guess: f64) -> Option<f64> {
         let mut pivot = |s: f64| {
             self.foresee(s, q);
@@ -61,7 +61,7 @@ impl Approach<'_> {
         if at_left.min(at_right) > VANISHES * self.now.pivot {
             return None;
         }
-        // where masses are far apart pivots come and go although rows are independent
+        // where masses are far apart, pivots fall although constraints are independent
         let State { t, q: from, .. } = &self.now.state;
         let before = system.independence(*t, from);
         self.foresee(way, q);
@@ -70,7 +70,7 @@ impl Approach<'_> {
         is_singular.then_some(way)
     }
 
-    /// Positions `s` from now, by accelerations that go on changing as they did.
+    /// Positions at `s` from now, with accelerations extrapolated linearly.
     fn foresee(&self, s: f64, q: &mut [f64]) {
         let Self { now, before } = self;
         let passed = now.state.t - before.state.t;

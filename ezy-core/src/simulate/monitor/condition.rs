@@ -1,4 +1,4 @@
-//! How well the equations of motion can be solved with over a run.
+//! The condition number of the equations of motion over a run.
 
 use crate::dynamics::{State, System};
 use crate::linalg::{ConditionEstimator, Conditioning};
@@ -20,7 +20,7 @@ pub struct ConditionPeak {
     pub t: f64,
 }
 
-/// Unknowns up to which a dense factorisation at start and end is nothing beside a run.
+/// Unknowns up to which a dense factorisation at start and end is cheap beside a run.
 const LARGEST: usize = 200;
 
 /// Steps between two looks at least; in larger scenes the square of their unknowns.
@@ -47,7 +47,7 @@ impl ConditionWatch {
         Some(Box::new(Self { estimator, n_between: FEWEST_BETWEEN.max((n * n) as u64), peak }))
     }
 
-    /// Looks after step `n_steps` when it is time, or at the end.
+    /// Estimates after step `n_steps` when it is due, or at the end.
     pub fn look<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, state: &State, n_steps: u64, last: bool) {
         if !last && !n_steps.is_multiple_of(self.n_between) {
             return;

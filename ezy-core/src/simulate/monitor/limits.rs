@@ -1,19 +1,19 @@
-//! What a run must not exceed.
+//! Limits of a run.
 
 use crate::simulate::SetupError;
 
-/// Steps that a method which chooses their length tries at most, unless the order says otherwise: a minute or so. For steps of
-/// fixed length there is a limit when the run is ordered.
+/// Default limit on the steps of a method that chooses their length: about a minute of computing. The number of fixed steps is
+/// checked when the run is built.
 const MAX_CHOSEN_STEPS: u64 = 10_000_000;
 
-/// As ordered; infinite where nothing was.
+/// Limits as set; infinite where none was.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::simulate) struct Limits {
     /// Largest residual of a row, m or rad, m/s or rad/s.
     pub drift: f64,
     /// Largest energy balance over the energy turned over.
     pub energy_error: f64,
-    /// Steps, with those taken back.
+    /// Steps, rejected ones included.
     pub steps: Option<u64>,
 }
 
@@ -34,7 +34,7 @@ impl Limits {
         Ok(self)
     }
 
-    /// Steps that a run may take.
+    /// Largest number of steps of a run.
     pub fn most_steps(&self, chooses_steps: bool) -> u64 {
         self.steps.unwrap_or(if chooses_steps { MAX_CHOSEN_STEPS } else { u64::MAX })
     }

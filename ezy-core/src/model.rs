@@ -1,9 +1,8 @@
 //! What a generated scene implements. No solver type appears here.
 //!
 //! Signs, symbols and units: `docs/notation.md`. A scene is immutable while it runs: its parameters are
-//! fields, everything that depends on parameters alone is computed once ([`Equations::constants`]), and kernels read a
-//! vector `c` of numbers that do not change within a step: the `n_i` *inputs*, which whoever runs the scene sets, then
-//! the *constants*.
+//! fields, and everything that depends on parameters alone is computed once ([`Equations::constants`]). Kernels read a
+//! vector `c` of numbers that do not change within a step: the `n_i` *inputs*, which the caller sets, then the *constants*.
 //!
 //! Shapes: `n_q` coordinates, `n_h` position rows, `n_c` rows in all (position rows first), `n_e` effects,
 //! `n_p` points, `n_i` inputs, `n_o` outputs, `n_s` events. Kernels panic when a slice has another length; the layers above always
@@ -87,7 +86,7 @@ pub struct ParameterInfo {
     pub symbol: Formula,
 }
 
-/// A number that is set while a scene runs: by a controller, a table, a learning program.
+/// A number that the caller sets during a run: by a controller, a table or a learning program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InputInfo {
     /// Name in the model file.
@@ -106,7 +105,7 @@ pub struct InputInfo {
     pub symbol: Formula,
 }
 
-/// A number that a scene computes from its state when asked.
+/// A number that a scene computes from its state on request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OutputInfo {
     /// Name in the model file; a vector `p` is two outputs, `p.x` and `p.y`.
@@ -139,8 +138,8 @@ pub struct EffectInfo {
     pub documentation: &'static str,
 }
 
-/// Non-zero pattern of a matrix by rows: the columns of row `i` are `columns[starts[i]..starts[i + 1]]`. In scenes
-/// with counts they may come in any order and a column more than once; what stands at one place adds up.
+/// Sparsity pattern of a matrix by rows: the columns of row `i` are `columns[starts[i]..starts[i + 1]]`. In scenes with
+/// counts they may come in any order and more than once; entries with the same row and column are added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SparsityPattern {
     /// `n_rows + 1` offsets into `columns`.
@@ -206,8 +205,8 @@ pub struct EliminationStep {
     pub constant_pivot: bool,
 }
 
-/// Everything about a scene that does not depend on parameters: known when it is compiled or, for a scene with
-/// counts, made when it is first asked for with these counts, and kept until the program ends.
+/// Everything about a scene that does not depend on parameters: known at compile time or, for a scene with counts, made
+/// when it is first used with these counts, and kept until the program ends.
 #[derive(Debug, Clone, Copy)]
 pub struct SceneInfo {
     /// Name of the model type, as written: `EzyRoller`.
@@ -235,9 +234,9 @@ pub struct SceneInfo {
     /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the kinks of
     /// its forces; a scene with counts does not know its kinks.
     pub events: &'static [EventInfo],
-    /// The skate that holds up to a limit, where there is one.
+    /// The skate with a limit (stick–slip friction), if there is one.
     pub grip: Option<GripInfo>,
-    /// The stop, where there is one.
+    /// The stop (unilateral contact), if there is one.
     pub stop: Option<StopInfo>,
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
     /// some; then the effects; then the rows that move with time, under the name `drives`, when there are some; last
@@ -257,7 +256,7 @@ pub struct SceneInfo {
     pub force_entries: &'static [Formula],
     /// V: 0 where no force has a potential.
     pub potential_energy: Formula,
-    /// What symbols in these formulas stand for, besides coordinates, parameters and inputs.
+    /// Definitions of the symbols in these formulas, besides coordinates, parameters and inputs.
     pub abbreviations: &'static [Abbreviation],
     /// Order in which the generated elimination takes the rows.
     pub elimination: &'static [EliminationStep],
@@ -267,7 +266,7 @@ pub struct SceneInfo {
     pub correction_operations: Operations,
     /// Whether there is a Taylor series ([`Scene::series`]).
     pub series: SeriesInfo,
-    /// What a scene with counts knows besides; `None` for one whose sizes are known when it is compiled. A scene with
+    /// Additional data of a scene with counts; `None` for a scene whose sizes are known at compile time. A scene with
     /// counts has no generated elimination, its formulas are those of [`Repeats::templates`], and the lists of
     /// entries (Jacobian, masses, forces) are empty.
     pub repeats: Option<Repeats>,
@@ -336,9 +335,9 @@ pub struct Start {
     pub v: Vec<f64>,
     /// Which velocities are given.
     pub v_given: Vec<bool>,
-    /// Which of the given coordinates give way where the rows cannot be met with them.
+    /// Which given coordinates may change when the constraints cannot be satisfied with them.
     pub q_near: Vec<bool>,
-    /// Which of the given velocities give way.
+    /// Which given velocities may change then.
     pub v_near: Vec<bool>,
 }
 
@@ -367,7 +366,7 @@ impl Start {
         self.v_near.copy_from_slice(&other.v_near);
     }
 
-    /// The same with what is near left free; `None` when nothing is.
+    /// The same start with the values that are near made free; `None` when there are none.
     pub fn without_near(&self) -> Option<Self> {
         if !self.q_near.iter().chain(&self.v_near).any(|near| *near) {
             return None;
@@ -378,7 +377,7 @@ impl Start {
         Some(free)
     }
 
-    /// Lets everything that is given move as little as the rows demand where they cannot be met with it.
+    /// Lets all given values change, as little as the constraints demand, when these cannot be satisfied with them.
     pub fn give_way(&mut self) {
         self.q_near.copy_from_slice(&self.q_given);
         self.v_near.copy_from_slice(&self.v_given);
@@ -398,22 +397,22 @@ impl Start {
         self.v_near[i] = false;
     }
 
-    /// Holds coordinate `i` at `value` as long as the rows can be met with it.
+    /// Holds coordinate `i` at `value` if the constraints can be satisfied with it.
     pub fn near_position(&mut self, i: usize, value: f64) {
         self.give_position(i, value);
         self.q_near[i] = true;
     }
 
-    /// Holds velocity `i` at `value` as long as the rows can be met with it.
+    /// Holds velocity `i` at `value` if the constraints can be satisfied with it.
     pub fn near_velocity(&mut self, i: usize, value: f64) {
         self.give_velocity(i, value);
         self.v_near[i] = true;
     }
 }
 
-/// A scene: one selection of rows and effects of a model, with its own equations.
+/// A scene: one selection of the constraints and effects of a model, with its own equations.
 ///
-/// Implemented by the types that `model!` generates: what a run in `f64` needs besides the equations.
+/// Implemented by the types that `model!` generates: everything that a run in `f64` needs besides [`Equations`].
 pub trait Scene: Equations<f64> {
     /// Names, sizes and equations; for a scene with counts, those of the present counts.
     fn info(&self) -> &'static SceneInfo;
@@ -424,7 +423,7 @@ pub trait Scene: Equations<f64> {
         0
     }
 
-    /// Changes count `index`; the description and all constants are then others.
+    /// Changes count `index`, and with it the description and all constants.
     fn set_count(&mut self, index: usize, value: usize) {
         let _ = (index, value);
     }
@@ -447,7 +446,7 @@ pub trait Scene: Equations<f64> {
     /// with time is λ · g_t with the multipliers `lambda` (`n_c`) and G v + g_t = 0. Writes `n_e`.
     fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]);
 
-    /// Potential energy, J, of the forces that have one: zero where none has.
+    /// Potential energy of all conservative forces, J; zero without any.
     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64;
 
     /// Positions of the named points, x then y of each. Writes `2 n_p`.
@@ -456,14 +455,14 @@ pub trait Scene: Equations<f64> {
     /// Outputs, each in its unit. Writes `n_o`.
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
 
-    /// Where the slopes of the equations of motion stand; `None` for a scene that does not know them. Scenes that `model!`
-    /// generates do.
+    /// Row and column of each entry of the Jacobians of the equations of motion; `None` for a scene without them. Scenes that
+    /// `model!` generates have them.
     fn slope_places(&self) -> Option<SlopePlaces> {
         None
     }
 
     /// R_q and R_v in the order of [`Scene::slope_places`], for accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`).
-    /// At a kink of a law the slope is the mean of those on both sides.
+    /// At a kink of a law a derivative is the mean of those on both sides.
     #[expect(clippy::too_many_arguments, reason = "the variables of R and its two derivatives")]
     fn slopes(
         &self,
@@ -479,36 +478,35 @@ pub trait Scene: Equations<f64> {
         let _ = (c, t, q, v, a, lambda, by_q, by_v);
     }
 
-    /// Values of [`SceneInfo::events`], which pass zero where the event takes place. Writes `n_s`.
+    /// Event functions of [`SceneInfo::events`], which are zero at the event. Writes `n_s`.
     fn events(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
     }
 
-    /// What the skate of [`SceneInfo::grip`] holds up to, N, and the velocity across it, to the left of its direction, m/s.
-    /// Writes 2.
+    /// Limit of the skate of [`SceneInfo::grip`], N, and the velocity across it, to the left of its direction, m/s. Writes 2.
     fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
     }
 
-    /// For each end of the stop of [`SceneInfo::stop`] the distance to it, negative beyond, and its rate; last the restitution.
+    /// For each end of the stop of [`SceneInfo::stop`], the distance from it, negative beyond it, and its rate; then the restitution.
     /// Writes `2 n_ends + 1`.
     fn stop(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
     }
 
-    /// What the scene is while it runs, of which it begins as the first: with the skate of [`SceneInfo::grip`] itself, then
-    /// without its row, sliding to the left and to the right; with the stop of [`SceneInfo::stop`] itself, then with a row
-    /// more for each end, which holds the quantity there. Empty where it stays what it is.
+    /// The modes of the scene, of which the first is that of the start. With the skate of [`SceneInfo::grip`]: sticking, sliding
+    /// to the left, sliding to the right, the latter two without its constraint. With the stop of [`SceneInfo::stop`]: free, then
+    /// one mode for each end with one more constraint, which holds the quantity there. Empty for a scene without modes.
     fn modes(&self) -> Vec<Box<dyn Scene>> {
         Vec::new()
     }
 
-    /// The recurrences of its Taylor series; none where a law of the scene is not analytic.
+    /// The recurrences of its Taylor series; none when a law of the scene is not analytic.
     fn series(&self) -> Option<&dyn Series<f64>> {
         None
     }
 
-    /// The scene in numbers of twice the length, where it has a Taylor series.
+    /// The scene in double-double arithmetic, when it has a Taylor series.
     fn precise(&self) -> Option<&dyn PreciseScene> {
         None
     }

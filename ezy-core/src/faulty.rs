@@ -21,7 +21,7 @@ macro_rules! faulty_model {
                 }
 
                 impl $scene {
-                    pub const INFO: $crate::model::SceneInfo = ::core::panic!("this model has faults");
+                    pub const INFO: $crate::model::SceneInfo = ::core::panic!("this model has errors");
                 }
 
                 impl<T: $crate::scalar::Scalar> $crate::model::Equations<T> for $scene {

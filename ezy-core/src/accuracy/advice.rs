@@ -73,7 +73,7 @@ impl fmt::Display for Advice {
                 }
                 Some(closest) => write!(
                     f,
-                    "no setting that was measured; {} {} comes closest with {:.1e} in {}.",
+                    "no measured setting reaches this; {} {} comes closest with {:.1e} in {}.",
                     closest.method.name(),
                     command(closest.method),
                     closest.error,

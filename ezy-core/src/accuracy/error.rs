@@ -33,7 +33,7 @@ pub enum AccuracyError {
     /// Even the runs with the smallest tolerances differ from the start.
     #[error(
         "there is no reference: runs at the two tightest tolerances differ by {difference:.1e} of the size of the motion from \
-         its first moments; the motion has no digits to measure"
+         its first moments; no digit of the motion is known"
     )]
     NothingKnown {
         /// Largest scaled difference of positions.

@@ -20,7 +20,7 @@ pub struct UnknownName {
 
 fn fault(of: &UnknownName) -> String {
     match of.remedy {
-        Some(remedy) => format!("was not asked for; add `.{remedy}()` to the order of the run"),
+        Some(remedy) => format!("was not recorded; call `.{remedy}()` on the simulation"),
         None => format!("is not known{}; known: {}", suggestion(&of.nearest), list(&of.known)),
     }
 }

@@ -149,7 +149,7 @@ pub fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     let is_explicit = !matches!(method, Method::Radau(_));
     let stiff = match run.stiff_since_s {
         Some(t) => format!(
-            "remark: from t = {} s on, or before, the steps of {} were held by stiffness, not by the tolerance; try --method radau\n",
+            "remark: from t = {} s on, or before, the steps of {} were limited by stiffness, not by the tolerance; try --method radau\n",
             rounded(t, 4),
             method.name()
         ),

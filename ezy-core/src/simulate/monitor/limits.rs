@@ -77,7 +77,7 @@ pub enum ExceededLimit {
     },
     /// The end is out of reach.
     #[error(
-        "the steps that were tried reach the limit of {limit} (max-steps), the last good one {step_s:.1e} s long; allow more \
+        "the attempted steps reach the limit of {limit} (max-steps), the last good one {step_s:.1e} s long; allow more \
          steps or larger errors, end earlier, or look at the speeds and forces at that time"
     )]
     Steps {

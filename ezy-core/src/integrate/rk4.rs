@@ -34,7 +34,7 @@ impl<T: Scalar> Rk4<T> {
         }
     }
 
-    /// Forgets what rounding cut off, before another run.
+    /// Forgets the rounding errors of the sums, before another run.
     pub fn restart(&mut self) {
         [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work]
             .into_iter()
@@ -77,7 +77,7 @@ impl<T: Scalar> Rk4<T> {
         Ok(())
     }
 
-    /// Where the last step looked at the slope of its end; works are left out.
+    /// The state of the last stage, near the end of the step; works are left out.
     pub fn last_stage(&self) -> &State<T> {
         &self.stage
     }

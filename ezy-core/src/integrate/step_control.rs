@@ -5,9 +5,9 @@ const SAFETY: f64 = 0.9;
 /// A step changes at most by these factors.
 const SHRINK: f64 = 1.0 / 3.0;
 const GROW: f64 = 6.0;
-/// Part of the controller that answers to the error before the last: damps the length's own oscillation.
+/// Exponent of the integral part of the controller, which damps oscillations of the step length.
 const BETA: f64 = 0.04;
-/// An error this small says nothing about the next one.
+/// Smallest error that is used for prediction.
 const LEAST_ERROR: f64 = 1e-4;
 
 /// Tolerated errors of a step: `absolute + relative · |y|` for each number of the state.
@@ -23,11 +23,10 @@ impl Tolerance {
     /// The smallest relative tolerance: below it an error estimate is rounding.
     pub const SMALLEST_RELATIVE: f64 = 1e-15;
 
-    /// The same where rows nearly depend on each other: what rounding leaves of positions and velocities comes back as
-    /// forces that no step is short enough for.
+    /// The same next to rank loss, where rounding of positions and velocities causes forces that no step length resolves.
     const SMALLEST_AT_RANK_LOSS: f64 = 1e-10;
 
-    /// What can be kept where rows nearly depend on each other.
+    /// The tolerance that can be met next to rank loss.
     #[must_use]
     pub fn at_rank_loss(self) -> Self {
         Self {

@@ -14,8 +14,8 @@ const STEP: f64 = 6e-6;
 const TOLERANCE: f64 = 2e-10;
 const REASON: &str = "rounding of extrapolated central differences";
 
-/// Largest truncation of what is compared, half of the tolerance. Near a singular point, such as a distance that is zero,
-/// the fifth derivative exceeds every bound, and differences say nothing about the model.
+/// Largest truncation error of a difference that is compared: half of the tolerance. Near a singular point, such as a distance
+/// of zero, the fifth derivative is unbounded, and differences say nothing about the model.
 const LARGEST_TRUNCATION: f64 = 0.5 * TOLERANCE;
 
 /// Between differences of fourth order at a step and at twice the step are 2⁴ − 1 truncations of the former.
@@ -131,7 +131,7 @@ pub fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static 
     Check { name, n_compared, n_left_out, largest_error: error, tolerance, reason }
 }
 
-/// Slopes of some numbers, how far they are off, and the largest of the numbers, whose rounding the slopes carry.
+/// Difference quotients, their truncation error, and the largest of the numbers, whose rounding they contain.
 pub struct Difference {
     slopes: Vec<f64>,
     truncation: f64,
@@ -139,7 +139,7 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// Compares with derivatives, except where the slopes are not good enough to tell.
+    /// Compares with derivatives, except where the difference quotients are too inaccurate.
     pub fn compare(&self, derivatives: &[f64], size: f64, worst: &mut Worst) {
         if self.truncation > LARGEST_TRUNCATION * size.max(1.0) {
             worst.n_left_out += self.slopes.len();

@@ -2,19 +2,19 @@
 
 use crate::integrate::Tolerance;
 
-/// Passes of the iteration after which a step is given up.
+/// Largest number of Newton iterations of a step.
 pub const MAX_PASSES: u32 = 7;
 /// The iteration ends when its error is below this part of the tolerance, or below the root of the tolerance.
 const PART: f64 = 0.03;
-/// No change is resolved below this many units of rounding.
+/// Changes below this many units of rounding are zero.
 const ROUNDING: f64 = 10.0 * f64::EPSILON;
-/// A step this many times as long after an iteration that goes nowhere.
+/// Factor for the step after an iteration that diverges.
 pub const SHORTEN: f64 = 0.5;
-/// A pass has to leave less than this of the error.
+/// Largest rate of convergence.
 const SLOWEST: f64 = 0.99;
-/// Power of the share of the iteration before that the first pass of the next one goes by.
+/// Exponent of the previous rate in the estimate for the first iteration.
 const FORGET: f64 = 0.8;
-/// What a pass leaves of the error when the first one is the last: the iteration converged at once.
+/// Rate of convergence that is assumed when one iteration sufficed.
 const AT_ONCE: f64 = 1e-3;
 
 /// Follows the changes of the passes of one iteration.
@@ -31,18 +31,18 @@ pub struct Convergence {
     rate: f64,
 }
 
-/// What to do after a pass.
+/// Decision after an iteration.
 pub enum Verdict {
     GoOn,
     Converged,
-    /// A step this many times as long may converge.
+    /// The iteration diverges; this factor for the step may help.
     Diverged {
         factor: f64,
     },
 }
 
 impl Convergence {
-    /// `share` is that of the iteration before.
+    /// `share` is the rate of convergence of the previous step.
     pub fn new(tolerance: Tolerance, share: f64) -> Self {
         let goal = (ROUNDING / tolerance.relative).max(PART.min(tolerance.relative.sqrt()));
         let share = share.max(f64::EPSILON).powf(FORGET);
@@ -88,12 +88,12 @@ impl Convergence {
         Verdict::Diverged { factor: 0.8 * expected.min(20.0).powf(power) }
     }
 
-    /// What a pass leaves of the error.
+    /// Rate of convergence: error after a pass over error before.
     pub fn rate(&self) -> f64 {
         self.rate
     }
 
-    /// What is left of the error after a pass, over the change of that pass.
+    /// Error after a pass over the change of that pass.
     pub fn share(&self) -> f64 {
         self.share
     }

@@ -10,7 +10,7 @@ pub struct Model {
     pub name: Ident,
     pub documentation: String,
     pub items: Vec<Item>,
-    /// Names of items that could not be parsed: their uses are no faults of their own.
+    /// Names of items that could not be parsed: their uses give no further errors.
     pub broken: Vec<Ident>,
     /// Every `for`, once, with those around it.
     pub loops: Vec<(Loop, Vec<Loop>)>,
@@ -102,7 +102,7 @@ pub struct Point {
     pub place: OnBody,
 }
 
-/// A row or a force.
+/// A constraint or a force.
 #[derive(Debug)]
 pub struct Statement {
     pub word: &'static Word,
@@ -147,7 +147,7 @@ pub struct Given {
     /// The `for` around it, outermost first.
     pub loops: Vec<Loop>,
     pub body: Name,
-    /// Whether it gives way where the rows cannot be met with it.
+    /// Whether it may change when the constraints cannot be satisfied with it.
     pub near: bool,
     pub quantity: Quantity,
     /// The word that gives it.

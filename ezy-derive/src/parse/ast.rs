@@ -176,7 +176,7 @@ pub struct Scene {
     /// What ends it before.
     pub ends: Vec<End>,
     pub effects: Vec<Ident>,
-    /// Whether a statement could not be parsed, so that a missing one is no fault of its own.
+    /// Whether a statement could not be parsed, so that a missing one gives no further error.
     pub broken: bool,
 }
 
@@ -240,7 +240,7 @@ pub struct Duration {
     pub unit: Ident,
 }
 
-/// A point by its name, or a place on a body.
+/// A point by its name, or a point on a body.
 #[derive(Debug)]
 pub enum Place {
     Named(Name),

@@ -237,7 +237,7 @@ pub struct CheckArguments {
 
 /// Measures what accuracy costs in time: every method, tolerance and projection against a reference
 ///
-/// Prints which method to use for an error of 1e-3, 1e-6, 1e-9 and 1e-12, and writes index.html, which needs nothing else,
+/// Prints which method to use for an error of 1e-3, 1e-6, 1e-9 and 1e-12, and writes a self-contained index.html,
 /// its figures as SVG and PNG, and accuracy.csv. Errors are those achieved against a reference that a second method
 /// confirms; times are those of repeated runs that record nothing between their ends.
 #[derive(Debug, Args)]
@@ -275,7 +275,7 @@ pub struct AccuracyArguments {
 
 /// Does the EzyRoller study: equations, figures, numbers and a page
 ///
-/// Writes index.html, which needs nothing else, each figure as SVG and PNG, and the numbers behind it as CSV.
+/// Writes a self-contained index.html, each figure as SVG and PNG, and its numbers as CSV.
 /// Every number that the page states is measured in this run.
 #[derive(Debug, Args)]
 pub struct StudyArguments {

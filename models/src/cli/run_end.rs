@@ -11,7 +11,7 @@ use ezy_core::simulate::{Cost, ExceededLimit, Outcome, RankSpell, Run, StopReaso
 use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
 
-/// The end as JSON. A run that could not start has the same keys, all `null` where there is nothing to tell.
+/// The end as JSON. A run that could not start has the same keys with `null`.
 pub fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
     // a stop that holds is a row more
     let info = run.map_or(info, Run::info);
@@ -83,7 +83,7 @@ pub fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, out
     Json::object(members)
 }
 
-/// A stretch in which rows depended on each other.
+/// An interval in which constraints were redundant.
 fn spell_json(spell: &RankSpell) -> Json {
     Json::object([
         ("from", Json::Number(spell.from_s)),
@@ -144,7 +144,7 @@ pub fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
     text + &remarks(run, method, radau_runs)
 }
 
-/// What there is to say about a run besides. `radau_runs`: whether that method can be tried.
+/// Remarks on a run. `radau_runs`: whether radau can run the scene.
 pub fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     let is_explicit = !matches!(method, Method::Radau(_));
     let stiff = match run.stiff_since_s {
@@ -162,7 +162,7 @@ pub fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     stiff + &remark(&run.last().energy, method, radau_runs && !names_radau)
 }
 
-/// What helps an explicit method that stiffness keeps to short steps.
+/// Advice when stiffness limits the steps of an explicit method.
 const IMPLICIT: &str = "--method radau takes longer steps";
 
 /// Whether an explicit method may have stopped for stiffness.
@@ -177,10 +177,10 @@ fn may_be_stiff(outcome: &Outcome) -> bool {
     }
 }
 
-/// Share of the energy turned over that may be missing at the end before the step is said to be too large.
+/// Energy balance, relative to the energy turned over, above which the step is called too large.
 const LARGEST_IMBALANCE: f64 = 1e-3;
 
-/// What there is to say about a run whose energy and work do not fit.
+/// The remark on a run whose energy and work differ.
 fn remark(energy: &EnergyState, method: Method, radau_runs: bool) -> String {
     let turned_over = energy.kinetic + energy.work.abs();
     let share = energy.balance.abs() / turned_over;
@@ -219,10 +219,10 @@ fn outcome_words(outcome: &Outcome) -> String {
     }
 }
 
-/// Coordinates and rows that the text lists; of more the rest is counted.
+/// Coordinates and constraints that the text lists; further ones are counted.
 const MAX_LINES: usize = 60;
 
-/// What a table leaves out.
+/// The line that counts what a table leaves out.
 fn left_out(n: usize, what: &str) -> String {
     if n <= MAX_LINES {
         return String::new();

@@ -1,4 +1,4 @@
-//! `ezy show`: what is known of a scene before it runs, in three formats.
+//! `ezy show`: the description of a scene, in three formats.
 
 mod json;
 mod latex;
@@ -43,7 +43,7 @@ fn kernels(info: &SceneInfo) -> [(&'static str, [usize; 6]); 2] {
         .map(|(name, count)| (name, [count.mul, count.add, count.div, count.arithmetic(), count.trig, count.calls]))
 }
 
-/// Whether Taylor's method takes the scene, and what an order of it costs.
+/// Whether Taylor's method can run the scene, and the cost of one order.
 fn series(info: &SceneInfo) -> String {
     match info.series {
         SeriesInfo::Analytic { n_products, operations } => {

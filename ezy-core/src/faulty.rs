@@ -1,4 +1,4 @@
-//! What stands for a model that has faults, so that its uses are no faults of their own.
+//! Placeholder for a model with errors, so that uses of the model give no further errors.
 
 /// The module of a model with faults: its scenes with their fields, and a `MODEL` without scenes. The compiler stops at
 /// the faults, so nothing of this ever runs.

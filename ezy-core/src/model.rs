@@ -1,9 +1,8 @@
 //! What a generated scene implements. No solver type appears here.
 //!
 //! Signs, symbols and units: `docs/notation.md`. A scene is immutable while it runs: its parameters are
-//! fields, everything that depends on parameters alone is computed once ([`Equations::constants`]), and kernels read a
-//! vector `c` of numbers that do not change within a step: the `n_i` *inputs*, which whoever runs the scene sets, then
-//! the *constants*.
+//! fields, and everything that depends on parameters alone is computed once ([`Equations::constants`]). Kernels read a
+//! vector `c` of numbers that do not change within a step: the `n_i` *inputs*, which the caller sets, then the *constants*.
 //!
 //! Shapes: `n_q` coordinates, `n_h` position rows, `n_c` rows in all (position rows first), `n_e` effects,
 //! `n_p` points, `n_i` inputs, `n_o` outputs, `n_s` events. Kernels panic when a slice has another length; the layers above always
@@ -93,7 +92,7 @@ pub struct ParameterInfo {
     pub symbol: Formula,
 }
 
-/// A number that is set while a scene runs: by a controller, a table, a learning program.
+/// A number that the caller sets during a run: by a controller, a table or a learning program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InputInfo {
     /// Name in the model file.
@@ -112,7 +111,7 @@ pub struct InputInfo {
     pub symbol: Formula,
 }
 
-/// A number that a scene computes from its state when asked.
+/// A number that a scene computes from its state on request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OutputInfo {
     /// Name in the model file; a vector `p` is two outputs, `p.x` and `p.y`.
@@ -145,8 +144,8 @@ pub struct EffectInfo {
     pub documentation: &'static str,
 }
 
-/// Non-zero pattern of a matrix by rows: the columns of row `i` are `columns[starts[i]..starts[i + 1]]`. In scenes
-/// with counts they may come in any order and a column more than once; what stands at one place adds up.
+/// Sparsity pattern of a matrix by rows: the columns of row `i` are `columns[starts[i]..starts[i + 1]]`. In scenes with
+/// counts they may come in any order and more than once; entries with the same row and column are added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SparsityPattern {
     /// `n_rows + 1` offsets into `columns`.
@@ -212,8 +211,8 @@ pub struct EliminationStep {
     pub constant_pivot: bool,
 }
 
-/// Everything about a scene that does not depend on parameters: known when it is compiled or, for a scene with
-/// counts, made when it is first asked for with these counts, and kept until the program ends.
+/// Everything about a scene that does not depend on parameters: known at compile time or, for a scene with counts, made
+/// when it is first used with these counts, and kept until the program ends.
 #[derive(Debug, Clone, Copy)]
 pub struct SceneInfo {
     /// Name of the model type, as written: `EzyRoller`.
@@ -241,9 +240,9 @@ pub struct SceneInfo {
     /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the kinks of
     /// its forces; a scene with counts does not know its kinks.
     pub events: &'static [EventInfo],
-    /// The skate that holds up to a limit, where there is one.
+    /// The skate with a limit (stick–slip friction), if there is one.
     pub grip: Option<GripInfo>,
-    /// The stop, where there is one.
+    /// The stop (unilateral contact), if there is one.
     pub stop: Option<StopInfo>,
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
     /// some; then the effects; then the rows that move with time, under the name `drives`, when there are some; last
@@ -263,7 +262,7 @@ pub struct SceneInfo {
     pub force_entries: &'static [Formula],
     /// V: 0 where no force has a potential.
     pub potential_energy: Formula,
-    /// What symbols in these formulas stand for, besides coordinates, parameters and inputs.
+    /// Definitions of the symbols in these formulas, besides coordinates, parameters and inputs.
     pub abbreviations: &'static [Abbreviation],
     /// Order in which the generated elimination takes the rows; empty without one.
     pub elimination: &'static [EliminationStep],
@@ -273,7 +272,7 @@ pub struct SceneInfo {
     pub correction_operations: Operations,
     /// Whether there is a Taylor series ([`Derived::series`]).
     pub series: SeriesInfo,
-    /// What a scene with counts knows besides; `None` for one whose sizes are known when it is compiled. A scene with
+    /// Additional data of a scene with counts; `None` for a scene whose sizes are known at compile time. A scene with
     /// counts has no generated elimination, its formulas are those of [`Repeats::templates`], and the lists of
     /// entries (Jacobian, masses, forces) are empty.
     pub repeats: Option<Repeats>,
@@ -343,9 +342,9 @@ pub struct Start {
     pub v: Vec<f64>,
     /// Which velocities are given.
     pub v_given: Vec<bool>,
-    /// Which of the given coordinates give way where the rows cannot be met with them.
+    /// Which given coordinates may change when the constraints cannot be satisfied with them.
     pub q_near: Vec<bool>,
-    /// Which of the given velocities give way.
+    /// Which given velocities may change then.
     pub v_near: Vec<bool>,
 }
 
@@ -385,7 +384,7 @@ impl Start {
         Some(free)
     }
 
-    /// Lets everything that is given move as little as the rows demand where they cannot be met with it.
+    /// Lets all given values change, as little as the constraints demand, when these cannot be satisfied with them.
     pub fn give_way(&mut self) {
         self.q_near.copy_from_slice(&self.q_given);
         self.v_near.copy_from_slice(&self.v_given);
@@ -405,13 +404,13 @@ impl Start {
         self.v_near[i] = false;
     }
 
-    /// Holds coordinate `i` at `value` as long as the rows can be met with it.
+    /// Holds coordinate `i` at `value` if the constraints can be satisfied with it.
     pub fn near_position(&mut self, i: usize, value: f64) {
         self.give_position(i, value);
         self.q_near[i] = true;
     }
 
-    /// Holds velocity `i` at `value` as long as the rows can be met with it.
+    /// Holds velocity `i` at `value` if the constraints can be satisfied with it.
     pub fn near_velocity(&mut self, i: usize, value: f64) {
         self.give_velocity(i, value);
         self.v_near[i] = true;
@@ -444,7 +443,7 @@ pub trait Scene: Derived {
     /// with time is λ · g_t with the multipliers `lambda` (`n_c`) and G v + g_t = 0. Writes `n_e`.
     fn power(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]);
 
-    /// Potential energy, J, of the forces that have one: zero where none has.
+    /// Potential energy of all conservative forces, J; zero without any.
     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64;
 
     /// Positions of the named points, x then y of each. Writes `2 n_p`.

@@ -32,7 +32,7 @@ pub trait Scalar:
     /// π, to the precision of the number.
     const PI: Self;
 
-    /// A number that does not vary.
+    /// A constant.
     fn from_f64(x: f64) -> Self;
 
     /// `self · factor + summand`, with one rounding where the target has an instruction for it.

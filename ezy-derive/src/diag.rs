@@ -1,4 +1,4 @@
-//! Faults of a model text, collected so that a user sees all faults of a stage at once.
+//! Errors of a model text, collected so that a user sees all errors of a stage at once.
 //!
 //! The wording of every message is in the catalogue below this module: [`syntax`], [`names`], [`values`], [`rules`],
 //! [`repeats`], [`scenes`], [`equations`].
@@ -22,7 +22,7 @@ pub struct Diagnostics {
     warnings: Vec<Warning>,
 }
 
-/// Something that compiles but is not likely to be meant.
+/// A warning: something that compiles but is probably not intended.
 #[derive(Debug)]
 pub struct Warning {
     pub span: Span,
@@ -45,7 +45,7 @@ impl Diagnostics {
         result.map_err(|error| self.error(error)).ok()
     }
 
-    /// How many errors there are so far.
+    /// Number of errors so far.
     pub fn n_errors(&self) -> usize {
         self.errors.len()
     }
@@ -87,7 +87,7 @@ impl Warning {
     }
 }
 
-/// The place of a message: from the first to the last token.
+/// The span of a message: from the first to the last token.
 #[derive(Debug, Clone, Copy)]
 pub struct Extent {
     pub first: Span,
@@ -106,19 +106,19 @@ impl From<&Ident> for Extent {
     }
 }
 
-/// A message of one line: the fault in the user's words.
+/// A message of one line: the error in the user's words.
 fn fault(at: impl Into<Extent>, text: impl std::fmt::Display) -> syn::Error {
     let Extent { first, last } = at.into();
     let (first, last) = (Ident::new("first", first), Ident::new("last", last));
     syn::Error::new_spanned(quote::quote!(#first #last), text)
 }
 
-/// A message with an edit that would compile.
+/// A message with a help: an edit that would compile.
 fn fault_with_help(at: impl Into<Extent>, text: impl std::fmt::Display, help: impl std::fmt::Display) -> syn::Error {
     fault(at, format_args!("{text}\nhelp: {help}"))
 }
 
-/// A message with a second place.
+/// A message with a second span.
 fn fault_at_two_places(mut error: syn::Error, other: impl Into<Extent>, remark: &str) -> syn::Error {
     error.combine(fault(other, remark));
     error

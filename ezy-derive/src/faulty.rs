@@ -1,4 +1,4 @@
-//! What is emitted beside the faults of a model: the names that programs use.
+//! Placeholders that are emitted beside the errors of a model: the names that programs use.
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,5 @@
-//! Names of units: those of the language, which the parser recognises behind numbers, and those of other people, which
-//! messages translate. What a unit measures is in `model`.
+//! Names of units: those of the language, which the parser recognises behind numbers, and others, which messages translate.
+//! Dimensions of units are in `model`.
 
 /// In the order of the manual.
 pub const NAMES: [&str; 28] = [

@@ -1,7 +1,7 @@
-//! The words that declare rows and forces, and how each is written. The parser reads by this table, the resolver checks
-//! names, shapes and units by it; the equation of each word is one file of `mechanics/rows` or `mechanics/forces`.
+//! The words that declare constraints and forces, and how each is written. The parser reads by this table, and the resolver
+//! checks names, shapes and units by it. The equation of each word is one file of `mechanics/rows` or `mechanics/forces`.
 
-/// A word that declares a row or a force.
+/// A word that declares a constraint or a force.
 #[derive(Debug)]
 pub struct Word {
     pub word: &'static str,
@@ -24,9 +24,9 @@ pub enum Class {
 /// A part of a statement.
 #[derive(Debug)]
 pub enum Part {
-    /// `place ~ place`, on different bodies; one may be on the ground.
+    /// `point ~ point`, on different bodies; one may be on the ground.
     Pair,
-    /// `at place`, on a body.
+    /// `at point`, on a body.
     At,
     /// `body ~ body`; one may be the ground.
     Couple,
@@ -54,7 +54,7 @@ pub enum Part {
     Choice(&'static [&'static [Part]]),
 }
 
-/// What an expression stands for.
+/// The quantity that an expression gives.
 #[derive(Debug, Clone, Copy)]
 pub struct Asked {
     /// In a sentence: "a torque".
@@ -69,11 +69,11 @@ pub struct Setting {
     pub word: &'static str,
     pub unit: &'static str,
     pub otherwise: Otherwise,
-    /// Whether zero and negative numbers make no sense.
+    /// Whether it must be positive.
     pub positive: bool,
 }
 
-/// What holds when a value is not given.
+/// The value when none is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Otherwise {
     /// It must be given.

@@ -254,7 +254,7 @@ fn invariant_run_that_stiffness_holds_says_since_when() {
     let stiff = ["run", "skateboard/ridden", "--method", "dop853"];
     let as_text = output(&stiff);
     assert!(
-        as_text.contains("the steps of dop853 were held by stiffness") && as_text.contains("--method radau"),
+        as_text.contains("the steps of dop853 were limited by stiffness") && as_text.contains("--method radau"),
         "{as_text}"
     );
     let as_json = [&stiff[..], &["--json"]].concat();
@@ -262,7 +262,7 @@ fn invariant_run_that_stiffness_holds_says_since_when() {
     let since = object["stiff_since"].as_f64().expect("a time");
     assert!((0.0..object["t"].as_f64().unwrap()).contains(&since), "since {since} s");
     // beside an object the remark goes to standard error
-    assert!(text(&ezy(&as_json).stderr).contains("held by stiffness"));
+    assert!(text(&ezy(&as_json).stderr).contains("limited by stiffness"));
     let implicit = ["run", "skateboard/ridden", "--method", "radau", "--json"];
     assert!(json(&implicit)["stiff_since"].is_null());
 }

@@ -14,9 +14,9 @@ pub(super) const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 pub struct Candidate {
     /// The method with its setting.
     pub method: Method,
-    /// What it leaves, m or rad.
+    /// Its error, m or rad.
     pub error: f64,
-    /// What it takes, s.
+    /// Its time, s.
     pub seconds: f64,
 }
 
@@ -25,7 +25,7 @@ pub struct Candidate {
 pub struct Advice {
     /// Error that is allowed, m or rad.
     pub target: f64,
-    /// Errors below this are not known, m or rad.
+    /// Uncertainty of the reference, m or rad.
     pub known: f64,
     /// The fastest setting that reaches it.
     pub best: Option<Candidate>,
@@ -35,7 +35,7 @@ pub struct Advice {
     pub closest: Option<Candidate>,
 }
 
-/// Finer settings that must reach a target as well.
+/// Number of finer settings that must reach a target, too.
 const N_CONFIRMING: usize = 3;
 
 /// Chooses for one target. A setting counts when the next finer ones that were measured reach the target as well: a loose
@@ -73,7 +73,7 @@ impl fmt::Display for Advice {
                 }
                 Some(closest) => write!(
                     f,
-                    "no setting that was measured; {} {} comes closest with {:.1e} in {}.",
+                    "no measured setting reaches this; {} {} comes closest with {:.1e} in {}.",
                     closest.method.name(),
                     command(closest.method),
                     closest.error,

@@ -6,10 +6,10 @@ use super::measured::WorkPrecision;
 use super::point::{Measured, Point, PointResult};
 use crate::dynamics::{Metric, Projection};
 
-/// What a point is.
+/// Columns that identify a point.
 const WHAT: [&str; 5] = ["method", "setting [s or tolerance]", "projection", "metric", "outcome"];
 
-/// What was measured of it.
+/// Columns of its measurements.
 const NUMBERS: [&str; 25] = [
     "position error at the end [m or rad]",
     "scaled position error at the end",

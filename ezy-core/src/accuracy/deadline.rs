@@ -1,11 +1,11 @@
-//! A recorder that ends a run when its time is over.
+//! A recorder that ends a run at a deadline.
 
 use std::io;
 use std::time::Instant;
 
 use crate::record::{RecordError, Recorder, Sample};
 
-/// Refuses every sample from an instant on.
+/// Refuses every sample after the deadline.
 pub(super) struct Deadline(pub Instant);
 
 impl Recorder for Deadline {

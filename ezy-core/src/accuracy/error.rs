@@ -1,4 +1,4 @@
-//! What keeps a measurement from being made.
+//! Errors of a measurement.
 
 use crate::simulate::SetupError;
 
@@ -6,16 +6,16 @@ use crate::simulate::SetupError;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum AccuracyError {
-    /// No run can start like this.
+    /// The runs cannot start.
     #[error(transparent)]
     Setup(#[from] SetupError),
-    /// No time passes.
+    /// The end is not after the start.
     #[error("the run starts and ends at {until_s} s; give an end after the start")]
     NoTime {
         /// Start and end, s.
         until_s: f64,
     },
-    /// Nothing can be measured in no time, and no clock runs for ever.
+    /// The budget is not positive, or too long.
     #[error("the budget is {budget_s:?} s; give a positive number of seconds up to {longest_s:e}")]
     Budget {
         /// The budget, s.
@@ -23,7 +23,7 @@ pub enum AccuracyError {
         /// The longest, s.
         longest_s: f64,
     },
-    /// There is no motion up to the end to compare with.
+    /// The reference does not reach the end.
     #[error("there is no reference: {method} {outcome}")]
     NoReference {
         /// The method that was to give it.
@@ -31,10 +31,10 @@ pub enum AccuracyError {
         /// How its run ended.
         outcome: String,
     },
-    /// Even the tightest runs differ all the way.
+    /// Even the runs with the smallest tolerances differ from the start.
     #[error(
         "there is no reference: runs at the two tightest tolerances differ by {difference:.1e} of the size of the motion from \
-         its first moments; the motion has no digits to measure"
+         its first moments; no digit of the motion is known"
     )]
     NothingKnown {
         /// Largest scaled difference of positions.

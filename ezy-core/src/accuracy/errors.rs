@@ -1,8 +1,8 @@
-//! How far two motions are apart.
+//! Differences of two motions.
 
 use super::trajectory::{Row, Trajectory};
 
-/// A difference as it is, and over the size of what it is a difference of.
+/// A difference, absolute and relative to the size of its quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Size {
     /// Largest magnitude of a component, in its unit: metres and radians side by side.
@@ -31,7 +31,7 @@ pub struct Comparison {
     pub grid: Errors,
 }
 
-/// What differences are divided by: the largest magnitude of any component with the same unit, over the whole reference.
+/// Sizes for relative differences: the largest magnitude of any component with the same unit, over the whole reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scales {
     /// For each coordinate, m or rad.
@@ -112,7 +112,7 @@ impl Errors {
     }
 }
 
-/// The larger one; what is not a number wins.
+/// The larger one; NaN counts as larger.
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }

@@ -1,4 +1,4 @@
-//! What is drawn: time against error, drift and energy against tolerance.
+//! The figures: time against error, drift and energy against tolerance.
 
 use super::command::setting;
 use super::ladder::{FAMILIES, Family};
@@ -15,7 +15,7 @@ pub(super) enum Where {
     Grid,
 }
 
-/// A guide runs this many times above the curve that it belongs to, where faster methods leave room.
+/// A guide line is drawn this factor above its curve.
 const GUIDE_GAP: f64 = 1.6;
 
 /// Errors up to this many times the smallest one say nothing about the order.

@@ -1,4 +1,4 @@
-//! The settings that methods are tried with.
+//! The settings of the methods that are compared.
 
 use crate::integrate::Method;
 
@@ -28,16 +28,16 @@ fn half_decade(m: i32) -> f64 {
     text.parse().unwrap_or(f64::NAN)
 }
 
-/// A method and how it climbs the ladder.
+/// A method and its settings.
 pub(super) struct Family {
     pub name: &'static str,
     pub rungs: fn(&Ladder, f64) -> Vec<Method>,
-    /// Order, where it is one: time goes with the error to the power −1/order, as figures show.
+    /// Order of the method, if it has a fixed one: computing time is proportional to the error to the power −1/order.
     #[cfg(feature = "figures")]
     pub order: Option<u32>,
 }
 
-/// Every method. `rungs` gets the ladder and a long step of the motion, s.
+/// Every method. `rungs` is called with the ladder and a long step of the motion, s.
 pub(super) const FAMILIES: [Family; 4] = [
     Family {
         name: "taylor",

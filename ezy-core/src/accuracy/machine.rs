@@ -1,4 +1,4 @@
-//! What times belong to.
+//! The machine on which times are measured.
 
 /// Processor, target and kind of build.
 pub(super) fn machine() -> String {

@@ -10,7 +10,7 @@ use super::variant::Variant;
 use crate::integrate::Method;
 use crate::model::SceneInfo;
 
-/// What every setting reached and took.
+/// Errors and times of every setting.
 #[derive(Debug, Clone)]
 pub struct WorkPrecision {
     /// Names and sizes.
@@ -19,17 +19,17 @@ pub struct WorkPrecision {
     pub start_s: f64,
     /// End of the runs, s.
     pub until_s: f64,
-    /// The end that was asked for, s: later than that of the runs where nothing is known of the motion up to there.
+    /// The requested end, s. The runs end earlier when the reference is not known up to there.
     pub asked_until_s: f64,
-    /// How far reference runs are apart at the end that was asked for, over the size of the motion, when that is later.
+    /// Relative difference of the reference runs at the requested end, when the runs end earlier.
     pub unknown: Option<f64>,
-    /// What everything is compared with.
+    /// The reference.
     pub reference: Reference,
     /// Every setting, also those that were not run.
     pub points: Vec<Point>,
-    /// What the times belong to.
+    /// The machine.
     pub machine: String,
-    /// What the measurement was allowed and what it took, s.
+    /// Budget and time of the measurement, s.
     pub budget_s: f64,
     /// s
     pub seconds: f64,
@@ -68,7 +68,7 @@ impl WorkPrecision {
         FAMILIES.iter().map(|family| family.name)
     }
 
-    /// What one method reached with one projection, from coarse to fine.
+    /// The points of one method with one projection, from coarse to fine.
     pub fn curve(&self, method: &str, variant: Variant) -> impl Iterator<Item = (Method, &Measured)> {
         let of_curve = move |point: &&Point| point.method.name() == method && point.variant == variant;
         self.points.iter().filter(of_curve).filter_map(|point| Some((point.method, point.measured()?)))

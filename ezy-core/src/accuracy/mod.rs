@@ -1,6 +1,6 @@
 //! What accuracy costs in time: every method, a ladder of tolerances and steps, every projection, against a reference.
 //!
-//! [`Accuracy`] orders a measurement as [`Simulation`](crate::simulate::Simulation) orders a run:
+//! [`Accuracy`] describes a measurement as [`Simulation`](crate::simulate::Simulation) describes a run:
 //!
 //! ```no_run
 //! # use ezy_core::prelude::*;

@@ -1,4 +1,4 @@
-//! A measurement, as a user orders it.
+//! The settings of a measurement.
 
 use std::time::{Duration, Instant};
 
@@ -13,7 +13,7 @@ use super::variant::Variant;
 use crate::integrate::Method;
 use crate::model::Scene;
 
-/// An order for one measurement of a scene.
+/// One measurement of a scene: its settings, then [`Accuracy::measure`].
 pub struct Accuracy<'s> {
     scene: &'s dyn Scene,
     until_s: f64,
@@ -23,33 +23,33 @@ pub struct Accuracy<'s> {
     ladder: Ladder,
 }
 
-/// Seconds that a measurement takes at most, unless it is told.
+/// Default budget, s.
 const BUDGET_S: f64 = 60.0;
 
-/// Thirty years: of more, clocks cannot tell the end.
+/// Largest budget, s: thirty years. Beyond, the system's clock cannot represent the end.
 const LONGEST_BUDGET_S: f64 = 1e9;
 
 /// Part of the budget for the reference.
 const REFERENCE_SHARE: f64 = 0.4;
 
-/// Part of the budget that is over when other projections than the default one begin, at the latest.
+/// Part of the budget after which other projections than the default one begin.
 const MAIN_SHARE: f64 = 0.7;
 
-/// Part of what is left of the budget that one setting may take.
+/// Part of the remaining budget that one setting may take.
 const POINT_SHARE: f64 = 0.5;
 
-/// Tolerance of the run that tells how long steps are, and what steps at the loosest tolerance are in them: the eighth
-/// root of a hundred.
+/// Tolerance of the run that estimates the step length, and the factor from its steps to those at the loosest tolerance: the
+/// eighth root of a hundred.
 const SCOUT_TOLERANCE: f64 = 1e-6;
 const LONG_STEPS: f64 = 1.8;
 
 /// Other projections than the default one take every second rung of the ladder.
 const STRIDE: usize = 2;
 
-/// A run on the grid, with works, takes about as long as so many that keep their two ends.
+/// A run on the grid, with works, takes about as long as this many runs that keep only their ends.
 const ON_GRID: usize = 2;
 
-/// A rung of a hundredth of the tolerance takes methods of order 8 less than this time as long.
+/// With a hundredth of the tolerance a method of order 8 takes less than this factor of the time.
 const ADAPTIVE_GROWTH: f64 = 2.0;
 
 /// A setting to be measured.
@@ -87,7 +87,7 @@ impl<'s> Accuracy<'s> {
         self
     }
 
-    /// Seconds that the measurement may take; what is not measured by then is listed.
+    /// Budget of the measurement, s; settings that are not measured by then are listed.
     #[must_use]
     pub fn budget(mut self, budget_s: f64) -> Self {
         self.budget_s = budget_s;
@@ -101,10 +101,10 @@ impl<'s> Accuracy<'s> {
         self
     }
 
-    /// Measures; calls `progress` with the fraction done and what is done next.
+    /// Measures; calls `progress` with the fraction done and the next task.
     ///
     /// # Errors
-    /// [`AccuracyError`]: the order cannot be carried out, or there is no reference.
+    /// [`AccuracyError`]: the settings cannot be used, or there is no reference.
     pub fn measure(self, mut progress: impl FnMut(f64, &str)) -> Result<WorkPrecision, AccuracyError> {
         let Self { scene, until_s, given, inputs, budget_s, ladder } = self;
         if !(budget_s > 0.0 && budget_s <= LONGEST_BUDGET_S) {
@@ -142,8 +142,8 @@ impl<'s> Accuracy<'s> {
     }
 }
 
-/// The reference; where it is not known up to the end, the runs are shortened, and the second number is the scaled
-/// difference of positions at the end that was asked for.
+/// The reference. When it is not known up to the end, the runs are shortened, and the second number is the relative
+/// difference of positions at the requested end.
 fn find_reference(runs: &mut Runs<'_>, until_s: f64, budget_s: f64) -> Result<(Reference, Option<f64>), AccuracyError> {
     let budget = Duration::from_secs_f64(REFERENCE_SHARE * budget_s);
     let mut unknown = None;

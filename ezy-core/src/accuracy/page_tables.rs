@@ -36,7 +36,7 @@ impl WorkPrecision {
         table
     }
 
-    /// What it took, with the default projection: counts, which are the same on every machine, and times.
+    /// Costs with the default projection: counts, which are the same on every machine, and times.
     pub(super) fn cost_table(&self) -> Table {
         let mut table = Table::new([
             "method",

@@ -1,4 +1,4 @@
-//! One setting of one method: what it reaches and what it takes.
+//! One setting of one method: its errors and its cost.
 
 use std::time::Instant;
 
@@ -17,23 +17,23 @@ pub struct Point {
     pub method: Method,
     /// What is projected.
     pub variant: Variant,
-    /// What came of it.
+    /// The outcome.
     pub result: PointResult,
 }
 
-/// What came of a setting.
+/// Outcome of a setting.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum PointResult {
     /// Measured.
     Measured(Box<Measured>),
-    /// The motion does not get to the end like this; why.
+    /// The run does not reach the end; why.
     Stopped(String),
-    /// The budget was over, or would have been.
+    /// The budget was used up, or would have been exceeded.
     NotRun,
 }
 
-/// What a setting reaches and what it takes.
+/// Errors and cost of a setting.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
     /// Errors against the reference.
@@ -50,20 +50,20 @@ pub struct Measured {
     pub seconds_min: f64,
     /// Median time of such runs, s.
     pub seconds_median: f64,
-    /// How many runs were timed.
+    /// Number of timed runs.
     pub n_timed: usize,
-    /// Time of the one run with a sample at every time of the grid, and works, s: dense output is paid here.
+    /// Time of the run with a sample at every time of the grid, and works, s. It includes the cost of dense output.
     pub seconds_on_grid: f64,
 }
 
-/// Time that runs of one setting are repeated for, s, and how often at least and at most.
+/// Time for repeated runs of one setting, s, and their smallest and largest number.
 const REPEAT_S: f64 = 0.02;
 const MIN_REPEATS: usize = 7;
 const MAX_REPEATS: usize = 101;
-/// Longer runs, s, are timed less often: one run of a second tells as much as many of a millisecond.
+/// Longer runs, s, are timed less often: one run of a second is as informative as many of a millisecond.
 const LONG_S: f64 = 0.1;
 
-/// How often a run of so many seconds is timed.
+/// Number of timed runs for a run of this many seconds.
 pub(super) fn repeats(seconds: f64) -> usize {
     if seconds > LONG_S {
         return ((MIN_REPEATS as f64 * LONG_S / seconds) as usize).max(1);
@@ -71,7 +71,7 @@ pub(super) fn repeats(seconds: f64) -> usize {
     ((REPEAT_S / seconds) as usize).clamp(MIN_REPEATS, MAX_REPEATS)
 }
 
-/// Runs a setting on the grid, which warms up, then for its time.
+/// Runs a setting on the grid, which also warms up, then repeatedly for its time.
 pub(super) fn measure(
     runs: &Runs<'_>,
     method: Method,

@@ -1,4 +1,4 @@
-//! The reference in numbers of twice the length.
+//! The reference in double-double arithmetic.
 
 use std::time::Instant;
 

@@ -1,5 +1,5 @@
-//! The motion that all others are compared with: in double-double where the scene has a Taylor series, else the tightest
-//! run of DOP853.
+//! The reference motion: in double-double where the scene has a Taylor series, otherwise the run of DOP853 with the smallest
+//! tolerance.
 
 use std::time::{Duration, Instant};
 
@@ -17,10 +17,10 @@ use crate::simulate::Run;
 /// Tolerances from the tightest on, until two runs have reached the end.
 const TOLERANCES: [f64; 6] = [1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10];
 
-/// Where two reference runs differ by more than this part of the size of the motion, there is nothing to compare with.
+/// Two reference runs that differ by more than this relative difference give no reference.
 const KNOWN: f64 = 1e-6;
 
-/// A reference motion and how well it is known.
+/// A reference motion and its uncertainty.
 #[derive(Debug, Clone)]
 pub struct Reference {
     /// How it was made.
@@ -31,15 +31,15 @@ pub struct Reference {
     pub scales: Scales,
     /// What [`Reference::uncertainty`] is, as the beginning of a sentence.
     pub doubt: &'static str,
-    /// How well it is known: errors below this are not.
+    /// Its uncertainty: smaller errors cannot be measured.
     pub uncertainty: Comparison,
     /// Why it is not in double-double, when it is not.
     pub imprecise: Option<String>,
-    /// How far it is from another method, or why none was run.
+    /// Difference from another method, or why none was run.
     pub second: Result<Second, String>,
 }
 
-/// A reference, or the time up to which there is one.
+/// A reference, or the time up to which it is known.
 pub(super) enum Found {
     /// Up to the end.
     Whole(Box<Reference>),
@@ -94,7 +94,7 @@ impl Reference {
     }
 }
 
-/// What is lost of numbers of these sizes when they are stored as f64.
+/// Rounding error of numbers of these sizes when they are stored as f64.
 fn rounding(scales: &Scales) -> Comparison {
     let half = 0.5 * f64::EPSILON;
     let of = |scales: &[f64]| Size { absolute: half * scales.iter().fold(0.0, |m, x| f64::max(m, *x)), scaled: half };

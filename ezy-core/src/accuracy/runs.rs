@@ -13,7 +13,7 @@ use crate::simulate::{Outcome, Run, SetupError, Simulation, StopReason};
 /// Intervals of the grid on which motions are compared.
 const N_INTERVALS: usize = 100;
 
-/// What all runs have in common.
+/// The settings that all runs share.
 #[derive(Clone)]
 pub(super) struct Runs<'s> {
     pub scene: &'s dyn Scene,
@@ -27,11 +27,11 @@ pub(super) struct Runs<'s> {
     pub every_s: f64,
 }
 
-/// A run that leaves nothing to compare.
+/// A run without a result.
 pub(super) enum NoRun {
-    /// The order cannot be carried out.
+    /// The settings cannot be used.
     Setup(SetupError),
-    /// Its time was over.
+    /// It exceeded its time.
     Overtime,
     /// The motion ended early.
     Stopped(String),

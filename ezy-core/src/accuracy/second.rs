@@ -14,24 +14,24 @@ use crate::simulate::Cost;
 pub struct Second {
     /// How it was made.
     pub by: String,
-    /// How far it is from the reference.
+    /// Difference from the reference.
     pub difference: Comparison,
-    /// How far its own last two approximations are apart.
+    /// Difference of its own last two approximations.
     pub own: Comparison,
 }
 
-/// A second method may be this many times as far from the reference as its own last two runs are apart: it ends where
-/// rounding does, which is by chance nearer once than another time.
+/// A second method may differ from the reference by this factor of the difference of its own last two runs. At the level of
+/// rounding both vary by chance.
 const CONFIRMED: f64 = 100.0;
 
-/// Scaled differences that are rounding of a long run at most.
+/// Relative differences up to this are rounding of a long run.
 const ROUNDING: f64 = 1e-12;
 
-/// RK4 steps for each step of the reference: with it RK4 extrapolated comes near to rounding.
+/// RK4 steps for each step of the reference: extrapolated RK4 then comes near to rounding.
 const STEPS_PER_STEP: u64 = 16;
 
 impl Second {
-    /// Whether it agrees with the reference as well as it can.
+    /// Whether it agrees with the reference within its own accuracy.
     pub fn confirms(&self) -> bool {
         let [difference, own] = [&self.difference, &self.own].map(|of| of.grid.position.scaled);
         difference <= (CONFIRMED * own).max(ROUNDING)

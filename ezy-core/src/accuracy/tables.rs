@@ -1,4 +1,4 @@
-//! The measurement in rows and sentences.
+//! The measurement as tables and sentences.
 
 use super::command::command;
 use super::errors::{Comparison, Size};
@@ -28,7 +28,7 @@ pub(super) fn three_digits(x: f64) -> String {
 }
 
 impl WorkPrecision {
-    /// Errors of positions and what they cost, with the default projection; errors that the reference does not know are
+    /// Errors of positions and their cost, with the default projection; errors below the uncertainty of the reference are
     /// marked with ≤.
     pub fn table(&self) -> Table {
         let mut table =
@@ -52,14 +52,14 @@ impl WorkPrecision {
         self.methods().flat_map(|method| self.curve(method, Variant::default()))
     }
 
-    /// At the end and the largest one, marked where the reference does not know.
+    /// Error at the end and largest error, marked when below the uncertainty of the reference.
     pub(super) fn position_errors(&self, measured: &Measured) -> [String; 2] {
         let Comparison { end, grid } = self.reference.uncertainty;
         [(measured.error.end, end), (measured.error.grid, grid)]
             .map(|(error, known)| marked(error.position, known.position))
     }
 
-    /// What the reference is and how well it is known, as sentences.
+    /// The reference and its uncertainty, as sentences.
     pub fn reference_text(&self) -> Vec<String> {
         let reference = &self.reference;
         let Comparison { end, grid } = reference.uncertainty;

@@ -28,7 +28,7 @@ pub(super) struct ListArguments {
 /// Prints the derived equations of a model or scene
 ///
 /// Shows the constraints, their Jacobians and convective terms, the mass matrix, the forces and the equations of
-/// motion, all printed from the expressions that are compiled; then the sparsity of the Jacobian, the order of
+/// motion, all printed from the compiled expressions. Then follow the sparsity of the Jacobian, the order of
 /// elimination and the operations of one evaluation.
 #[derive(Debug, Args)]
 pub(super) struct ShowArguments {
@@ -74,19 +74,19 @@ pub(super) struct RunArguments {
     /// Absolute tolerance in m, rad, m/s, rad/s [default: that of --rtol]
     #[arg(long, value_name = "A", value_parser = parse_number, allow_negative_numbers = true)]
     pub atol: Option<f64>,
-    /// What is put back onto the constraints after each step
+    /// What is projected onto the constraints after each step
     #[arg(long, value_enum, default_value_t)]
     pub project: ProjectName,
-    /// In which metric that correction is smallest
+    /// Metric in which the projection is smallest
     #[arg(long, value_enum, default_value_t)]
     pub metric: MetricName,
-    /// Stop before a row is violated by more than R: m or rad in positions, m/s or rad/s in velocities
+    /// Stop before the residual of a constraint exceeds R: m or rad in positions, m/s or rad/s in velocities
     #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
     pub max_drift: Option<f64>,
     /// Stop before energy and work differ by more than this part of the energy turned over
     #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
     pub max_energy_error: Option<f64>,
-    /// Stop after N steps, those taken back included [default: ten million when the method chooses them]
+    /// Stop after N steps, rejected ones included [default: ten million when the method chooses them]
     #[arg(long, value_name = "N", value_parser = parse_count, allow_negative_numbers = true)]
     pub max_steps: Option<u64>,
     /// Change a parameter or a count; may be repeated
@@ -94,12 +94,12 @@ pub(super) struct RunArguments {
     pub set: Vec<Assignment>,
     /// Hold a start value: seat.x, seat.y, seat.phi, seat.vx, seat.vy, seat.omega, …; may be repeated
     ///
-    /// What is given replaces the value of the scene and is held; what neither gives follows from the constraints.
+    /// A given value replaces that of the scene and is held. Values that neither gives follow from the constraints.
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub start: Vec<Assignment>,
-    /// Let a start that contradicts the constraints give way, in place of refusing it
+    /// Project a start that contradicts the constraints onto them instead of refusing it
     ///
-    /// All values then move as little as possible in the metric of the masses: positions first, then velocities.
+    /// All values then change as little as possible in the mass metric: positions first, then velocities.
     #[arg(long)]
     pub project_start: bool,
     /// Set an input, in its unit; may be repeated
@@ -111,7 +111,7 @@ pub(super) struct RunArguments {
     /// file that --out wrote, each value holds until the next row.
     #[arg(long, value_name = "FILE.csv")]
     pub inputs: Option<PathBuf>,
-    /// Seconds between the rows of --out, which must be given, too [default: a thousandth of the run]
+    /// Seconds between the rows of --out; needs --out [default: a thousandth of the run]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
     /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, inputs, outputs, work, energies,
@@ -217,7 +217,7 @@ pub(super) struct AccuracyArguments {
     /// Set an input for the whole run, in its unit; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub input: Vec<Assignment>,
-    /// Seconds that the measurement may take; what it does not get to is listed
+    /// Budget of the measurement in seconds; settings that are not measured are listed
     #[arg(long, value_name = "SECONDS", value_parser = parse_number, allow_negative_numbers = true, default_value = "60")]
     pub budget: f64,
     /// Directory to write into; made if it does not exist [default: out/accuracy-MODEL-SCENE]

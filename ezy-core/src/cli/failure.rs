@@ -1,9 +1,9 @@
-//! What can go wrong, sorted by whose turn it is.
+//! Failures of a command, by exit status.
 
 use std::fmt::Display;
 use std::process::ExitCode;
 
-/// A command did not do what it was asked to do.
+/// A command failed.
 #[derive(Debug)]
 pub enum Failure {
     /// The request cannot be carried out as it stands; exit status 2.

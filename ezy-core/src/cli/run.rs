@@ -59,7 +59,7 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     }
 }
 
-/// Whether a scene, and what it becomes, knows the slopes of its equations.
+/// Whether a scene and its modes have the slopes of their equations.
 fn has_slopes(scene: &dyn Scene) -> bool {
     scene.slope_places().is_some() && scene.modes().iter().all(|mode| mode.slope_places().is_some())
 }

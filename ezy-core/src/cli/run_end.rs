@@ -83,7 +83,7 @@ pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Ru
     Json::object(members)
 }
 
-/// A stretch in which rows depended on each other.
+/// An interval in which constraints were redundant.
 fn spell_json(spell: &RankSpell) -> Json {
     Json::object([
         ("from", Json::Number(spell.from_s)),
@@ -149,7 +149,7 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     let is_explicit = !matches!(method, Method::Radau(_));
     let stiff = match run.stiff_since_s {
         Some(t) => format!(
-            "remark: from t = {} s on, or before, the steps of {} were held by stiffness, not by the tolerance; try --method radau\n",
+            "remark: from t = {} s on, or before, the steps of {} were limited by stiffness, not by the tolerance; try --method radau\n",
             rounded(t, 4),
             method.name()
         ),
@@ -162,7 +162,7 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     stiff + &remark(&run.last().energy, method, radau_runs && !names_radau)
 }
 
-/// What helps an explicit method that stiffness keeps to short steps.
+/// Advice when stiffness limits the steps of an explicit method.
 const IMPLICIT: &str = "--method radau takes longer steps";
 
 /// Whether an explicit method may have stopped for stiffness.
@@ -177,10 +177,10 @@ fn may_be_stiff(outcome: &Outcome) -> bool {
     }
 }
 
-/// Share of the energy turned over that may be missing at the end before the step is said to be too large.
+/// Energy balance, relative to the energy turned over, above which the step is called too large.
 const LARGEST_IMBALANCE: f64 = 1e-3;
 
-/// What there is to say about a run whose energy and work do not fit.
+/// The remark on a run whose energy and work differ.
 fn remark(energy: &EnergyState, method: Method, radau_runs: bool) -> String {
     let turned_over = energy.kinetic + energy.work.abs();
     let share = energy.balance.abs() / turned_over;
@@ -219,10 +219,10 @@ fn outcome_words(outcome: &Outcome) -> String {
     }
 }
 
-/// Coordinates and rows that the text lists; of more the rest is counted.
+/// Coordinates and constraints that the text lists; further ones are counted.
 const MAX_LINES: usize = 60;
 
-/// What a table leaves out.
+/// The line that counts what a table leaves out.
 fn left_out(n: usize, what: &str) -> String {
     if n <= MAX_LINES {
         return String::new();

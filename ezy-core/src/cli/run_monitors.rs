@@ -1,4 +1,4 @@
-//! What a run watched, as JSON and as text.
+//! The monitors of a run, as JSON and as text.
 
 use crate::report::table::fixed;
 use crate::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run};

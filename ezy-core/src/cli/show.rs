@@ -44,7 +44,7 @@ fn kernels(info: &SceneInfo) -> [(&'static str, [usize; 6]); 2] {
         .map(|(name, count)| (name, [count.mul, count.add, count.div, count.arithmetic(), count.trig, count.calls]))
 }
 
-/// Whether Taylor's method takes the scene, and what an order of it costs.
+/// Whether Taylor's method can run the scene, and the cost of one order.
 fn series(info: &SceneInfo) -> String {
     match info.series {
         SeriesInfo::Analytic { n_products, operations } => {

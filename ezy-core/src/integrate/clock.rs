@@ -10,7 +10,7 @@ pub struct Clock {
     n_steps: u64,
 }
 
-/// A rest of the horizon below this fraction of a step is rounding of `n h`, not a step of its own.
+/// A remainder of the run below this fraction of a step is rounding of `n h`, not a step.
 const REST: f64 = 1e-9;
 
 impl Clock {

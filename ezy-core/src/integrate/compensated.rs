@@ -1,8 +1,8 @@
-//! Sums that keep what rounding cuts off.
+//! Compensated summation.
 
 use crate::scalar::Scalar;
 
-/// `from + (increment + rest)`; what rounding cuts off becomes the next `rest`.
+/// `from + (increment + rest)`; the rounding error becomes the next `rest`.
 ///
 /// # Source
 /// Knuth, The Art of Computer Programming 2, 4.2.2: the error of a sum is a floating-point number.

@@ -1,4 +1,4 @@
-//! Values between two steps.
+//! Interpolation within a step.
 
 use crate::dynamics::State;
 
@@ -16,8 +16,8 @@ pub struct Knot<'a, T = f64> {
 /// The state at the time `t` within the step: positions by the quintic polynomial through q, v, a at both ends,
 /// velocities by its derivative, works by the cubic through work and power.
 ///
-/// The error of positions goes with the sixth, of velocities with the fifth, of works with the fourth power of the
-/// step, which is that of the steps or less; the constraints are met to the same order.
+/// The error of positions is of order 6 in the step, of velocities 5, of works 4: not above that of the steps. The
+/// constraints are satisfied to the same order.
 ///
 /// # Source
 /// Hermite interpolation; Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I (1993), II.6.

@@ -65,7 +65,7 @@ impl Method {
         Self::Radau(Tolerance { relative: tolerance, absolute: tolerance })
     }
 
-    /// What a method that chooses its steps keeps to; none for one with a fixed step.
+    /// Tolerance of a method that chooses its steps; none for one with a fixed step.
     pub const fn tolerance(self) -> Option<Tolerance> {
         match self {
             Self::Rk4 { .. } => None,

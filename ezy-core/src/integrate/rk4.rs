@@ -34,7 +34,7 @@ impl<T: Scalar> Rk4<T> {
         }
     }
 
-    /// Forgets what rounding cut off, before another run.
+    /// Forgets the rounding errors of the sums, before another run.
     pub fn restart(&mut self) {
         [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work]
             .into_iter()

@@ -5,9 +5,9 @@ const SAFETY: f64 = 0.9;
 /// A step changes at most by these factors.
 const SHRINK: f64 = 1.0 / 3.0;
 const GROW: f64 = 6.0;
-/// Part of the controller that answers to the error before the last: damps the length's own oscillation.
+/// Exponent of the integral part of the controller, which damps oscillations of the step length.
 const BETA: f64 = 0.04;
-/// An error this small says nothing about the next one.
+/// Smallest error that is used for prediction.
 const LEAST_ERROR: f64 = 1e-4;
 
 /// Tolerated errors of a step: `absolute + relative · |y|` for each number of the state.

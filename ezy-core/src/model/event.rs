@@ -1,15 +1,15 @@
-//! What is looked for while a scene runs.
+//! Events of a scene.
 
 use super::Formula;
 
-/// A value of a scene that is of interest where it passes zero.
+/// An event function of a scene; the event is its root.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct EventInfo {
     /// Name in the model file; of a condition behind `until` the condition as written; of a kink its value.
     pub name: &'static str,
-    /// What follows.
+    /// The consequence.
     pub kind: EventKind,
-    /// Which passages count.
+    /// Direction in which the function passes zero.
     pub direction: Direction,
     /// The value: left side of the condition minus its right side, in SI units; what stands in `abs` or `sign`, or the
     /// difference of what stands in `min` or `max`.
@@ -18,7 +18,7 @@ pub struct EventInfo {
     pub documentation: &'static str,
 }
 
-/// What follows from an event.
+/// Consequence of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum EventKind {
@@ -26,11 +26,12 @@ pub enum EventKind {
     Mark,
     /// The run ends.
     End,
-    /// None: a law changes over, by `abs`, `sign`, `min` or `max`. DOP853, Radau and RK4 end a step there.
+    /// None: a law has a discontinuity there, of its value or its slope, by `abs`, `sign`, `min` or `max`. DOP853, Radau and RK4
+    /// end a step there.
     Kink,
 }
 
-/// How a value passes zero.
+/// Direction of a root.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     /// From below.
@@ -42,7 +43,7 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// Whether a passage counts that leads to this side of zero: 1 above, -1 below.
+    /// Whether a root counts that leads to this side of zero: 1 above, -1 below.
     pub fn counts(self, side: f64) -> bool {
         match self {
             Self::Rising => side > 0.0,

@@ -1,16 +1,16 @@
-//! A skate that holds up to a limit and slides beyond it.
+//! Stick–slip friction: a skate that holds up to a limit and slides beyond it.
 
 use super::{EventInfo, Formula};
 
-/// The skate of a scene that holds as long as its multiplier is not larger than a limit.
+/// The skate with a limit. It holds while its multiplier is within the limit.
 ///
-/// Where it would be, the skate slides: a force as large as the limit opposes the velocity across it, until that velocity
-/// comes back to zero. There it holds again, or slides to the other side where it still needs more than its limit.
+/// Beyond the limit the skate slides: a force of the size of the limit opposes the velocity across it, until that velocity
+/// returns to zero. Then it holds again, or slides to the other side if its reaction still exceeds the limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GripInfo {
-    /// Its name, and that of its row.
+    /// Its name, and that of its constraint.
     pub name: &'static str,
-    /// Its row, in [`SceneInfo::rows`](super::SceneInfo::rows).
+    /// Index of its constraint in [`SceneInfo::rows`](super::SceneInfo::rows).
     pub row: usize,
     /// The limit, N.
     pub limit: Formula,

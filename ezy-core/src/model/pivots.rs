@@ -1,4 +1,4 @@
-//! What a generated elimination tells of its pivots.
+//! Pivots of a generated elimination.
 
 /// A pivot of the generated elimination counts as vanished when it is below this fraction of the diagonal
 /// entry that it started from. Rounding leaves 1e-16 to 1e-14 of an exactly dependent row; a row that keeps

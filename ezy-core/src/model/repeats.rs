@@ -1,4 +1,4 @@
-//! Scenes in which a number of the run says how often bodies, rows and forces are repeated.
+//! Scenes with counts: numbers of a run that say how often bodies, constraints and forces are repeated.
 
 use super::{Formula, RowInfo};
 
@@ -56,7 +56,7 @@ pub struct TemplateInfo {
     pub masses: &'static [(SlotCoordinate, Formula)],
 }
 
-/// What a scene with counts knows besides: sizes of this run, and equations by template.
+/// Additional data of a scene with counts: sizes of this run, and equations by template.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Repeats {
     /// The counts in declared order.
@@ -65,14 +65,14 @@ pub struct Repeats {
     pub values: &'static [usize],
     /// Equations of each item, in declared order.
     pub templates: &'static [TemplateInfo],
-    /// What keeps the scene from being set up with these counts. Its other descriptions are then of no use.
+    /// Why the scene cannot be set up with these counts. Its other descriptions are then meaningless.
     pub fault: Option<LayoutFault>,
 }
 
 /// Bodies, and members of each `for`, together beyond which a scene is not set up: they take some gigabytes.
 pub(crate) const LARGEST_N_MEMBERS: usize = 4_000_000;
 
-/// Counts that make no scene.
+/// Counts that cannot be used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LayoutFault {
@@ -82,7 +82,7 @@ pub enum LayoutFault {
         /// Name of the count.
         name: &'static str,
     },
-    /// More than anyone can wait for.
+    /// Too many bodies and members.
     #[error(
         "the counts ask for {n_members} bodies and repeated items; at most {LARGEST_N_MEMBERS} are set up: give a \
          smaller count"

@@ -1,4 +1,4 @@
-//! What a run keeps: samples in memory and rows of a CSV file. Knows no solver.
+//! Samples of a run, in memory and as rows of a CSV file. Knows no solver.
 
 mod columns;
 mod csv_writer;
@@ -13,7 +13,7 @@ pub(crate) use memory::Record;
 pub use names::{UnknownName, coordinate_index, find_name, input_index, output_index};
 pub use sample::{EnergyState, Sample};
 
-/// What samples hold besides the motion, because somebody asked for it and pays.
+/// Optional parts of a sample, besides the motion. They cost time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Wanted {
     /// The work of each effect and the energy balance: an evaluation of the powers at every stage of every step.
@@ -37,6 +37,6 @@ pub trait Recorder: Send {
 pub struct RecordError {
     /// Time of the sample, s.
     pub t: f64,
-    /// What the file or pipe answered.
+    /// Error of the file or pipe.
     pub cause: std::io::Error,
 }

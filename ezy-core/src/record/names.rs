@@ -1,4 +1,4 @@
-//! Names that users type, looked up with the nearest known one in the answer.
+//! Names that users type, looked up; an unknown name is answered with the nearest known one.
 
 use crate::model::SceneInfo;
 
@@ -6,7 +6,7 @@ use crate::model::SceneInfo;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{kind} `{name}` {}", fault(self))]
 pub struct UnknownName {
-    /// What the name should have been: `coordinate`, `column`, …
+    /// Kind of name that was expected: `coordinate`, `column`, …
     pub kind: &'static str,
     /// The name as given.
     pub name: String,
@@ -14,13 +14,13 @@ pub struct UnknownName {
     pub nearest: Option<String>,
     /// All known names.
     pub known: Vec<String>,
-    /// What to add to the order of a run, when the name is a column that the run was not asked for.
+    /// Call that is missing on the simulation, when the name is a column that the run did not record.
     pub remedy: Option<&'static str>,
 }
 
 fn fault(of: &UnknownName) -> String {
     match of.remedy {
-        Some(remedy) => format!("was not asked for; add `.{remedy}()` to the order of the run"),
+        Some(remedy) => format!("was not recorded; call `.{remedy}()` on the simulation"),
         None => format!("is not known{}; known: {}", suggestion(&of.nearest), list(&of.known)),
     }
 }
@@ -29,7 +29,7 @@ fn suggestion(nearest: &Option<String>) -> String {
     nearest.as_ref().map(|n| format!(" (did you mean `{n}`?)")).unwrap_or_default()
 }
 
-/// Known names that a message lists; of more the rest is counted.
+/// Known names that a message lists; further ones are counted.
 const MAX_LISTED: usize = 60;
 
 fn list(known: &[String]) -> String {

@@ -8,7 +8,7 @@ use crate::model::SceneInfo;
 pub struct Sample<'r> {
     /// Names and sizes.
     pub info: &'static SceneInfo,
-    /// What it holds besides the motion.
+    /// Its optional parts.
     pub wanted: Wanted,
     /// Time, s.
     pub t: f64,
@@ -52,7 +52,7 @@ pub struct EnergyState {
 const N_ALWAYS: usize = 5;
 
 impl EnergyState {
-    /// Energies where nobody asked for work.
+    /// Energies without work.
     pub(crate) const fn without_work(kinetic: f64, potential: f64) -> Self {
         Self { kinetic, potential, work: f64::NAN, balance: f64::NAN }
     }

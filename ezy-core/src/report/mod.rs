@@ -1,4 +1,4 @@
-//! What a reader gets to see: equations, tables, figures and pages. Knows names and numbers, no solver.
+//! Equations, tables, figures and pages. Knows names and numbers, no solver.
 
 pub mod equations;
 #[cfg(feature = "figures")]

@@ -5,18 +5,18 @@ use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
 
-/// Tries of one step to end at a kink: each knows better where it is.
+/// Attempts of one step to end at a kink: each one locates it better.
 const MAX_KINKS: u32 = 3;
 
-/// The stages of a long step that ends at a kink are beyond it by their own errors, and see the other law there. So a
-/// kink is approached up to this part of the way, and what is left is a step of its own.
+/// Stages of a long step that ends at a kink may be beyond it by their own error and then see the other law. So a step covers
+/// this part of the way to the kink, and the rest is a short step of its own.
 const APPROACH: f64 = 31.0 / 32.0;
 
-/// What is left is short when it is below this part of the step that was tried.
+/// The rest is short when it is below this part of the attempted step.
 const LEFT: f64 = 1.0 / 16.0;
 
-/// A step to a kink below this part of the one that was tried follows another kink closely, as where dry friction sticks:
-/// the next one is not tried at full length again.
+/// A step to a kink that is shorter than this part of the attempted one follows another kink closely, as where dry friction
+/// sticks. The next step is then not attempted at full length.
 const SPLINTER: f64 = 1e-5;
 
 /// DOP853 with the length of its next step.
@@ -30,7 +30,7 @@ pub(super) struct Adaptive<T = f64> {
     last_s: Option<f64>,
     watch: StiffnessWatch,
     rejected: u64,
-    /// Whether values between the ends of the last step are prepared.
+    /// Whether the interpolant of the last step is prepared.
     dense: bool,
 }
 
@@ -112,7 +112,7 @@ impl<T: Scalar> Adaptive<T> {
             Some(step_s) => step_s,
             None => self.method.first_step(system, from, left, self.tolerance)?,
         };
-        // the length before a kink: behind it the law is as smooth as before
+        // the step length before a kink, to continue with behind it
         let (mut whole, mut n_kinks) = (None, 0);
         loop {
             let Reach { step_s: h, t_next } = reach(t, end, length);
@@ -137,7 +137,7 @@ impl<T: Scalar> Adaptive<T> {
                         length = h * self.control.reject(error);
                     }
                 }
-                // a stage may have left the region of the motion: a shorter step may not
+                // a stage may have left the region where the equations are defined; a shorter step may not
                 Err(error) => {
                     length = h * self.control.reject(f64::NAN);
                     if is_too_short(t, length) {

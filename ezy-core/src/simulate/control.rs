@@ -1,4 +1,4 @@
-//! What sets the inputs while a scene runs.
+//! Tables and control laws that set the inputs of a run.
 
 use super::input_table::InputTable;
 use crate::dynamics::{MotionError, State, System};
@@ -7,7 +7,7 @@ use crate::model::Scene;
 /// Sets inputs at the start of a step from time, state and itself.
 pub(super) type Law<'s> = Box<dyn FnMut(f64, &State, &mut [f64]) + Send + 's>;
 
-/// The tables of a run, and its control law, which has the last word.
+/// The tables of a run, and its control law, which acts after them.
 #[derive(Default)]
 pub(super) struct Control<'s> {
     /// Index of the input.
@@ -44,7 +44,7 @@ impl Control<'_> {
     }
 }
 
-/// Inputs that are not finite are named, before they spoil the motion.
+/// An error with the name of the first input that is not finite.
 pub(super) fn check_inputs<S: Scene + ?Sized>(t: f64, system: &System<'_, S>) -> Result<(), MotionError> {
     let named = system.info().inputs.iter().zip(system.inputs());
     match named.into_iter().find(|(_, value)| !value.is_finite()) {

@@ -1,4 +1,4 @@
-//! Past positions in which rows depend on each other for an instant.
+//! Crossing of singular positions, in which the rank of G drops for an instant.
 
 use super::instantaneous::Instantaneous;
 use super::singular::{Approach, about};
@@ -8,33 +8,33 @@ use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
 use std::ops::Range;
 
-/// Steps that begin well before a singular position and end well beyond.
+/// Steps that begin well before a singular position and end well beyond it.
 ///
-/// At a distance D from it rounding of positions comes back as velocities with 1/D² and as forces with 1/D³. So no step ends
-/// near; one leads over, of DOP853, with the position in the widest gap of its nodes. Its stages are projected, since off the
-/// rows accelerations have a pole there.
+/// At a distance D from it, rounding of positions appears in velocities multiplied by 1/D² and in forces by 1/D³. So no step
+/// ends near it. One step of DOP853 crosses it, with the singular position in the widest gap between its nodes. The stages are
+/// projected, since accelerations have a pole there off the constraints.
 pub(super) struct Crossing {
     method: Dop853,
     on_rows: State,
     control: StepControl,
     tolerance: Tolerance,
-    /// Whether steps are controlled, or as long as they have to be.
+    /// Whether the method of the run chooses its steps.
     chooses_steps: bool,
-    /// Length of a step that keeps to the tolerance, s.
+    /// Step length for the tolerance, s.
     length_s: f64,
-    /// Where the last step began, s.
+    /// Start of the last step, s.
     begin_s: f64,
-    /// Where it ends, projected and evaluated.
+    /// Its end, projected and evaluated.
     pub end: Instantaneous,
-    /// Whether the motion is on its way there, or has just arrived.
+    /// Whether the run is within this step or at its end.
     pub is_under_way: bool,
-    /// Time of a singular position that is approached, s.
+    /// Predicted time of the singular position, s.
     ahead_s: Option<f64>,
-    /// Until when nothing is tried, s.
+    /// No attempt before this time, s.
     in_vain_until_s: f64,
 }
 
-/// Where in a leap the singular position lies: 0.13 of its length from the nearest node of DOP853.
+/// Place of the singular position in the crossing step, from 0 to 1: 0.13 of the step from the nearest node of DOP853.
 const MIDDLE: f64 = 0.46;
 
 /// Where it may lie where the leap would end next to another one, 0.07 from the nearest node.
@@ -46,16 +46,16 @@ const TOO_NEAR: f64 = 0.1;
 /// A leap of the controlled length begins within this of where it should.
 const ABOUT: f64 = 1.1;
 
-/// Error of the shortest steps that is taken for noise, relative like a tolerance.
+/// Relative error that the shortest steps may have: it is noise.
 const NOISE: f64 = 1e-10;
 
-/// Tries of one step.
+/// Attempts of one step.
 const MAX_TRIES: u32 = 10;
 
-/// Tolerance below which estimates next to a singular position are rounding.
+/// Smallest useful tolerance: below it error estimates next to a singular position are rounding.
 const FINEST: f64 = 1e-13;
 
-/// For methods with a fixed step, whose own errors are larger.
+/// Tolerance for methods with a fixed step, whose own errors are larger.
 const OF_FIXED_STEPS: f64 = 1e-9;
 
 impl Crossing {
@@ -172,7 +172,7 @@ impl Crossing {
         Ok(tangential.unwrap_or(error))
     }
 
-    /// What belongs to the end of a step, and to values on the way.
+    /// Projects and evaluates the end of a step, and prepares its interpolant.
     fn finish<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,

@@ -1,4 +1,4 @@
-//! What keeps a run from starting.
+//! Errors of a run that cannot start.
 
 use crate::dynamics::{MotionError, StartError, SystemError};
 use crate::model::{SceneInfo, SeriesInfo};
@@ -45,7 +45,7 @@ pub enum SetupError {
         method: &'static str,
     },
     /// Runs that step together, and runs with derivatives, take other methods.
-    #[error("{method} runs one scene in single numbers; use rk4 or dop853 in lanes and with derivatives")]
+    #[error("{method} cannot run in lanes or with derivatives; use rk4 or dop853")]
     SingleNumbers {
         /// Name of the method.
         method: &'static str,
@@ -95,8 +95,8 @@ pub enum SetupError {
     },
     /// Its skate may slide, or its stop may be hit.
     #[error(
-        "{what} `{name}` of scene `{scene}` makes another scene of it on the way, which only runs follow; run the scene, or \
-         remove the {}", if *.what == "skate" { "limit" } else { "stop" }
+        "scene `{scene}` has modes because of {what} `{name}`, which only runs support; run the scene, or remove the {}",
+        if *.what == "skate" { "limit" } else { "stop" }
     )]
     Modes {
         /// Name of the scene.

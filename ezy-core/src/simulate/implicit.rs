@@ -58,7 +58,7 @@ impl Implicit {
         let t = from.state.t;
         let left = end - t;
         let mut length = self.step_s.unwrap_or_else(|| self.method.first_step(from, left, self.tolerance));
-        // the length before a kink: behind it the law is as smooth as before
+        // the step length before a kink, to continue with behind it
         let (mut whole, mut cut) = (None, None);
         loop {
             let Reach { step_s: h, t_next } = reach(t, end, length);

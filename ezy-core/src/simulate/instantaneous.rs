@@ -4,7 +4,7 @@ use crate::dynamics::{MotionError, Rows, Solved, State, System};
 use crate::integrate::Knot;
 use crate::model::{Scene, SceneInfo};
 
-/// A state with all that is known about it.
+/// A state with its accelerations, multipliers and powers.
 pub(super) struct Instantaneous {
     pub state: State,
     pub a: Vec<f64>,

@@ -1,4 +1,4 @@
-//! A method at work: its storage and its step control.
+//! The methods of a run, each with its storage and its step control.
 
 use super::SetupError;
 use super::adaptive::Adaptive;

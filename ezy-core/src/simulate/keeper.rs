@@ -17,9 +17,9 @@ pub(super) struct Keeper<'s> {
     wanted: Wanted,
     /// Empty unless wanted.
     outputs: Vec<f64>,
-    /// A row that the mode under way lacks, and its multiplier as a multiple of the limit of a skate.
+    /// The constraint that the active mode does not have, and its multiplier as a multiple of the skate's limit.
     pub lacking: Option<(usize, f64)>,
-    /// Multipliers with the one of that row.
+    /// Multipliers, with that of this constraint.
     multipliers: Vec<f64>,
 }
 
@@ -76,8 +76,8 @@ impl<'s> Keeper<'s> {
             system.outputs(*t, q, v, &mut self.outputs);
         }
         self.a.copy_from_slice(&at.a);
-        // only for the sample: the motion must not depend on whether it is looked at. The matrix was regular a moment
-        // ago; should the correction fail all the same, the accelerations are good without it
+        // for the sample only: recording must not change the motion. The matrix was regular before; if the correction fails all
+        // the same, the accelerations are good without it
         let _ = system.refine_accelerations(*t, q, v, &mut self.a);
         let (position_residual, velocity_residual) =
             (system.position_residual(*t, q), system.velocity_residual(*t, q, v));

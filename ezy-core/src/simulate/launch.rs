@@ -1,4 +1,4 @@
-//! From an order to a run or a stepper: what the order says is checked, then the start is assembled.
+//! From a [`Simulation`] to a run or a stepper: its settings are checked, then the start is assembled.
 
 use super::control::Control;
 use super::modes::Modes;
@@ -12,16 +12,16 @@ use crate::integrate::{Clock, Method, Tolerance};
 use crate::model::{Scene, SceneInfo, Start};
 use crate::record::{Recorder, UnknownName, find_name, input_index};
 
-/// At 100 ns a step a quarter of an hour; more is a slip of the pen.
+/// A quarter of an hour at 100 ns a step; more is a typing error.
 const MAX_STEPS: f64 = 1e10;
 
-/// Above it there is no motion left to speak of.
+/// A larger tolerance accepts any motion.
 const LARGEST_TOLERANCE: f64 = 1.0;
 
-/// A few hundred bytes each: some gigabytes.
+/// Samples of a run: a few hundred bytes each, some gigabytes.
 const MAX_SAMPLES: f64 = 1e7;
 
-/// In all samples together, 8 GB: samples of ten thousand bodies are a hundred thousand numbers.
+/// Numbers in all samples together: 8 GB. A sample of ten thousand bodies has a hundred thousand numbers.
 const MAX_NUMBERS: f64 = 1e9;
 
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
@@ -40,7 +40,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         }
     }
 
-    /// The same order for another scene with these names.
+    /// The same settings for another scene with the same names.
     fn of_scene<'a>(self, scene: &'a dyn Scene) -> Simulation<'a, dyn Scene + 'a>
     where
         's: 'a,
@@ -65,7 +65,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         }
     }
 
-    /// Runs; `others` are the scenes that this one may become.
+    /// Runs; `others` are the other modes of the scene.
     fn launch(mut self, others: &[&'s S]) -> Result<Run, SetupError> {
         let mut system = System::new(self.scene, self.backend)?;
         let start = self.start(&system)?;
@@ -118,7 +118,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         Ok(start)
     }
 
-    /// What sets inputs on the way; numbers are set here and now. Of two settings of one input the later one counts.
+    /// Tables and control law of the run; constant inputs are set at once. Of two settings of one input the later one counts.
     fn take_control(&mut self, system: &mut System<'_, S>) -> Result<Control<'s>, SetupError> {
         let mut control = Control { tables: Vec::new(), law: self.law.take() };
         for (name, table) in self.inputs.drain(..) {
@@ -141,7 +141,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         }
     }
 
-    /// `idle`: whether inputs stay as they are; those that change are held over steps of known length.
+    /// `idle`: whether inputs stay constant. Inputs that change are held over steps of fixed length.
     fn pace(&self, start_s: f64, idle: bool) -> Result<Pace, SetupError> {
         let until_s = self.until_s;
         if !start_s.is_finite() {

@@ -1,4 +1,4 @@
-//! A scene in motion: where it is, and how it gets one step further. What runs and steppers share.
+//! A scene with the state of its integration: one step, projected. Shared by runs and steppers.
 
 use super::SetupError;
 use super::crossing::Crossing;
@@ -11,10 +11,10 @@ use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain,
 use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
 
-/// A step that ends at a singular position, where accelerations are hardly known, ends earlier instead by this factor.
+/// A step that ends at a singular position is shortened by this factor, since accelerations are inaccurate there.
 const SHORTENED: f64 = 0.9;
 
-/// A step whose end has a smaller part of the pivot at its start ends next to a singular position.
+/// A step ends next to a singular position when the smallest pivot falls below this part of its value at the start.
 const TOO_NEAR: f64 = 0.03;
 
 /// A step whose end the projection does not bring back ends earlier by this factor, as in CVODE (Hindmarsh and others, ACM Trans. Math.
@@ -24,16 +24,16 @@ const QUARTERED: f64 = 0.25;
 /// Tries of one step.
 const MAX_SHORTENED: usize = 3;
 
-/// The state `now`, and `next` where the step under way ends.
+/// The state `now`, and the end `next` of the step under way.
 pub(super) struct Motion<'s, S: Scene + ?Sized> {
     pub system: System<'s, S>,
     integrator: Integrator<'s>,
     kinks: Kinks,
     projection: Projection,
     metric: Metric,
-    /// Whether singular positions are crossed by steps of their own: where steps are projected.
+    /// Whether singular positions are crossed by special steps: only when steps are projected.
     crosses: bool,
-    /// Of a method that chooses its steps.
+    /// Tolerance of a method that chooses its steps.
     tolerance: Option<Tolerance>,
     /// Made when it is first needed.
     crossing: Option<Box<Crossing>>,
@@ -122,7 +122,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         outcome.map_err(|error| self.system.locked_up(*t, q, error))
     }
 
-    /// A step over a singular position, or a part of one; false where there is none.
+    /// A step across a singular position, or a part of such a step; false where there is none.
     fn advance_on_leap(&mut self, t_next: f64) -> Result<bool, MotionError> {
         let chooses_steps = self.integrator.chooses_steps();
         let Self { system, crossing, now, next, .. } = self;
@@ -132,7 +132,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
             crossing.is_under_way = false;
         }
         if !crossing.as_ref().is_some_and(|crossing| crossing.is_under_way) {
-            // a step over several ticks of a clock knows the inputs of the first one only
+            // a step over several ticks of the clock has the inputs of the first one only
             let holds_inputs = chooses_steps || system.inputs().is_empty();
             let approach = Approach { now, before: next };
             let is_heading = crossing.as_ref().is_some_and(|crossing| crossing.is_heading());

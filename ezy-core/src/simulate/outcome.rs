@@ -1,4 +1,4 @@
-//! What a run leaves.
+//! The result of a run.
 
 use super::{ExceededLimit, Monitors, Occurrence, RankRecord};
 use crate::dynamics::{MotionError, Strain};
@@ -15,8 +15,8 @@ pub struct Run {
     pub cost: Cost,
     /// What was watched on the way.
     pub monitors: Monitors,
-    /// Since when stability and not accuracy held the steps of dop853, s: an implicit method, such as radau, takes longer ones.
-    /// Other methods do not tell.
+    /// Time since which stability and not accuracy limited the steps of dop853, s. An implicit method, such as radau, takes longer
+    /// steps then. Other methods do not detect it.
     pub stiff_since_s: Option<f64>,
     /// Where rows depended on each other.
     pub rank: RankRecord,
@@ -85,7 +85,7 @@ pub enum Outcome {
         t: f64,
         /// Why.
         reason: StopReason,
-        /// What moved the scene hardest then, where the motion became too fast to follow.
+        /// Largest acceleration then and its cause, when the motion became too fast.
         strain: Option<Strain>,
     },
 }
@@ -126,7 +126,7 @@ pub enum StopReason {
 }
 
 impl StopReason {
-    /// Whether forces or speeds at the last good state may say more.
+    /// Whether the largest acceleration at the last good state explains the failure.
     pub(super) fn asks_for_strain(&self) -> bool {
         use MotionError::{NotFinite, ProjectionStalled, StepCollapsed};
         match self {
@@ -142,7 +142,7 @@ impl StopReason {
 pub struct Cost {
     /// Accepted steps.
     pub steps: u64,
-    /// Steps that were tried and taken back.
+    /// Rejected steps.
     pub rejected: u64,
     /// Evaluations of the accelerations.
     pub evaluations: u64,

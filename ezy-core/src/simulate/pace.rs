@@ -1,4 +1,4 @@
-//! Where the steps of a run may end.
+//! The times at which steps of a run end.
 
 use crate::integrate::Clock;
 

@@ -1,4 +1,4 @@
-//! Where in a run rows depended on each other.
+//! Intervals of a run in which constraints were redundant.
 
 use super::instantaneous::Instantaneous;
 use crate::dynamics::{RankLoss, System};
@@ -25,11 +25,11 @@ pub struct RankRecord {
     is_open: bool,
 }
 
-/// A mechanism that passes a singular position at every turn needs no more to be told.
+/// More intervals say nothing new: the mechanism passes a singular position at every turn.
 const MAX_SPELLS: usize = 16;
 
 impl RankRecord {
-    /// Takes note of an accepted state.
+    /// Registers an accepted state.
     pub(super) fn see<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, at: &Instantaneous) {
         let was_open = std::mem::replace(&mut self.is_open, at.solved.is_rank_deficient);
         if !at.solved.is_rank_deficient {

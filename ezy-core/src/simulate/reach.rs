@@ -1,9 +1,9 @@
-//! Where a step ends whose length a method chooses.
+//! The end of a step whose length a method chooses.
 
-/// A step shorter than this part of the time, or of a second, moves nothing any more.
+/// Shortest step, relative to the time or to one second: shorter steps change nothing.
 const SHORTEST: f64 = 1e-14;
 
-/// The last step may be longer by this part, so that no splinter of a step is left.
+/// The last step may be longer by this part, so that no tiny step is left.
 const STRETCH: f64 = 1e-3;
 
 /// Length and end of a step, s.
@@ -12,7 +12,7 @@ pub(super) struct Reach {
     pub t_next: f64,
 }
 
-/// A step of about `length` from `t` on the way to `end`; the last two share what is left.
+/// A step of about `length` from `t` towards `end`. The last two steps share the rest equally.
 pub(super) fn reach(t: f64, end: f64, length: f64) -> Reach {
     let left = end - t;
     let n_left = left / length;
@@ -20,12 +20,12 @@ pub(super) fn reach(t: f64, end: f64, length: f64) -> Reach {
         return Reach { step_s: left, t_next: end };
     }
     let wanted = if n_left < 2.0 { 0.5 * left } else { length };
-    // the length that the clock can show, so that times carry no rounding
+    // the difference of two doubles, so that times carry no rounding
     let t_next = t + wanted;
     Reach { step_s: t_next - t, t_next }
 }
 
-/// Whether a step of this length from `t` would move nothing.
+/// Whether a step of this length from `t` would change nothing.
 pub(super) fn is_too_short(t: f64, length: f64) -> bool {
     length <= SHORTEST * t.abs().max(1.0)
 }

@@ -15,19 +15,19 @@ use crate::model::{EventInfo, Scene};
 use crate::record::{Recorder, Wanted};
 use std::time::Instant;
 
-/// What a run is to do, checked.
+/// The checked settings of a run.
 pub(super) struct Plan {
     pub pace: Pace,
     pub every_s: Option<f64>,
     pub wanted: Wanted,
-    /// What is looked for.
+    /// Events to locate.
     pub events: &'static [EventInfo],
 }
 
 /// A sample within this fraction of a step of a step's end is that end.
 const ON_STEP: f64 = 1e-9;
 
-/// How often progress is told.
+/// Number of progress reports.
 const N_PROGRESS: f64 = 100.0;
 
 pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
@@ -36,14 +36,14 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     plan: Plan,
     watch: Watch,
     lookout: Lookout,
-    /// Of a scene that becomes another one on the way.
+    /// Of a scene with modes.
     modes: Option<Box<Modes<'s, S>>>,
-    /// Steps that ended before they should have.
+    /// Steps that ended before the clock's time.
     n_cut: u64,
-    /// Whether the last one was of these.
+    /// Whether the last step was one of these.
     cut: bool,
     between: Instantaneous,
-    /// Inputs of the step under way, to come back to when control of the next one fails.
+    /// Inputs of the step under way, restored when the controller of the next one fails.
     inputs: Vec<f64>,
     keeper: Keeper<'s>,
     on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
@@ -158,7 +158,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         })
     }
 
-    /// One step from `now`, which stays as it is when the step fails; returns what ends the run.
+    /// One step from `now`, which is unchanged when the step fails; returns the event that ends the run.
     fn step(&mut self, n: u64) -> Result<Option<Passage>, StopReason> {
         self.watch.admits_step(self.motion.chooses_steps(), self.n_rejected())?;
         let (h, t_next) = self.plan.pace.step(n - self.n_cut, self.motion.now.state.t);
@@ -181,7 +181,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         self.record_between(f64::INFINITY)?;
         if controlled {
-            // what is evaluated from here on is the start of the next step
+            // from here on the start of the next step is evaluated
             let motion = &mut self.motion;
             let (h, _) = self.plan.pace.step(n + 1 - self.n_cut, motion.next.state.t);
             self.control.act(&motion.next.state, h, &mut motion.system)?;
@@ -203,7 +203,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         Ok(None)
     }
 
-    /// Ends the run inside of a step; what the step does beyond is not watched.
+    /// Ends the run within a step; monitors do not see the rest of the step.
     fn end(&mut self, end: Passage) -> Result<Passage, StopReason> {
         let state = &mut self.between.state;
         self.motion.inside(end.t, state)?;
@@ -217,12 +217,12 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         Ok(end)
     }
 
-    /// Steps of all modes that were tried and not taken.
+    /// Rejected steps of all modes.
     fn n_rejected(&self) -> u64 {
         self.motion.n_rejected() + self.modes.as_ref().map_or(0, |modes| modes.n_rejected())
     }
 
-    /// A step from `now` to `next`; whether it ends where the mode changes.
+    /// A step from `now` to `next`; returns whether the mode changes at its end.
     fn advance(&mut self, h: f64, t_next: f64) -> Result<bool, MotionError> {
         let h = if self.cut { t_next - self.motion.now.state.t } else { h };
         let changes = match &mut self.modes {
@@ -236,7 +236,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         Ok(changes)
     }
 
-    /// What is kept follows the mode.
+    /// Adapts the buffers of samples to the mode.
     fn follow_mode(&mut self) {
         if let Some(modes) = &self.modes {
             self.between.lambda.clone_from(&self.motion.now.lambda);

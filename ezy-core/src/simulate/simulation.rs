@@ -1,4 +1,4 @@
-//! A run, as a user orders it.
+//! The settings of a run.
 
 use super::InputTable;
 use super::control::Law;
@@ -9,7 +9,7 @@ use crate::linalg::Backend;
 use crate::model::Scene;
 use crate::record::{Recorder, Wanted};
 
-/// An order for one run of a scene.
+/// One run of a scene: its settings, then [`Simulation::run`].
 ///
 /// ```
 /// # use ezy_core::prelude::*;
@@ -119,7 +119,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     ///
     /// Given values are held as long as the rows can be met with them. Where they cannot, they move as little as possible in the
     /// metric of the masses: centres first, then angles with them, by `δᵀ M δ`; then velocities so that
-    /// `(v − v₀)ᵀ M (v − v₀)` is smallest, which is what a blow that closes the joints would leave. Angles count with moments of inertia, so metres and radians
+    /// `(v − v₀)ᵀ M (v − v₀)` is smallest, as after an impulse that closes the joints. Angles count with moments of inertia, so metres and radians
     /// are never added; coordinates without mass follow at no cost.
     #[must_use]
     pub fn project_start(mut self) -> Self {
@@ -200,15 +200,15 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self.work()
     }
 
-    /// Ends the run after so many steps, those that were taken back included; without it methods that choose their steps try ten
-    /// million at most.
+    /// Ends the run after this many steps, rejected ones included. Without it, methods that choose their steps try ten million at
+    /// most.
     #[must_use]
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.limits.steps = Some(steps);
         self
     }
 
-    /// Looks for no events: the run goes on through conditions that would end it.
+    /// Locates no events: the run continues through conditions that would end it.
     #[must_use]
     pub fn without_events(mut self) -> Self {
         self.watched = false;

@@ -1,20 +1,20 @@
-//! When a motion comes to a position in which rows depend on each other.
+//! Prediction of singular positions, in which the rank of G drops.
 
 use super::instantaneous::Instantaneous;
 use crate::dynamics::{State, System};
 use crate::model::Scene;
 use std::ops::Range;
 
-/// The last two states of a motion; the root of the smallest pivot falls in proportion to the distance to a singular position.
+/// The last two states of a motion. The square root of the smallest pivot is proportional to the distance from a singular position.
 pub(super) struct Approach<'m> {
     pub now: &'m Instantaneous,
     pub before: &'m Instantaneous,
 }
 
-/// A singular position nearer than this many usual steps is looked for.
+/// Singular positions are searched for within this many usual steps.
 const NEAR: f64 = 1.6;
 
-/// A pivot that falls below this part of what it is now, on the way that is foreseen, vanishes there.
+/// A pivot vanishes where it falls below this part of its present value on the predicted path.
 const VANISHES: f64 = 0.02;
 
 /// The way that is searched, in distances as they are expected.
@@ -25,7 +25,7 @@ const SEARCHED: std::ops::Range<f64> = 0.0..1.6;
 /// position between two places is at most half as far from one of them as from here.
 const N_AHEAD: i32 = 7;
 
-/// Of golden sections: 1/2000 of the way.
+/// Golden sections: they reduce the path to 1/2000.
 const N_SECTIONS: usize = 16;
 
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -103,7 +103,7 @@ impl Approach<'_> {
         if at_left.min(at_right) > VANISHES * self.now.end.smallest_pivot {
             return None;
         }
-        // where masses are far apart pivots come and go although rows are independent
+        // where masses are far apart, pivots fall although constraints are independent
         let State { t, q: from, .. } = &self.now.state;
         let before = system.independence(*t, from);
         self.foresee(way, q);
@@ -112,7 +112,7 @@ impl Approach<'_> {
         is_singular.then_some(way)
     }
 
-    /// Positions `s` from now, by accelerations that go on changing as they did.
+    /// Positions at `s` from now, with accelerations extrapolated linearly.
     fn foresee(&self, s: f64, q: &mut [f64]) {
         let Self { now, before } = self;
         let passed = now.state.t - before.state.t;

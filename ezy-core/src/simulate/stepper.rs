@@ -58,9 +58,9 @@ pub struct Stepper<'s, S: Scene + ?Sized> {
     n_steps: u64,
     /// Whether accelerations and powers belong to the present state and inputs.
     evaluated: bool,
-    /// Inputs that were ordered.
+    /// Inputs of the simulation.
     first_inputs: Vec<f64>,
-    /// The start that was ordered.
+    /// Start of the simulation.
     home: Assembled,
     /// The last other one.
     other: Assembled,
@@ -107,7 +107,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         self.motion.system.info()
     }
 
-    /// Back to the start and the inputs that were ordered. A controller of the order keeps its state.
+    /// Returns to the start and the inputs of the simulation. A controller keeps its state.
     ///
     /// # Cost
     /// A copy.
@@ -116,7 +116,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         self.begin();
     }
 
-    /// To the start that was ordered but with these values, by the names of [`Simulation::give`](super::Simulation::give).
+    /// Moves to the start of the simulation with these values, by the names of [`Simulation::give`](super::Simulation::give).
     ///
     /// # Errors
     /// [`SetupError`] when a name is not known or the rows cannot be met; the state is then what it was.
@@ -157,7 +157,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         self.motion.system.inputs_mut()
     }
 
-    /// `n` steps; tables and controller of the order, when there are some, set their inputs at the start of each.
+    /// Takes `n` steps. Tables and the control law, if there are any, set their inputs at the start of each.
     ///
     /// # Errors
     /// [`MotionError`] when the motion cannot be continued; the state is then the last good one.
@@ -193,7 +193,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         Ok(())
     }
 
-    /// Time, coordinates, velocities, and works when they were ordered.
+    /// Time, coordinates, velocities, and works with [`Simulation::work`](super::Simulation::work).
     pub fn state(&self) -> &State {
         &self.motion.now.state
     }
@@ -223,7 +223,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         &self.outputs
     }
 
-    /// Energies, J; work and balance when they were ordered ([`Simulation::work`](super::Simulation::work)).
+    /// Energies, J; work and balance with [`Simulation::work`](super::Simulation::work).
     pub fn energy(&self) -> EnergyState {
         let (kinetic, potential) = self.mechanical_energy();
         if self.motion.work {

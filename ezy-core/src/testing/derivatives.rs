@@ -14,8 +14,8 @@ const STEP: f64 = 6e-6;
 const TOLERANCE: f64 = 2e-10;
 const REASON: &str = "rounding of extrapolated central differences";
 
-/// Largest truncation of what is compared, half of the tolerance. Near a singular point, such as a distance that is zero,
-/// the fifth derivative exceeds every bound, and differences say nothing about the model.
+/// Largest truncation error of a difference that is compared: half of the tolerance. Near a singular point, such as a distance
+/// of zero, the fifth derivative is unbounded, and differences say nothing about the model.
 const LARGEST_TRUNCATION: f64 = 0.5 * TOLERANCE;
 
 /// Between differences of fourth order at a step and at twice the step are 2⁴ − 1 truncations of the former.

@@ -12,7 +12,7 @@ const HORIZON: f64 = 1.0;
 /// Steps of the coarser of two runs.
 const N_STEPS: f64 = 1000.0;
 
-/// What extrapolation over one halving leaves of an error of 1e-8 at the coarse step.
+/// Error after extrapolation over one halving, from 1e-8 at the coarse step.
 const TOLERANCE: f64 = 1e-9;
 
 /// A body that cannot move drifts by rounding, 1e-15 m in a short run. This way times the tolerance is as much, so that

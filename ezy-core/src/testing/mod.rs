@@ -24,7 +24,7 @@ use crate::linalg::Backend;
 use crate::model::{ModelInfo, Scene};
 use probe::Probe;
 
-/// Checks everything that a scene says about itself in more than one way.
+/// Checks the equations of a scene by independent routes.
 ///
 /// At 1,000 random states, the same ones each time: C_q and the velocity rows against central differences of C;
 /// [h; s] against central differences of the velocity rows along the motion; G against the velocity rows; powers and
@@ -38,7 +38,7 @@ use probe::Probe;
 /// [`CheckError::Failed`] with the report when a check failed, others when the scene cannot be set up or started.
 pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckError> {
     let mut system = System::new(scene, Backend::Auto)?;
-    // inputs that differ from each other and from nothing
+    // inputs that differ from each other and from zero
     system.inputs_mut().iter_mut().enumerate().for_each(|(i, input)| *input += 1.0 + 0.5 * i as f64);
     let start = system.consistent_start(&system.scene_start())?;
     let info = scene.info();

@@ -1,4 +1,4 @@
-//! Random states to look at a scene from.
+//! Random states at which a scene is checked.
 
 use crate::dynamics::{System, SystemError};
 use crate::linalg::Backend;
@@ -7,13 +7,13 @@ use crate::model::{Scene, SceneInfo};
 /// Number of random states, of a scene with at most sixty unknowns.
 const N_STATES: usize = 1000;
 
-/// Larger scenes get fewer, so that the dense oracle takes no longer than on sixty; at least these.
+/// Least number of states: larger scenes get fewer, so that the dense oracle takes no longer than with sixty unknowns.
 const FEWEST_STATES: usize = 3;
 
-/// Scenes with more coordinates are looked at along random directions instead of along each coordinate.
+/// Scenes with more coordinates are checked along random directions instead of along each coordinate.
 const MAX_UNIT_DIRECTIONS: usize = 100;
 
-/// As many directions then; a wrong entry escapes each of them with a probability of zero.
+/// Number of such directions. A wrong entry is seen by each of them with probability one.
 const N_DIRECTIONS: usize = 8;
 
 /// A scene with its inputs and constants, and the states at which it is looked at. The states need not fulfil the constraints:
@@ -78,7 +78,7 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
     }
 }
 
-/// A small generator with a fixed seed, so that a failure comes back.
+/// A small random generator with a fixed seed, so that a failure is reproducible.
 ///
 /// # Source
 /// Steele, Lea, Flood, OOPSLA 2014.

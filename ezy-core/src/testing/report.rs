@@ -1,4 +1,4 @@
-//! What the checks of a scene found.
+//! Results of the checks of a scene.
 
 use crate::dynamics::{MotionError, RankLoss, StartError, SystemError};
 use crate::simulate::SetupError;
@@ -6,7 +6,7 @@ use crate::simulate::SetupError;
 /// One check.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
-    /// What was compared: `Jacobian against finite differences`, …
+    /// Name of the check: `Jacobian against finite differences`, …
     pub name: &'static str,
     /// Comparisons made.
     pub n_compared: usize,
@@ -16,7 +16,7 @@ pub struct Check {
     pub largest_error: f64,
     /// Largest error that is accepted.
     pub tolerance: f64,
-    /// Where the tolerance comes from.
+    /// Reason for the tolerance.
     pub reason: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! Messages about equations that cannot hold together.
+//! Messages about equations: redundant, empty or contradictory constraints.
 
 use super::nearest::quoted;
 use super::{Warning, fault_with_help};
@@ -24,7 +24,7 @@ pub fn too_long(at: &Ident, what: &str, n_terms: usize, most: usize) -> syn::Err
     )
 }
 
-/// Without others the row is empty by itself: what stands in it cancels.
+/// Without others the constraint itself is empty: its terms cancel.
 pub fn dependent(at: &Ident, row: &str, others: &[&str]) -> syn::Error {
     if others.is_empty() {
         return restricts_nothing(at, row);

@@ -1,16 +1,16 @@
-//! What a user may have meant by a name that does not exist.
+//! Suggestions for a name that does not exist.
 
 use std::fmt::Write;
 
 /// Names are listed in a message when there are at most this many: more would bury the message.
 const LISTED_NAMES: usize = 10;
 
-/// The candidate most like `name`, if one is like it.
+/// The candidate most similar to `name`, if one is similar.
 pub fn nearest<'a>(name: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let distance = |candidate: &str| strsim::damerau_levenshtein(&name.to_lowercase(), &candidate.to_lowercase());
     let alike = |candidate: &str| {
         let edits = distance(candidate);
-        // a name of one or two letters is not like every other one
+        // a name of one or two letters is not similar to every other one
         let shorter = name.chars().count().min(candidate.chars().count());
         edits == 0 || (shorter > 2 && edits <= (shorter / 3).max(1)) || strsim::jaro_winkler(name, candidate) > 0.85
     };

@@ -3,7 +3,7 @@
 use super::{Extent, fault, fault_at_two_places, fault_with_help, nearest::suggestion};
 use proc_macro2::{Ident, Span};
 
-/// The next token is not what the grammar has here.
+/// The next token is not what the grammar expects.
 pub fn expected(at: Span, what: &str, found: &str) -> syn::Error {
     fault(at, format_args!("expected {what}, found {found}"))
 }
@@ -45,7 +45,7 @@ pub fn word_of_a_model(word: &Ident, place: &str, words: &[&str]) -> syn::Error 
     )
 }
 
-/// A word that the language has another one for.
+/// A word for which the language has another one.
 pub fn other_word(word: &Ident, place: &str, instead: &str) -> syn::Error {
     fault_with_help(word, format_args!("`{word}` is no word of {place}"), format_args!("did you mean `{instead}`?"))
 }

@@ -1,4 +1,4 @@
-//! As many texts as one likes.
+//! The long run: any number of texts.
 //!
 //! `EZY_FUZZ_TEXTS=1000000 cargo test --release -p ezy-derive --lib fuzz -- --ignored --nocapture`; `EZY_FUZZ_SEED` chooses
 //! others, `EZY_FUZZ_FIRST` goes on where a run was ended.
@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use super::texts::Texts;
 use super::trial::{self, Verdict};
 
-/// Longer than any text takes by thousands of times: the macro hangs.
+/// Time after which the macro hangs: thousands of times what any text takes.
 const HANG: Duration = Duration::from_secs(600);
 /// One text in so many has its items read as Rust when it is a model; those of errors always are.
 const READ: u64 = 8;

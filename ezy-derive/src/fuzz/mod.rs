@@ -1,4 +1,4 @@
-//! No text, however mistaken, panics or takes for ever; each becomes items or errors.
+//! Random texts: none may panic or hang; each becomes items or errors.
 
 mod grammar;
 mod long_run;

@@ -4,10 +4,10 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use crate::random::Random;
 
-/// Mistakes of one text: from one slip to a heap of words.
+/// Number of mistakes in one text: from one to many.
 const MAX_MISTAKES: usize = 6;
 
-/// What a slip of the hand leaves, and what is at the edge of what Rust can read.
+/// Typing errors, and tokens at the limits of Rust's grammar.
 const SNIPPETS: [&str; 44] = [
     " ",
     "\n",

@@ -1,4 +1,4 @@
-//! What becomes of one text.
+//! The outcome of one text.
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use std::panic::{AssertUnwindSafe, catch_unwind};

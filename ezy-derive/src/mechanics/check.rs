@@ -1,7 +1,7 @@
-//! Rules that need the equations: rows that restrict nothing, rows that repeat others, more rows than coordinates,
-//! rows of velocities that are not linear in them or that integrate to rows of positions.
+//! Rules that need the equations: empty constraints, redundant ones, more constraint equations than coordinates, velocity
+//! constraints that are not linear in velocities or that are integrable.
 //!
-//! Dependence is decided at random states with random parameters, so what is found holds for all of them.
+//! Dependence is decided at random states with random parameters, so that a finding holds for all of them.
 
 use super::scene::Equations;
 use super::symbols::{Meaning, Symbols};
@@ -20,11 +20,10 @@ use basis::{Basis, Row, largest};
 /// Random states at which rows are compared.
 const SAMPLES: u64 = 3;
 
-/// A row counts as dependent when elimination leaves less than this part of it: rounding leaves 1e-15 per row,
-/// random independent rows keep 1e-3.
+/// A row is dependent when elimination reduces it below this part: rounding leaves 1e-15, random independent rows keep 1e-3.
 const DEPENDENT: f64 = 1e-9;
 
-/// Longer sums take minutes to write well, and their code takes longer to compile: a rod has thirty terms.
+/// Longest sum that is accepted: longer ones take minutes to plan and to compile. A rod has thirty terms.
 pub const LONGEST_SUM: usize = 2000;
 
 /// Reports faulty rows of the scenes of a model at the words that declare them, each once. Works on equations of its
@@ -99,7 +98,7 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
         }
     }
     if n_c > n_q {
-        // at random states, which do not meet them, such rows repeat each other in any case
+        // at random states, which do not satisfy them, such rows are dependent in any case
         diag.warning(message::more_rows_than_coordinates(&model.name, n_c, n_q));
     }
     if n_c > n_q || diag.n_errors() > n_errors {

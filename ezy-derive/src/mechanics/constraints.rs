@@ -1,4 +1,4 @@
-//! Rows stacked: C, G, the velocity rows and the convective terms, all derived from C and S v.
+//! The assembled constraints: C, G, the velocity constraints and the convective terms, all derived from C and S v.
 
 use super::expression::Writer;
 use super::rows::{Demand, ScalarRow};
@@ -55,7 +55,7 @@ impl Constraints {
                     .filter(|(_, entry)| !entry.is_zero())
                     .collect(),
             );
-            // d/dt (G v + g_t) = G a + [h; s], so the convective term is what velocities held leave
+            // d/dt (G v + g_t) = G a + [h; s], so the convective term is the time derivative at constant velocities
             convective.push(writer.time_derivative(rate));
         }
         Self { rows, n_position_rows, position, velocity, drift, jacobian, convective }

@@ -1,4 +1,4 @@
-//! Events as expressions that pass zero: declared ones, and the kinks of laws.
+//! Event functions: declared ones, and the kinks of laws.
 
 use std::collections::BTreeSet;
 
@@ -20,7 +20,7 @@ pub struct SceneEvent {
 pub enum EventKind {
     /// Name, documentation, and whether it ends a run.
     Declared { name: String, documentation: String, ends: bool },
-    /// A law changes over.
+    /// A kink of a law.
     Kink,
 }
 
@@ -35,7 +35,7 @@ impl SceneEvent {
         model.events_of(scene).map(event).collect()
     }
 
-    /// Where a function without a derivative changes over in one of the laws, each place once.
+    /// Arguments of functions that are not differentiable in one of the laws, each once.
     pub fn kinks(algebra: &mut Algebra, laws: &[SumId]) -> Vec<Self> {
         let (mut seen, mut values) = (BTreeSet::new(), Vec::new());
         for &law in laws {
@@ -71,7 +71,7 @@ fn collect(algebra: &mut Algebra, sum: SumId, seen: &mut BTreeSet<SumId>, values
     }
 }
 
-/// What passes zero where the function changes over.
+/// The value that passes zero at the kink of the function.
 fn change_over(algebra: &mut Algebra, function: Function, arguments: &[SumId]) -> Option<SumId> {
     match (function, arguments) {
         (Function::Abs | Function::Sign, &[x]) => Some(x),

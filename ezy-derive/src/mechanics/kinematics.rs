@@ -8,7 +8,7 @@ use crate::symbolic::{SumId, Symbol};
 pub type Vector = [SumId; 2];
 
 impl Writer<'_> {
-    /// Position of a place, m.
+    /// Position of a point, m.
     pub fn position(&mut self, place: &Place) -> Vector {
         let local = [self.write(&place.x), self.write(&place.y)];
         let Some(body) = place.body else { return local };
@@ -21,12 +21,12 @@ impl Writer<'_> {
         std::array::from_fn(|i| self.algebra.add(centre[i], arm[i]))
     }
 
-    /// Velocity of a place, m/s.
+    /// Velocity of a point, m/s.
     pub fn velocity(&mut self, place: &Place) -> Vector {
         self.position(place).map(|x| self.time_derivative(x))
     }
 
-    /// From the first place to the second one.
+    /// Vector from the first point to the second one.
     pub fn gap(&mut self, a: &Place, b: &Place) -> Vector {
         let (a, b) = (self.position(a), self.position(b));
         std::array::from_fn(|i| self.algebra.sub(b[i], a[i]))

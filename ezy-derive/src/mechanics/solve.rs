@@ -142,7 +142,7 @@ fn divide_by_mass(equations: &mut Equations, force: SumId, i: usize) -> SumId {
     algebra.scale(force, inverse)
 }
 
-/// A solution ready to be written into a program: everything that needs new expressions is done.
+/// A solution ready to be written into a program: no new expressions are needed.
 pub struct Elimination {
     named: Vec<(Symbol, SumId)>,
     reduced: Reduced,
@@ -285,7 +285,7 @@ fn blocks(equations: &Equations, reduced: &Reduced) -> Vec<Vec<usize>> {
     rest.chunk_by(|a, b| family(a) == family(b)).flat_map(|rows| rows.chunks(2)).map(<[usize]>::to_vec).collect()
 }
 
-/// Below these values a pivot counts as vanished.
+/// Thresholds below which a pivot counts as vanished.
 struct Thresholds {
     constant: Vec<SumId>,
     moving: Vec<SumId>,

@@ -1,11 +1,11 @@
-//! A stop: how far its quantity is from its bounds, and the row that it is while it holds.
+//! A stop: the distances of its quantity from its bounds, and its constraint while the contact is closed.
 
 use super::expression::Writer;
 use super::rows::{Demand, ScalarRow};
 use crate::model::{Bound, Expr, Mode, Model, Scene, Stop};
 use crate::symbolic::SumId;
 
-/// What a run looks at.
+/// The event functions of a stop.
 #[derive(Debug)]
 pub struct Contact {
     /// Distance and its rate for each end of the stop: positive inside, negative beyond.

@@ -1,7 +1,7 @@
-//! Arrays of bodies: names with indices become the bodies that they stand for.
+//! Arrays of bodies: names with indices become bodies.
 //!
 //! Every distinct reference to a member of an array, `link[i-1]`, is a body of its own for all later stages: a *slot*,
-//! of which a pass of the `for` says which member it is. So equations are derived once for all members.
+//! and each pass of the `for` says which member it is. Equations are thus derived once for all members.
 
 use super::context::Context;
 use super::names::{Scope, Symbol};

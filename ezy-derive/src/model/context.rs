@@ -1,4 +1,4 @@
-//! What resolving knows while it goes through the tree.
+//! The state of name resolution.
 
 use std::collections::BTreeSet;
 
@@ -32,7 +32,7 @@ pub struct Context<'a> {
     pub indices: Vec<String>,
     /// The `for` around the present item, outermost first.
     pub loops: Vec<Loop>,
-    /// What the names of indices stand for now.
+    /// Present values of the indices.
     pub bound: Vec<(String, Whole)>,
     /// Declarations that were reported since another effect of a scene has the name, too.
     pub shared_parameters: BTreeSet<(EffectId, String)>,
@@ -78,7 +78,7 @@ impl<S, T> Lazy<S, T> {
     }
 }
 
-/// How far a lazy thing is.
+/// State of a lazy value.
 #[derive(Debug, Clone)]
 pub enum State<T> {
     Waiting,
@@ -89,14 +89,14 @@ pub enum State<T> {
     Faulty,
 }
 
-/// What an expression depends on at most.
+/// The most that an expression may depend on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Motion {
     Parameters,
     Time,
     Position,
     Velocity,
-    /// What a caller sets while the scene runs; nobody knows its rate.
+    /// An input, which the caller sets during a run; its rate is unknown.
     Input,
 }
 
@@ -117,9 +117,9 @@ impl Motion {
 #[derive(Clone)]
 pub struct Purpose {
     pub scope: Scope,
-    /// What must not move more than that: `the mass of body `seat``.
+    /// The quantity, for messages: `the mass of body `seat``.
     pub limit: Option<(String, Motion)>,
-    /// Whether it is for a stop, of which messages say something else than of a row.
+    /// Whether it is for a stop, which has messages of its own.
     pub is_stop: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Dimensions, to find sums of unlike quantities. Angles count as plain numbers.
+//! Dimensions, to find sums of different quantities. Angles are dimensionless.
 
 use crate::diag::values::PLAIN_NUMBER;
 use std::fmt;
@@ -6,9 +6,9 @@ use std::fmt;
 /// What is known about the dimension of an expression.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
-    /// A bare number or a parameter without unit takes part: it may stand for anything.
+    /// Unknown: it contains a number or parameter without unit, which may have any dimension.
     Unknown,
-    /// The value of a function: changes no dimension as a factor, stands for anything by itself.
+    /// The value of a function: dimensionless as a factor, any dimension by itself.
     Plain,
     Known(Dimension),
 }
@@ -72,7 +72,7 @@ pub struct Dimension {
     angular: bool,
 }
 
-/// Angles count as plain numbers.
+/// Angles are dimensionless.
 impl PartialEq for Dimension {
     fn eq(&self, other: &Self) -> bool {
         (self.metre, self.kilogram, self.second) == (other.metre, other.kilogram, other.second)

@@ -170,7 +170,7 @@ pub struct Output {
     pub value: Expr,
 }
 
-/// What is looked for while a scene runs: a value that passes zero.
+/// An event: a value that passes zero during a run.
 #[derive(Debug, Clone)]
 pub struct Event {
     pub name: String,
@@ -217,13 +217,13 @@ pub struct Row {
 }
 
 impl Row {
-    /// The force up to which a skate holds; `None` where it always does.
+    /// The force up to which a skate holds; `None` for a skate without a limit.
     pub fn limit(&self) -> Option<&Expr> {
         if self.word.word == "skate" { self.arguments.settings.first()?.as_ref() } else { None }
     }
 }
 
-/// What a quantity cannot go beyond.
+/// The bounds of a quantity.
 #[derive(Debug)]
 pub struct Stop {
     pub name: Ident,
@@ -249,7 +249,7 @@ pub struct Force {
     pub arguments: Arguments,
 }
 
-/// What stands in a row or a force, by kind, in written order; how many of each is said by the form of the word.
+/// Arguments of a constraint or force, by kind, in written order; their numbers follow from the form of the word.
 #[derive(Debug, Default)]
 pub struct Arguments {
     pub places: Vec<Place>,
@@ -271,7 +271,7 @@ pub struct Arguments {
 pub struct Effect {
     pub name: Ident,
     pub documentation: String,
-    /// Rows that scenes with this effect leave out.
+    /// Constraints that scenes with this effect leave out.
     pub releases: Vec<RowId>,
 }
 
@@ -288,7 +288,7 @@ pub struct StartValue {
     pub component: Component,
     /// False: the coordinate; true: its velocity.
     pub rate: bool,
-    /// Whether it gives way where the rows cannot be met with it.
+    /// Whether it may change when the constraints cannot be satisfied with it.
     pub near: bool,
     /// Depends on parameters alone.
     pub value: Expr,
@@ -308,18 +308,18 @@ pub struct Scene {
     pub ends: Vec<usize>,
     /// Conditions of its own that end it.
     pub conditions: Vec<Event>,
-    /// What it has become while it runs; `None` as it begins: its skate with a limit holds, its stop does not.
+    /// The mode; `None` for that of the start: the skate holds, the stop is open.
     pub mode: Option<Mode>,
 }
 
-/// What becomes of a scene with a skate that has a limit, or with a stop.
+/// A mode of a scene with a skate that has a limit, or with a stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     Slides(Side),
     Rests(Bound),
 }
 
-/// To which side of its direction a skate slides.
+/// The side of its direction to which a skate slides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     Left,
@@ -379,7 +379,7 @@ impl Model {
         self.stops.iter().filter(|stop| stop.effect.is_none_or(|effect| scene.effects.contains(&effect)))
     }
 
-    /// What a scene becomes while it runs.
+    /// The modes of a scene besides that of its start.
     pub fn modes_of(&self, scene: &Scene) -> Vec<Mode> {
         match (self.grip_of(scene), self.stop_of(scene)) {
             (Some(_), _) => [Side::Left, Side::Right].map(Mode::Slides).to_vec(),

@@ -1,4 +1,4 @@
-//! Skates with a limit, and stops: what makes several scenes of one.
+//! Skates with a limit, and stops: they give a scene several modes.
 
 use super::context::Context;
 use super::{Model, Scene};

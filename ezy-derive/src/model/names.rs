@@ -1,5 +1,5 @@
-//! What each name stands for. A model has one set of names for everything that expressions and places can
-//! use; each effect adds its own.
+//! Name tables. A model has one set of names for everything that expressions and points can use; each effect adds its
+//! own.
 
 use super::whole::CountId;
 use super::{BodyId, EffectId, InputId, ParameterId, PointId, RowId};
@@ -30,7 +30,7 @@ pub enum Symbol {
     Hinges(RowId, usize),
     /// A row that is no point, and its word.
     Row(RowId, &'static str),
-    /// Its declaration could not be read; uses are no faults.
+    /// Its declaration could not be read; uses give no further errors.
     Broken,
 }
 
@@ -78,7 +78,7 @@ struct Declared {
     name: String,
     span: Span,
     symbol: Symbol,
-    /// Nobody knows which declaration a use means, so that uses are no faults.
+    /// A use is ambiguous, so that uses give no further errors.
     twice: bool,
 }
 
@@ -118,7 +118,7 @@ impl Names {
         }
     }
 
-    /// Keeps uses of `name` from being faults, unless something else has this name.
+    /// Suppresses errors for uses of `name`, unless something else has this name.
     pub fn declare_broken(&mut self, name: &Ident) {
         let text = name.to_string();
         if self.find(None, &text).is_none() {

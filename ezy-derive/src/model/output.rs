@@ -1,4 +1,4 @@
-//! Outputs: what is computed for whoever runs the scene.
+//! Outputs: values that are computed on request.
 
 use super::context::{Context, Purpose};
 use super::names::Scope;

@@ -297,7 +297,7 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// Names of rows that got none: `constraint_1`, `constraint_2`, …
+/// Names of constraints that have none: `constraint_1`, `constraint_2`, …
 impl Resolver<'_> {
     fn row_names(&self) -> Vec<Ident> {
         let mut n_unnamed = 0;

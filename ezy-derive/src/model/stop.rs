@@ -1,4 +1,4 @@
-//! Stops: quantities that cannot go beyond their bounds.
+//! Stops (unilateral contacts): quantities that stay within bounds.
 
 use super::constant::at_defaults;
 use super::context::{Context, Motion, Purpose, motion};

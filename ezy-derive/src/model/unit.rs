@@ -1,4 +1,4 @@
-//! Units: what they measure, and how many SI units they are.
+//! Units: dimension and size in SI units.
 
 use super::Expr;
 use super::dimension::Dimension;

@@ -1,4 +1,4 @@
-//! Scalars and vectors, and what the operators make of them.
+//! Scalars and vectors, and their operators.
 
 use super::Expr;
 use super::dimension::Measure;

@@ -13,7 +13,7 @@ pub struct Model {
     pub name: Ident,
     pub documentation: String,
     pub items: Vec<Item>,
-    /// Names of items that could not be parsed: their uses are no faults of their own.
+    /// Names of items that could not be parsed: their uses give no further errors.
     pub broken: Vec<Ident>,
     /// Every `for`, once, with those around it.
     pub loops: Vec<(Loop, Vec<Loop>)>,
@@ -105,7 +105,7 @@ pub struct Point {
     pub place: OnBody,
 }
 
-/// A row or a force.
+/// A constraint or a force.
 #[derive(Debug)]
 pub struct Statement {
     pub word: &'static Word,
@@ -150,7 +150,7 @@ pub struct Given {
     /// The `for` around it, outermost first.
     pub loops: Vec<Loop>,
     pub body: Name,
-    /// Whether it gives way where the rows cannot be met with it.
+    /// Whether it may change when the constraints cannot be satisfied with it.
     pub near: bool,
     pub quantity: Quantity,
     /// The word that gives it.
@@ -179,7 +179,7 @@ pub struct Scene {
     /// What ends it before.
     pub ends: Vec<End>,
     pub effects: Vec<Ident>,
-    /// Whether a statement could not be parsed, so that a missing one is no fault of its own.
+    /// Whether a statement could not be parsed, so that a missing one gives no further error.
     pub broken: bool,
 }
 
@@ -243,7 +243,7 @@ pub struct Duration {
     pub unit: Ident,
 }
 
-/// A point by its name, or a place on a body.
+/// A point by its name, or a point on a body.
 #[derive(Debug)]
 pub enum Place {
     Named(Name),

@@ -1,4 +1,4 @@
-//! The items of a model or an effect: one row of a table for each word, and what is skipped after a fault.
+//! The items of a model or an effect: one row of a table for each word, and recovery after an error.
 
 use super::ast::{Effect, Item, ItemKind, Loop};
 use super::statement::statement;

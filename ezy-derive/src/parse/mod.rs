@@ -1,4 +1,4 @@
-//! From tokens to a tree. Knows syntax alone, and goes on after a fault.
+//! From tokens to a tree. Knows syntax alone, and continues after an error.
 
 pub mod ast;
 mod body;
@@ -34,14 +34,14 @@ pub fn unit_of_text(text: &str) -> Result<ast::Unit> {
     unit::unit.parse_str(text)
 }
 
-/// What the parser keeps while it goes on after faults.
+/// The state of the parser.
 pub struct Log<'a> {
     pub diag: &'a mut Diagnostics,
     pub broken: Vec<Ident>,
     pub loops: Vec<(ast::Loop, Vec<ast::Loop>)>,
 }
 
-/// The model text as a tree. Faults go to `diag`; what could not be parsed is missing in the tree, its name is kept.
+/// The model text as a tree. Errors go to `diag`. Items that could not be parsed are missing in the tree, their names are kept.
 pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
     let mut model = ast::Model {
         core: quote!(::ezy_core),

@@ -8,7 +8,7 @@ use crate::diag::{repeats, syntax};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
-/// A `for` in more than this many others is no mechanism, and would make parsing recurse without end.
+/// Deepest nesting of `for`, which bounds the recursion of the parser.
 const MAX_LOOPS: usize = 4;
 
 pub const FOR_EXAMPLE: &str = "for i in 1..n { hinge pin[i]: link[i-1](l, 0) ~ link[i](0, 0); }";

@@ -3,8 +3,8 @@
 use super::sum::{Algebra, Atom, AtomId, SumId, Symbol};
 
 impl Algebra {
-    /// `a` with every symbol that `vanishes` replaced by zero. Symbols inside sines and calls are left: a velocity row,
-    /// which is what this is for, is linear in what vanishes.
+    /// `a` with every symbol that `vanishes` replaced by zero. Symbols inside sines and calls are kept: this is used for
+    /// velocity constraints, which are linear in the symbols that vanish.
     pub fn at_zero(&mut self, a: SumId, vanishes: &dyn Fn(Symbol) -> bool) -> SumId {
         let mut parts = Vec::new();
         for (monomial, k) in self.terms(a).clone() {

@@ -1,4 +1,4 @@
-//! Values that are met again and again, by number.
+//! Interned values, by number.
 
 use rustc_hash::FxHashMap;
 

@@ -1,4 +1,4 @@
-//! How a sum is best written: which factors are taken out, and in which order terms are added.
+//! The cheapest form of a sum: which factors are taken out, and in which order terms are added.
 
 use std::rc::Rc;
 
@@ -21,11 +21,11 @@ pub enum Plan {
     Sum(Vec<Rc<Plan>>),
 }
 
-/// Sums with more terms take the most frequent factor out without looking at alternatives.
+/// Longer sums take out the most frequent factor without a search.
 const LARGEST_SEARCHED_SUM: usize = 12;
 
-/// Parts of the sums of one kernel that are searched before the rest is written likewise: a dozen products of powers have
-/// millions. The kernels of a vehicle have some thousands.
+/// Parts of the sums of one kernel that are searched; further ones take out the most frequent factor, too. A dozen products of
+/// powers have millions of parts, the kernels of a vehicle some thousands.
 const MOST_SEARCHED_PARTS: usize = 100_000;
 
 /// A term of a sum; its product is one of the planner's.

@@ -1,4 +1,4 @@
-//! What can keep a study from being finished.
+//! Errors of a study.
 
 use std::path::PathBuf;
 

@@ -27,7 +27,7 @@ impl<'s> Motion<'s> {
         Self::finished(scene, run)
     }
 
-    /// Takes a run that somebody else ordered.
+    /// Takes a run that was made elsewhere.
     pub fn finished(scene: &'s dyn Scene, run: Run) -> Result<Self, StudyError> {
         if !run.outcome.reached_end() {
             return Err(StudyError::Stopped { scene: scene.info().name, outcome: run.outcome.to_string() });

@@ -1,4 +1,4 @@
-//! ARCHITECTURE.md tells the truth: its paths exist, and layers import only what it allows.
+//! ARCHITECTURE.md and docs/decisions tell the truth: their paths exist, and layers import only what the page allows.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -116,16 +116,71 @@ fn invariant_layers_of_the_core_import_downwards() {
     check("ezy-core/src", CORE);
 }
 
+/// Texts in single backquotes that are paths of the repository.
+fn paths(page: &str) -> Vec<&str> {
+    let prefixes = ["ezy-derive/", "ezy-core/", "models/", "tests/", "docs/"];
+    let quoted = page.split('`').skip(1).step_by(2);
+    quoted.filter(|quoted| prefixes.iter().any(|prefix| quoted.starts_with(prefix))).collect()
+}
+
+fn assert_paths_exist(page_name: &str) -> usize {
+    let page = fs::read_to_string(root().join(page_name)).unwrap();
+    let paths = paths(&page);
+    for path in &paths {
+        assert!(root().join(path).exists(), "{page_name} names `{path}`, which is not there");
+    }
+    paths.len()
+}
+
 #[test]
 fn invariant_paths_of_the_architecture_page_exist() {
+    let seen = assert_paths_exist("ARCHITECTURE.md");
+    assert!(seen >= 20, "only {seen} paths found on the page");
+}
+
+/// What a reader has in mind at once.
+const LONGEST_PAGE: usize = 150;
+const MOST_FILES_OF_A_WALK: usize = 5;
+
+#[test]
+fn invariant_architecture_page_is_short_and_so_are_its_walks() {
     let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
-    let prefixes = ["ezy-derive/", "ezy-core/", "models/", "tests/", "docs/"];
-    let mut seen = 0;
-    for quoted in page.split('`').skip(1).step_by(2) {
-        if prefixes.iter().any(|prefix| quoted.starts_with(prefix)) {
-            assert!(root().join(quoted).exists(), "ARCHITECTURE.md names `{quoted}`, which is not there");
-            seen += 1;
+    let lines = page.lines().count();
+    assert!(lines <= LONGEST_PAGE, "ARCHITECTURE.md has {lines} lines");
+    let walks = page.split_once("## Three walks").expect("the page has walks").1;
+    let walks: Vec<&str> = walks.split("\n### ").skip(1).collect();
+    assert_eq!(walks.len(), 3);
+    for walk in walks {
+        let title = walk.lines().next().unwrap();
+        let files = paths(walk);
+        assert!((2..=MOST_FILES_OF_A_WALK).contains(&files.len()), "`{title}` goes through {files:?}");
+        for file in files {
+            assert!(root().join(file).is_file(), "`{title}` goes through `{file}`, which is no file");
         }
     }
-    assert!(seen >= 20, "only {seen} paths found on the page");
+}
+
+#[test]
+fn invariant_decisions_are_listed_and_complete() {
+    let folder = "docs/decisions";
+    let index = fs::read_to_string(root().join(folder).join("README.md")).unwrap();
+    let listed: Vec<&str> =
+        index.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(file, _)| file).collect();
+    let mut found: Vec<String> = fs::read_dir(root().join(folder))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name != "README.md")
+        .collect();
+    found.sort();
+    assert_eq!(listed, found, "{folder}/README.md lists each decision once, in order");
+    for (i, name) in found.iter().enumerate() {
+        assert!(name.starts_with(&format!("{:03}-", i + 1)), "{folder}/{name} leaves a number out");
+        let page = fs::read_to_string(root().join(folder).join(name)).unwrap();
+        for part in ["# ", "\n**Context.** ", "\n**Decision.** ", "\n**Cost.** ", "\n**Think again** "] {
+            assert!(page.contains(part), "{folder}/{name} lacks `{}`", part.trim());
+        }
+        let title = page.lines().next().unwrap_or_default().trim_start_matches("# ");
+        assert!(index.contains(&format!("]({name}) {title}\n")), "{folder}/README.md has another title for {name}");
+        assert_paths_exist(&format!("{folder}/{name}"));
+    }
 }

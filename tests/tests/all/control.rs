@@ -94,11 +94,8 @@ fn invariant_motion_is_the_same_without_work_and_outputs() {
     let full = Simulation::new(&scene).work().outputs().control(law).run().unwrap();
     assert_eq!(motion(bare.last()), motion(full.last()));
     let message = |name: &str| bare.last().get(name).unwrap_err().to_string();
-    assert_eq!(message("balance"), "column `balance` was not asked for; add `.work()` to the order of the run");
-    assert_eq!(
-        message("output.speed"),
-        "column `output.speed` was not asked for; add `.outputs()` to the order of the run"
-    );
+    assert_eq!(message("balance"), "column `balance` was not recorded; call `.work()` on the simulation");
+    assert_eq!(message("output.speed"), "column `output.speed` was not recorded; call `.outputs()` on the simulation");
     assert!(message("output.sped").starts_with("column `output.sped` is not known"));
     assert!(full.last().get("work.rider").is_ok() && full.last().get("output.speed").is_ok());
 }

@@ -86,7 +86,7 @@ fn point(point: &PointInfo) -> Json {
     Json::object([("name", Json::text(point.name)), ("x", x), ("y", y)])
 }
 
-/// What row `i` holds up to.
+/// Limit of constraint `i`.
 fn limit(info: &SceneInfo, i: usize) -> Json {
     info.grip.filter(|grip| grip.row == i).map_or(Json::Null, |grip| formula(&grip.limit))
 }

@@ -98,7 +98,7 @@ fn tabular(heads: &[String], rows: impl IntoIterator<Item = Vec<String>>) -> Str
     )
 }
 
-/// Text in which nothing is a command.
+/// Text with LaTeX's special characters escaped.
 fn plain(text: &str) -> String {
     text.chars()
         .map(|sign| match sign {

@@ -72,8 +72,8 @@ impl<T: Scalar> Dop853<T> {
         self.rest.fill([T::from_f64(0.0); WIDTH]);
     }
 
-    /// One step of length `h` from `from`; writes `to`, not yet projected, and returns its error over the tolerance: a
-    /// step is good when that is at most 1.
+    /// Attempts one step of length `h` from `from`; writes `to`, not yet projected, and returns the error over the tolerance.
+    /// The step is accepted when that is at most 1.
     ///
     /// # Errors
     /// [`MotionError`] of a stage; `to` is then unspecified.
@@ -108,7 +108,7 @@ impl<T: Scalar> Dop853<T> {
         std::mem::swap(&mut self.rest, &mut self.next_rest);
     }
 
-    /// A first step: the slope and its change tell how long a step of order 8 with this tolerance may be.
+    /// Length of the first step, from the derivative and its change, for order 8 and this tolerance.
     ///
     /// # Errors
     /// As [`Dop853::attempt`].
@@ -183,10 +183,10 @@ impl<T: Scalar> Dop853<T> {
         Ok(())
     }
 
-    /// Error of the step that was tried last, over the tolerance, without what the projection at its end `to` takes away.
+    /// Error over tolerance of the last attempt, without the part that the projection at its end `to` removes.
     ///
-    /// Next to rank loss, stages off the rows see forces along them, noise that goes with the distance over σ²: it drives
-    /// the motion where the rows do not let it go.
+    /// Next to rank loss, stages off the constraints see noise in the forces, proportional to their distance over σ². It drives
+    /// the motion in directions that the constraints forbid.
     ///
     /// # Source
     /// Eich, SIAM J. Numer. Anal. 30 (1993).
@@ -208,7 +208,7 @@ impl<T: Scalar> Dop853<T> {
         Some(self.weighted_error(h, tolerance))
     }
 
-    /// Error of the motion over the tolerance, from both embedded solutions; the largest where several go together.
+    /// Error over tolerance, from both embedded solutions; the largest one for several lanes.
     fn error(&mut self, h: f64, tolerance: Tolerance) -> f64 {
         let [fives, threes] = &mut self.errors;
         error_5(&self.slopes, fives);
@@ -234,7 +234,7 @@ impl<T: Scalar> Dop853<T> {
     }
 }
 
-/// What is tolerated of a number of this size.
+/// Tolerance for a number of this size.
 #[inline(always)]
 fn scale<T: Scalar>(tolerance: Tolerance, size: T) -> T {
     T::from_f64(tolerance.absolute) + T::from_f64(tolerance.relative) * size

@@ -1,4 +1,4 @@
-//! Whether stability holds the steps, not accuracy.
+//! Detection of stiffness: whether stability and not accuracy limits the steps.
 
 use super::Dop853;
 use super::tableau::N_STAGES;
@@ -7,9 +7,9 @@ use crate::scalar::Scalar;
 
 /// Edge of the region in which the method is stable, along the negative real axis, for h |λ|.
 const STABLE: f64 = 6.1;
-/// One step in so many is looked at until one is at the edge.
+/// One step in this many is examined until one is at the edge.
 const EVERY: u32 = 50;
-/// So many steps at the edge are no accident, when there are not [`N_OTHERS`] others in a row between them.
+/// This many steps at the edge mean stiffness, unless [`N_OTHERS`] others in a row come between them.
 const N_AT_EDGE: u32 = 15;
 const N_OTHERS: u32 = 6;
 

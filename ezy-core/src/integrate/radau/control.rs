@@ -1,4 +1,4 @@
-//! How long the next step is.
+//! Step control.
 
 use super::convergence::MAX_PASSES;
 use crate::integrate::Tolerance;
@@ -22,9 +22,9 @@ const SAFETY: f64 = 0.9;
 /// A step changes at most by these factors.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 8.0;
-/// A step that would grow by less keeps its length, and so its factors.
+/// A step that would grow by less keeps its length and its factors.
 const KEEP: f64 = 1.2;
-/// An error this small says nothing about the next one.
+/// Smallest error that is used for prediction.
 const LEAST_ERROR: f64 = 1e-2;
 /// The first step is a guess: what remains of it after a rejection.
 const FIRST_REJECTED: f64 = 0.1;

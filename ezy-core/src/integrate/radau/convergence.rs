@@ -6,15 +6,15 @@ use crate::integrate::Tolerance;
 pub(super) const MAX_PASSES: u32 = 7;
 /// The iteration ends when its error is below this part of the tolerance, or below the root of the tolerance.
 const PART: f64 = 0.03;
-/// No change is resolved below this many units of rounding.
+/// Changes below this many units of rounding are zero.
 const ROUNDING: f64 = 10.0 * f64::EPSILON;
 /// A step this many times as long after an iteration that goes nowhere.
 pub(super) const SHORTEN: f64 = 0.5;
 /// A pass has to leave less than this of the error.
 const SLOWEST: f64 = 0.99;
-/// Power of the share of the iteration before that the first pass of the next one goes by.
+/// Exponent of the previous rate in the estimate for the first iteration.
 const FORGET: f64 = 0.8;
-/// What a pass leaves of the error when the first one is the last: the iteration converged at once.
+/// Rate of convergence that is assumed when one iteration sufficed.
 const AT_ONCE: f64 = 1e-3;
 
 /// Follows the changes of the passes of one iteration.
@@ -35,7 +35,7 @@ pub(super) struct Convergence {
 pub(super) enum Verdict {
     GoOn,
     Converged,
-    /// A step this many times as long may converge.
+    /// The iteration diverges; this factor for the step may help.
     Diverged {
         factor: f64,
     },

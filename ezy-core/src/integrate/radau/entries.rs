@@ -8,16 +8,16 @@ use nalgebra::{ComplexField, DMatrix};
 
 /// K, R_v and R_q of `N(μ) = K − [R_v/μ + R_q/μ² | 0]` at common places.
 ///
-/// Forces are counted in such a unit that no mass, and no stiffness that adds to one, is above one; then rows and columns are
-/// scaled so that their largest entries are one. The rows of G get a small diagonal besides, [`DAMPING`]: rows that repeat
-/// others then leave N regular, and the iteration converges as before, since its residual is exact.
+/// The unit of force is chosen so that no mass, and no stiffness that is added to one, exceeds one. Rows and columns are then
+/// equilibrated: their largest entries are one. The rows of G get a small diagonal, [`DAMPING`], so that N is regular with
+/// redundant constraints. The iteration converges as before, since its residual is exact.
 ///
 /// A row that holds the heaviest body by light ones leaves a pivot of 1/m, which is one in the unit of that mass: the small
 /// diagonal stays small beside it at any ratio of masses. Small masses lose nothing by that unit: beside entries of G they are
 /// no pivots, and no entry of G is added to them.
 pub(super) struct Entries {
     n_q: usize,
-    /// Where entries stand, by rows.
+    /// Sparsity pattern by rows.
     starts: Vec<usize>,
     columns: Vec<usize>,
     /// K, R_v and R_q.
@@ -38,8 +38,8 @@ struct Places {
     by_v: Vec<usize>,
 }
 
-/// Part of a scaled row's largest entry on the diagonal of the rows of G: far above what rounding leaves of rows that repeat
-/// others, far below what would slow the iteration.
+/// Diagonal entry of the rows of G, relative to the largest entry of the scaled row: far above the rounding of redundant rows,
+/// far below what would slow the iteration.
 const DAMPING: f64 = 1e-11;
 
 impl Entries {

@@ -30,8 +30,8 @@ impl Radau {
 
     /// Error of the step over the tolerance.
     ///
-    /// A quadrature with the slope at the start and the stages is of order 3; its difference to the method goes through
-    /// (1 − h J/γ)⁻¹, so that it stays small where the slope at the start is far too steep for the step.
+    /// A quadrature with the derivative at the start and the stages has order 3. Its difference from the method is filtered by
+    /// (1 − h J/γ)⁻¹, so that stiff components of the derivative at the start do not dominate.
     pub(super) fn estimate(&mut self, from: Knot<'_>, h: f64) -> f64 {
         let Self { stages, matrices, error, solution, .. } = self;
         error.q.copy_from_slice(&from.state.v);
@@ -43,7 +43,7 @@ impl Radau {
         norm(&error.q, &error.v, &self.weights)
     }
 
-    /// The same with the slope at the start corrected by the first estimate, which takes out of it what the method damps.
+    /// The same with the derivative evaluated at the start plus the first estimate, which removes what the method damps.
     pub(super) fn look_again<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,

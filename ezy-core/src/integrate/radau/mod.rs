@@ -28,9 +28,9 @@ pub(crate) use control::{RadauControl, tolerance_of_estimate};
 /// Stages of the method for q' = v, v' = a, w' = power of each effect, where a and the multipliers λ solve the equations of
 /// motion.
 ///
-/// The unknowns are a and λ at the stages; positions and velocities follow from them by quadrature, so that no stage needs a
-/// factorisation of its own and massless bodies are as good as others. The method is L-stable: what decays fast, or swings
-/// faster than the steps resolve, is gone after a step. Works are integrated by the quadrature of the method and do not choose
+/// The unknowns are a and λ at the stages. Positions and velocities follow by quadrature, so that no stage needs a
+/// factorisation of its own, and bodies may be massless. The method is L-stable: modes that decay fast, or oscillate faster
+/// than the steps resolve, are damped out in one step. Works are integrated by the quadrature of the method and do not choose
 /// its steps. What rounding cuts off a sum is added to the next one, as in [`Rk4`](super::Rk4).
 ///
 /// # Source
@@ -72,7 +72,7 @@ pub struct Radau {
     next_rest: State,
 }
 
-/// What came of a step that was tried.
+/// Outcome of an attempted step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Attempt {
     /// The iteration converged.
@@ -82,7 +82,7 @@ pub enum Attempt {
         /// Passes of the iteration.
         n_passes: u32,
     },
-    /// It did not; a step this many times as long may.
+    /// It did not converge; a step with this factor may.
     Diverged {
         /// Below 1.
         factor: f64,
@@ -91,11 +91,11 @@ pub enum Attempt {
 
 /// Slopes and factors are kept as long as a pass leaves less than this of the error.
 const FAST: f64 = 1e-3;
-/// Stands for a pass of which nothing is known.
+/// Assumed rate of convergence when none is known.
 const SLOW: f64 = 1.0;
-/// Steps after which the simplified iteration is tried again once it did not converge.
+/// Steps with coupled stages before the simplified iteration is tried again.
 const N_COUPLED: u32 = 20;
-/// Factors serve steps whose length differs by this part.
+/// Factors are reused for steps whose length differs by less than this part.
 const SAME_STEP: f64 = 1e-9;
 /// First step, in parts of the time in which the state changes by its own size, and the least one, s.
 const FIRST: f64 = 1e-2;
@@ -155,8 +155,8 @@ impl Radau {
         }
     }
 
-    /// Tries a step of length `h` from `from`; writes `to`, not yet projected, when it is solved. `doubtful` says that the step
-    /// is the first one or that a longer one was rejected: an estimate that is too large is then looked at twice.
+    /// Attempts a step of length `h` from `from`; writes `to`, not yet projected, when the iteration converges. `doubtful`: the step
+    /// is the first one, or a longer one was rejected. A large error estimate is then filtered once more.
     ///
     /// # Errors
     /// [`MotionError`] when accelerations at the start cannot be found.
@@ -193,8 +193,8 @@ impl Radau {
         Ok(Attempt::Solved { error, n_passes })
     }
 
-    /// Solves for the stages: by the simplified iteration or, where that has not converged lately, by the coupled one. Passes it
-    /// took, or the factor of a step that may converge.
+    /// Solves for the stages by the simplified iteration or, if that did not converge lately, by the coupled one. Returns the
+    /// number of passes, or the factor for a step that may converge.
     fn solve<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -218,7 +218,7 @@ impl Radau {
         Ok(outcome)
     }
 
-    /// Iterates until the stages have converged, with slopes of their own when it is `coupled`.
+    /// Iterates until the stages have converged; when `coupled`, each stage has its own slopes.
     fn iterate<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -258,7 +258,7 @@ impl Radau {
         Ok(convergence.n_passes())
     }
 
-    /// Keeps the step that was tried last: the next one starts at its end.
+    /// Accepts the last attempt: the next step starts at its end.
     pub fn accept(&mut self, h: f64) {
         std::mem::swap(&mut self.stages, &mut self.before);
         std::mem::swap(&mut self.rest, &mut self.next_rest);
@@ -320,7 +320,7 @@ impl Radau {
             return true;
         }
         if !self.fresh {
-            // at the end of the last step, where accelerations do not carry what projection changed
+            // at the end of the last step, before its projection
             let (a, lambda) = match self.before_s {
                 Some(_) => (&self.before.a[N_STAGES - 1], &self.before.lambda[N_STAGES - 1]),
                 None => (&self.stages.a[N_STAGES - 1], &self.stages.lambda[N_STAGES - 1]),

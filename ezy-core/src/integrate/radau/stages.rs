@@ -1,4 +1,4 @@
-//! The unknowns of a step: accelerations and multipliers of its stages, and what follows from them.
+//! The unknowns of a step: accelerations and multipliers of its stages, with the increments that follow from them.
 
 use super::tableau::{A, A_SQUARED, N_STAGES, NODES, Triple, through_nodes};
 use crate::dynamics::State;

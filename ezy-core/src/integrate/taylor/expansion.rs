@@ -43,7 +43,7 @@ pub(super) fn expand_with<T: Scalar>(
     }
 }
 
-/// Coordinates of two bodies: so many are computed at a time.
+/// Coordinates that are computed at a time: those of two bodies.
 const TWO_BODIES: usize = 6;
 
 /// What q and v gain over `s`, from coefficients of q up to `order + 1`.

@@ -4,11 +4,11 @@ use crate::integrate::Tolerance;
 use crate::model::SeriesStore;
 use crate::scalar::Scalar;
 
-/// Orders that are used. Below, nothing is gained on other methods; above, nothing is left of a tolerance that f64 can meet.
+/// Range of orders. Lower ones gain nothing over other methods; higher ones serve tolerances below double precision.
 const ORDERS: std::ops::RangeInclusive<usize> = 6..=24;
 
-/// More than what costs least when a step takes the square of its order: factors and projection take their time whatever
-/// the order, and longer steps have fewer of them.
+/// Orders above the optimum for a cost proportional to the square of the order: factorisations and projections cost the same
+/// at any order, and longer steps need fewer of them.
 const MORE_ORDERS: f64 = 2.0;
 
 /// The order that takes about the least time for a tolerance: over the driven EzyRoller one that is lower or higher by 2
@@ -21,16 +21,16 @@ pub(crate) fn order_for(tolerance: Tolerance) -> usize {
     (order.ceil() as usize).clamp(*ORDERS.start(), *ORDERS.end())
 }
 
-/// How many of the last orders are looked at: a symmetric motion lacks every second one.
+/// Number of last orders that are examined: a symmetric motion lacks every second one.
 const N_LAST: usize = 4;
 
 /// Steps stay below this part of the radius of convergence, as a power of two, however small the terms are.
 const LOG_WITHIN_RADIUS: f64 = -1.0;
 
-/// The last term counts at least this part of itself for what comes after it, as a power of two.
+/// The remainder counts at least as this part of the last term, as a power of two.
 const LOG_LEAST_REST: f64 = -4.0;
 
-/// Logarithm that stands for the size of nothing.
+/// Logarithm that represents zero.
 const LOG_NOTHING: f64 = -1023.0;
 
 /// The longest step whose truncation keeps to a tolerance, s; infinite where all high orders vanish.

@@ -17,9 +17,8 @@ pub use precise::{PreciseError, PreciseMotion};
 
 /// Series of q, v and the multipliers, one a step, from one factorisation of K.
 ///
-/// Nothing is tried and taken back: the coefficients say how long the step may be before it is taken, and between its ends
-/// they are the motion. What rounding cuts off a sum is added to the next one, as in [`Rk4`](super::Rk4). Works are
-/// integrated along the polynomials and do not choose the steps.
+/// No step is rejected: the coefficients determine its length before it is taken, and they are the interpolant within it.
+/// Sums are compensated, as in [`Rk4`](super::Rk4). Works are integrated along the polynomials and do not influence the steps.
 ///
 /// # Source
 /// Jorba, Zou, Exp. Math. 14 (2005); for constrained motion see [`Series`].
@@ -97,7 +96,7 @@ impl<'s> Taylor<'s> {
         Ok(solved)
     }
 
-    /// What was expanded last: coefficients of q up to `order + 1`, of the multipliers up to `order - 1`.
+    /// The last expansion: coefficients of q up to `order + 1`, of the multipliers up to `order - 1`.
     pub fn coefficients(&self) -> &SeriesStore<f64> {
         &self.next
     }
@@ -135,7 +134,7 @@ impl<'s> Taylor<'s> {
     }
 }
 
-/// What does not depend on the type of the scene is compiled with this crate, in one unit with all that it calls.
+/// Code that does not depend on the type of the scene, compiled with this crate so that its calls are inlined.
 impl Taylor<'_> {
     fn place(&mut self, from: &State) {
         let (q, rest) = self.next.q.split_at_mut(self.n_q);

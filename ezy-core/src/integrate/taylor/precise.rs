@@ -1,4 +1,4 @@
-//! The motion in numbers of twice the length: what other runs are compared with.
+//! The motion in double-double arithmetic: a reference for other runs.
 
 use super::expansion::{OrderSolver, expand, expand_with, increment};
 use super::length::{longest_step, write_weights};
@@ -8,28 +8,28 @@ use crate::linalg::Backend;
 use crate::model::{Pivots, PreciseScene, Scene, SeriesStore};
 use crate::scalar::{DoubleDouble, Scalar};
 
-/// Error of a step, in m, rad, m/s, rad/s and relative to these: the last digit but one of the numbers.
+/// Tolerance of a step, absolute in m, rad, m/s, rad/s and relative: the last digit but one.
 const TOLERANCE: f64 = 1e-30;
 
 /// Order of a step; that of least time for [`TOLERANCE`].
 const ORDER: usize = 38;
 
-/// Residuals of the rows that count as zero, over the largest number of the state or 1.
+/// Tolerance of constraint residuals, relative to the largest number of the state or 1.
 const RESIDUAL: f64 = 1e-30;
 
-/// Corrections until rows are met: each gains at least the ten digits of a factorisation in f64.
+/// Largest number of Newton corrections: each gains at least the ten digits of a factorisation in f64.
 const MAX_CORRECTIONS: usize = 8;
 
 /// Refinements of a solution by factors in f64.
 const MAX_REFINEMENTS: usize = 12;
 
-/// A refinement this much smaller than the solution is its last.
+/// Refinement ends when a correction is this much smaller than the solution.
 const REFINED: f64 = 1e-31;
 
-/// A step shorter than this part of the time, or of a second, moves nothing any more.
+/// Shortest step, relative to the time or to one second: shorter steps change nothing.
 const SHORTEST: f64 = 1e-14;
 
-/// There is no motion in numbers of twice the length.
+/// There is no motion in double-double.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PreciseError {
@@ -47,10 +47,10 @@ pub enum PreciseError {
     Motion(#[from] MotionError),
 }
 
-/// A scene in motion in numbers of 31 digits, by Taylor's method of order 38.
+/// The motion of a scene with 31 digits, by Taylor's method of order 38.
 ///
-/// Its own elimination solves for the coefficients; where it has none, or a pivot vanishes, factors in f64 do with
-/// iterative refinement. After each step positions and velocities are brought back onto the rows.
+/// The scene's own elimination solves for the coefficients. If it has none, or a pivot vanishes, a factorisation in f64 with
+/// iterative refinement does. After each step positions and velocities are brought back onto the rows.
 ///
 /// ```text
 /// let mut motion = PreciseMotion::new(&scene, &state)?;
@@ -244,7 +244,7 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         Ok(())
     }
 
-    /// The smallest change in the mass matrix that takes the residual away, but for the rounding of the factors.
+    /// The smallest correction, in the mass metric, that removes the residual up to the rounding of the factors.
     fn correct(&mut self) -> Result<(), MotionError> {
         let Self { scene, solver, t, q, residual, delta, .. } = self;
         let deficient = scene.correction(&solver.fixed, (*t).into(), q, residual, delta);
@@ -263,7 +263,7 @@ struct Refined<'s, S: Scene + ?Sized> {
     fixed: Vec<DoubleDouble>,
     mass: Vec<DoubleDouble>,
     jacobian: Vec<DoubleDouble>,
-    /// What a solution leaves of `[force; row]`, and its nearest f64.
+    /// Residual of a solution for `[force; row]`, and its nearest f64.
     rest: Vec<DoubleDouble>,
     rest_f64: Vec<f64>,
     solution: Vec<f64>,

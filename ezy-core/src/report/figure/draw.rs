@@ -1,4 +1,4 @@
-//! The one place that speaks to the plotting library.
+//! The only file that calls the plotting library.
 
 use ruviz::core::config::PlotConfig;
 use ruviz::core::plot::Plot;

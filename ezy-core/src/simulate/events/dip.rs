@@ -1,12 +1,12 @@
-//! Whether a value passes zero and comes back between two places.
+//! Double roots: an event function that passes zero and comes back between two samples.
 
-/// A dip is followed so often, each time with a parabola through the last places.
+/// Parabolas that are tried, each through the last three samples.
 const MAX_TRIES: usize = 3;
 
-/// A dip that is foreseen to leave more than this part of the value does not reach zero.
+/// A predicted minimum above this part of the smaller end value does not reach zero.
 const SHALLOW: f64 = 0.5;
 
-/// A place between `a` and `b` where `f` is below zero; there it is above, as in `others` beyond them.
+/// A point between `a` and `b` where `f` is negative. At `a`, `b` and the `others` beyond them it is positive.
 pub(super) fn dip<E>(
     a: (f64, f64),
     b: (f64, f64),
@@ -29,7 +29,7 @@ pub(super) fn dip<E>(
     Ok(None)
 }
 
-/// Where the parabola through three points is least, and its value there.
+/// Minimum of the parabola through three points, and its value.
 fn least([(x0, f0), (x1, f1), (x2, f2)]: [(f64, f64); 3]) -> Option<(f64, f64)> {
     let (rise, other_rise) = ((f1 - f0) / (x1 - x0), (f2 - f1) / (x2 - x1));
     let bend = (other_rise - rise) / (x2 - x0);

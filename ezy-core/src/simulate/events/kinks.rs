@@ -1,11 +1,12 @@
-//! Kinks of laws: a step that goes over one is made again up to it.
+//! Kinks of laws, discontinuities of a force or of its slope: a step that crosses one is repeated up to it.
 //!
-//! Across a kink a method of high order has a low one: its error estimate may miss that, or halve the steps until they
-//! have crept over. Where the values of the scene say that a step went over a kink, its interpolation tells where.
+//! Across a kink a method loses its order. Its error estimate may miss that, or shorten steps again and again. The scene
+//! says by event functions whether a step crossed a kink; the interpolant says where.
 //!
-//! A stage at the end of a step sees the other law as soon as its own error carries it over. DOP853 makes the last part of
-//! the way short, and its error estimate does the rest. Methods of lower order follow the law of this side instead: they
-//! stop before the kink by more than what they know of its place, where they know it better, and at last hop over it.
+//! A stage at the end of a step may be beyond the kink by its own error and then sees the other law. DOP853 makes the last
+//! part of the way a short step, and its error estimate controls the rest. Methods of lower order stop before the kink, at a
+//! distance above the uncertainty of its predicted time. That uncertainty shrinks with each step; the last step is a
+//! very short one across the kink.
 
 use super::root::root;
 use super::{resolution_at, side_of};
@@ -13,43 +14,43 @@ use crate::dynamics::{Rows, State, System};
 use crate::integrate::{Knot, interpolate};
 use crate::model::{EventKind, Scene, SceneInfo};
 
-/// A kink this close to an end of a step is left to the step control, in resolutions of its place.
+/// A kink this close to an end of a step is ignored, in resolutions of the time.
 const AT_END: f64 = 10.0;
 
-/// So much behind a kink steps end, in resolutions: the next one begins on its other side.
+/// Steps end this far behind a kink, in resolutions of the time, so that the next one begins on its other side.
 const BEHIND: f64 = 2.0;
 
-/// A parabola from the start of a step knows the place of a kink at its end up to this part of the way, at the middle up to
-/// half of that, and so on.
+/// Uncertainty of the predicted distance to a kink, relative to that distance, for a whole step. For shorter distances it
+/// falls in proportion to the distance.
 const UNKNOWN: f64 = 1.0 / 32.0;
 
-/// What a cut step counts, and how far that may add up: where a second kink follows closely, as where dry friction sticks, or
-/// a value is nothing but rounding, steps go over what comes.
+/// Guard against chattering: each shortened step adds [`CUT`], each full step subtracts one. From [`MOST_CUT`] on kinks are
+/// stepped over, as where dry friction sticks or where a value is only rounding.
 const CUT: u32 = 2;
 const MOST_CUT: u32 = 48;
 
-/// A hop over a kink takes this part of the time at least, or resolutions as above: enough for a step to move anything.
+/// Shortest step across a kink, relative to the time: shorter steps move nothing.
 const HOP: f64 = 2e-14;
 
 /// A step that ends at a kink.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::simulate) enum Cut {
-    /// Before it, after this time, s.
+    /// Stop before the kink, after this time, s.
     Before(f64),
-    /// Just behind it, after this time, s.
+    /// Stop just behind the kink, after this time, s.
     Over(f64),
 }
 
-/// The kinks of a scene, with room to look for them.
+/// The kinks of a scene, with buffers.
 pub(in crate::simulate) struct Kinks {
-    /// Places among the events.
+    /// Indices into the events.
     places: Vec<usize>,
     /// Values at the start of the step, at its end, and between.
     values: [Vec<f64>; 3],
     a: Vec<f64>,
     lambda: Vec<f64>,
     between: State,
-    /// Steps that were cut, [`CUT`] for each, less those that were not.
+    /// Guard against chattering, see [`MOST_CUT`].
     debt: u32,
 }
 
@@ -175,7 +176,7 @@ impl Kinks {
             let Ok(t) = if changes(before[i], last) {
                 root((0.0, before[i]), (h, last), resolution, value)
             } else {
-                // the way bends: half of it is foreseen better
+                // the parabola misses the kink: half the way is predicted better
                 Ok(0.5 * h)
             };
             length = length.min(t);
@@ -193,12 +194,12 @@ impl Kinks {
     }
 }
 
-/// Whether a value passes to the other side of zero.
+/// Whether a value changes its sign.
 fn changes(before: f64, after: f64) -> bool {
     side_of(before) * side_of(after) < 0.0
 }
 
-/// The motion after the time `t` by the accelerations at its start; works are left out.
+/// The state after the time `t` with the accelerations at its start; works are left out.
 fn follow(from: Knot<'_>, t: f64, out: &mut State) {
     let State { q, v, .. } = from.state;
     for (i, a) in from.a.iter().enumerate() {

@@ -1,7 +1,7 @@
-//! What takes place between the ends of a step: values of the scene that pass zero.
+//! Event location: roots of event functions within a step.
 //!
-//! After each step the values are looked at in [`N_PARTS`] places of its interpolation. What passes zero between two of
-//! them is located there; where three of them foresee a dip to the other side and back, it is followed.
+//! After each step the event functions are sampled on its interpolant, at the ends of [`N_PARTS`] parts. A change of sign
+//! between two samples is located. Where a parabola through three samples predicts a double root, it is searched for.
 
 mod dip;
 mod kinks;
@@ -16,42 +16,42 @@ pub(super) use kinks::{Cut, Kinks};
 use root::root;
 pub(super) use sought::Sought;
 
-/// Places of a step at which values are looked at.
+/// Parts of a step at whose ends event functions are sampled.
 const N_PARTS: usize = 4;
 
-/// Events are located this well, s, or as well as the clock can tell.
+/// Events are located to this accuracy, s, or to the resolution of the time.
 const RESOLUTION_S: f64 = 1e-12;
 
-/// A value that begins below this part of what it reaches in the first step is rounding: it begins on neither side.
+/// An initial value below this part of the largest one in the first step is rounding: its sign is taken as zero.
 const NOTHING: f64 = 1e-10;
 
 /// An event that took place.
 #[derive(Debug, Clone)]
 pub struct Occurrence {
-    /// Which one.
+    /// Its description.
     pub event: &'static EventInfo,
-    /// Where the motion was then: interpolated, and projected.
+    /// The state then: interpolated and projected.
     pub state: State,
 }
 
-/// A passage through zero.
+/// A root of an event function.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passage {
     pub t: f64,
     pub event: &'static EventInfo,
 }
 
-/// Watches the values of a run.
+/// Samples event functions and keeps the events of a run.
 pub(super) struct Lookout {
     sought: Sought,
     events: &'static [EventInfo],
-    /// How many of them are to be told: kinks come last.
+    /// Number of events to report: kinks come last and are not reported.
     n_told: usize,
-    /// On which side of zero each value was last: -1, 1; 0 when it has not left zero yet.
+    /// Last sign of each event function: -1 or 1; 0 when it has not left zero yet.
     sides: Vec<f64>,
-    /// Whether no step was looked at yet.
+    /// Whether no step was sampled yet.
     fresh: bool,
-    /// Places of the step that are looked at.
+    /// Times of the samples.
     times: [f64; N_PARTS + 1],
     /// Values there.
     values: [Vec<f64>; N_PARTS + 1],
@@ -138,7 +138,7 @@ impl Lookout {
         self.values[N_PARTS].iter().any(|&value| value < 0.0)
     }
 
-    /// The passages of a step, in time.
+    /// Finds the roots of a step, in time order.
     fn find<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
         self.passages.clear();
         self.sample(motion)?;
@@ -161,7 +161,7 @@ impl Lookout {
         Ok(())
     }
 
-    /// Writes the values at the places of a step.
+    /// Samples the functions over a step.
     fn sample<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
         let (from, to) = (motion.now.state.t, motion.next.state.t);
         for part in 0..=N_PARTS {
@@ -180,7 +180,7 @@ impl Lookout {
         Ok(())
     }
 
-    /// On which sides the values of a run begin.
+    /// Signs at the start of a run.
     fn begin(&mut self) {
         self.fresh = false;
         for (i, side) in self.sides.iter_mut().enumerate() {
@@ -190,14 +190,14 @@ impl Lookout {
         }
     }
 
-    /// Value `i` at `t` within the step.
+    /// Function `i` at `t` within the step.
     fn value<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, i: usize, t: f64) -> Result<f64, MotionError> {
         motion.inside(t, &mut self.place)?;
         self.sought.read(&mut motion.system, t, [&self.place.q, &self.place.v], &mut self.tried)?;
         Ok(self.tried[i])
     }
 
-    /// A place of a part of the step, and the value there, that is on the other side of zero than both ends of the part.
+    /// A time within a part of the step, and the value there, whose sign differs from both ends of the part.
     fn dip<S: Scene + ?Sized>(
         &mut self,
         motion: &mut Motion<'_, S>,
@@ -217,7 +217,7 @@ impl Lookout {
         Ok(lowest.map(|t| (t, self.tried[i])))
     }
 
-    /// Keeps the passage of value `i` to another side between two places.
+    /// Keeps the root of function `i` when its sign changes between two samples.
     fn compare<S: Scene + ?Sized>(
         &mut self,
         motion: &mut Motion<'_, S>,
@@ -233,7 +233,7 @@ impl Lookout {
         if old == 0.0 || !event.direction.counts(side) {
             return Ok(());
         }
-        // an input may have carried it over between two steps
+        // an input may have changed the sign between two steps
         let t = if side_of(before) == side {
             t_before
         } else {
@@ -244,12 +244,12 @@ impl Lookout {
     }
 }
 
-/// How well the time of what takes place about `t` is known, s.
+/// Resolution of an event time near `t`, s.
 pub(super) fn resolution_at(t: f64) -> f64 {
     RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs())
 }
 
-/// -1, 0 or 1; a value that is no number is on neither side.
+/// -1, 0 or 1; 0 for a value that is not a number.
 fn side_of(x: f64) -> f64 {
     match x.partial_cmp(&0.0) {
         Some(std::cmp::Ordering::Greater) => 1.0,

@@ -1,19 +1,19 @@
-//! Which values are looked at.
+//! The event functions.
 
 use crate::dynamics::{MotionError, Rows, System};
 use crate::model::{GripInfo, Scene, StopInfo};
 
-/// What passes zero.
+/// What is located.
 pub(in crate::simulate) enum Sought {
     /// The events of the scene.
     Events,
-    /// What the row of a skate that holds has left up to its limit.
+    /// Limit less reaction of a skate that holds.
     Reserve { info: &'static GripInfo, a: Vec<f64>, lambda: Vec<f64> },
-    /// The velocity across a skate that slides, to this side.
+    /// Velocity across a skate that slides to this side.
     Slide { info: &'static GripInfo, side: f64 },
-    /// The distances to the ends of a stop, out of these values.
+    /// Distances to the ends of a stop; `values` is a buffer.
     Gaps { info: &'static StopInfo, values: Vec<f64> },
-    /// The force of a stop that holds, from this side.
+    /// Force of a closed contact on this side.
     Push { row: usize, side: f64, a: Vec<f64>, lambda: Vec<f64> },
 }
 

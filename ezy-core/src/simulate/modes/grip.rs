@@ -1,4 +1,4 @@
-//! A skate that holds up to a limit and slides beyond it.
+//! Stick–slip friction: a skate that holds up to a limit and slides beyond it.
 
 use super::Modes;
 use crate::dynamics::MotionError;

@@ -1,4 +1,4 @@
-//! A scene that becomes another one while it runs: a motion for each of its modes, and the way from one to the next.
+//! Scenes with modes: one motion for each mode, and the changes between modes.
 
 mod grip;
 mod stop;
@@ -9,48 +9,48 @@ use super::motion::Motion;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, GripInfo, Scene, SceneInfo, StopInfo};
 
-/// A mode that begins where its own end is is followed down to this part of a step: rounding of a value inside of a step
-/// grows as steps shrink.
+/// Smallest step, relative to the requested one, when a mode ends where it begins. In shorter steps the rounding of an
+/// interpolated value dominates.
 const SHORTEST: f64 = 1e-5;
 
-/// A mode shorter than a quarter of a step is looked for in a step of this part.
+/// The step is shortened by this factor when a mode may end within a quarter of it.
 const SHORTER: f64 = 0.25;
 
-/// More changes at one time never lead to a motion.
+/// Changes of mode at one time after which the run gives up.
 const MAX_AT_ONCE: usize = 8;
 
-/// What makes several scenes of one.
+/// The law that gives a scene its modes.
 #[derive(Clone, Copy)]
 enum Law {
     Grip(&'static GripInfo),
     Stop(&'static StopInfo),
 }
 
-/// The modes that are not under way, and what ends the one that is.
+/// The inactive modes, and the event that ends the active one.
 pub(super) struct Modes<'s, S: Scene + ?Sized> {
     law: Law,
     /// The one under way, a place in `Derived::modes`.
     mode: usize,
     parked: Vec<(usize, Motion<'s, S>)>,
     lookout: Lookout,
-    /// Whether the mode has made no step yet, so that what ends it may begin at zero.
+    /// Whether the mode has made no step yet. Its event function may then begin at zero.
     begins: bool,
-    /// Whether the next step begins with a change.
+    /// Whether the next step begins with a change of mode.
     is_due: bool,
-    /// No step that begins a mode is longer, s.
+    /// Longest first step of a mode, s.
     longest_s: f64,
-    /// Steps that were made and taken back.
+    /// Steps that were made and discarded.
     n_taken_back: u64,
     pub occurred: Vec<Occurrence>,
 }
 
 /// How a step ends.
 enum Cut {
-    /// As it is.
+    /// At its end: the mode does not change.
     Whole,
     /// Where the mode changes.
     AtChange,
-    /// It does not begin: the mode changes at its start.
+    /// The mode changes at the start of the step, which is discarded.
     AtOnce,
 }
 
@@ -133,7 +133,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         Err(MotionError::StepCollapsed { t: motion.now.state.t, step_s: 0.0 })
     }
 
-    /// Leaves a mode that cannot go on from where it is.
+    /// Changes the mode when the active one is not admissible at the present state.
     fn settle(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
         let ends = match self.law {
             Law::Grip(info) => grip::ends(self, info, motion)?,
@@ -164,7 +164,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         Ok(())
     }
 
-    /// The motion of a mode becomes the one under way, as it is.
+    /// Makes a mode the active one, with its own state.
     fn swap(&mut self, mode: usize, motion: &mut Motion<'s, S>) {
         if let Some((parked, other)) = self.parked.iter_mut().find(|(parked, _)| *parked == mode) {
             std::mem::swap(other, motion);
@@ -180,7 +180,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         self.occurred.push(Occurrence { event, state: motion.now.state.clone() });
     }
 
-    /// Makes a step again that goes past the end of the mode.
+    /// Repeats a step that goes past the end of the mode.
     fn cut(&mut self, motion: &mut Motion<'s, S>) -> Result<Cut, MotionError> {
         let start = motion.now.state.t;
         let shortest = SHORTEST * (motion.next.state.t - start);
@@ -203,7 +203,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
             if !self.lookout.ends_below() {
                 return Ok(Cut::Whole);
             }
-            // a mode that begins ends before a value tells
+            // the event function is below zero at the end, and began at zero: the mode ends earlier
             let h = SHORTER * (motion.next.state.t - start);
             if h < shortest || start + h <= start {
                 return Ok(Cut::AtOnce);
@@ -212,8 +212,8 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         }
     }
 
-    /// Makes a step again up to where what ends the mode is no longer defined, since it may end before; where nothing is left
-    /// of the step, the fault ends the run.
+    /// Repeats a step up to the last time at which the event function is defined, since the mode may end before. When no
+    /// step is left, the error ends the run.
     fn end_before(&mut self, fault: MotionError, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
         let (MotionError::SkateLimit { t, .. } | MotionError::StopNotFinite { t, .. }) = fault else {
             return Err(fault);
@@ -225,7 +225,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         self.advance_again(motion, last)
     }
 
-    /// Takes the step under way back for one that ends at `t`.
+    /// Discards the present step and makes one that ends at `t`.
     fn advance_again(&mut self, motion: &mut Motion<'s, S>, t: f64) -> Result<(), MotionError> {
         self.n_taken_back += 1;
         motion.advance_again(t - motion.now.state.t, t)

@@ -1,4 +1,4 @@
-//! A stop: impacts where its quantity reaches an end, and rest there.
+//! Unilateral contact: impacts where the quantity of a stop reaches an end, and rest there.
 //!
 //! An impact is an impulse along the row that the stop would be. With v₀ the velocity at which the scene would rest on the
 //! stop, the nearest one in the metric of the masses, the velocity after it is v₀ + e (v₀ − v): every other row is kept, since
@@ -13,24 +13,24 @@ use crate::simulate::motion::Motion;
 
 const FREE: usize = 0;
 
-/// Bounces follow each other ever faster, infinitely many in a time that is finite. Flights shorter than so many of the
-/// shortest times that can be told have no length to speak of: the first one of these is not flown, but the stop holds.
+/// Bounces become shorter and shorter, infinitely many in a finite time. A flight shorter than this many times the resolution
+/// of time is skipped: the stop holds.
 const SHORTEST_FLIGHT: f64 = 1e3;
 
-/// Likewise flights that are lower than so many roundings of the quantity.
+/// A flight lower than this many roundings of the quantity is skipped, too.
 const LOWEST_FLIGHT: f64 = 16.0;
 
-/// A flight is over after this part of what it would take under a constant force.
+/// A flight ends within this factor of its duration under a constant force.
 const LONG_ENOUGH: f64 = 1.25;
 
-/// A start may be beyond an end by so much of what counts as zero.
+/// A start may be beyond an end by this many position tolerances.
 const BEYOND: f64 = 100.0;
 
-/// An end of the stop that a scene is at.
+/// The end of the stop that is nearest.
 struct Contact {
-    /// Its place among the ends.
+    /// Index of the end.
     end: usize,
-    /// Distance, and its rate: positive inside, and away from the end.
+    /// Distance from the end, positive inside, and its rate.
     gap: f64,
     rate: f64,
     restitution: f64,
@@ -98,7 +98,7 @@ pub(super) fn sought<S: Scene + ?Sized>(
     (Sought::Push { row: info.row, side, a, lambda }, std::slice::from_ref(&info.lets_go))
 }
 
-/// The impact, and what follows.
+/// The impact, and the choice of the next mode.
 fn arrive<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static StopInfo,
@@ -137,14 +137,14 @@ fn arrive<'s, S: Scene + ?Sized>(
     Ok(())
 }
 
-/// The way from an end back to it.
+/// The flight from an end back to it.
 #[derive(Clone, Copy)]
 struct Flight {
     length_s: f64,
     is_too_short: bool,
 }
 
-/// Under the acceleration at its start; `None` where that leads away.
+/// Flight under the acceleration at its start; `None` when the acceleration points away from the end.
 fn flight<S: Scene + ?Sized>(
     info: &StopInfo,
     end: usize,
@@ -166,7 +166,7 @@ fn flight<S: Scene + ?Sized>(
     Some(Flight { length_s, is_too_short: length_s < shortest_s || height < LOWEST_FLIGHT * rounding })
 }
 
-/// The end that is nearest.
+/// The nearest end.
 fn nearest<S: Scene + ?Sized>(info: &StopInfo, motion: &Motion<'_, S>) -> Result<Contact, MotionError> {
     let (state, mut values) = (&motion.now.state, vec![0.0; n_values(info)]);
     motion.system.checked_stop(info, state.t, &state.q, &state.v, &mut values)?;
@@ -176,7 +176,7 @@ fn nearest<S: Scene + ?Sized>(info: &StopInfo, motion: &Motion<'_, S>) -> Result
     Ok(Contact { end, gap: gap(&end), rate: values[2 * end + 1], restitution: values[2 * info.hits.len()] })
 }
 
-/// Whether a scene that is at an end comes or goes must be known.
+/// The rate at an end must be finite: its sign says whether the scene approaches or leaves.
 fn check_rate(info: &StopInfo, end: usize, t: f64, rate: f64) -> Result<(), MotionError> {
     if rate.is_finite() {
         return Ok(());

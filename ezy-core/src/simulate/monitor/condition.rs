@@ -1,4 +1,4 @@
-//! How well the equations of motion can be solved with over a run.
+//! The condition number of the equations of motion over a run.
 
 use crate::dynamics::{State, System};
 use crate::linalg::{ConditionEstimator, Conditioning};
@@ -20,7 +20,7 @@ pub struct ConditionPeak {
     pub t: f64,
 }
 
-/// Unknowns up to which a dense factorisation at start and end is nothing beside a run.
+/// Unknowns up to which a dense factorisation at start and end is cheap beside a run.
 const LARGEST: usize = 200;
 
 /// Steps between two looks at least; in larger scenes the square of their unknowns.

@@ -1,19 +1,19 @@
-//! What a run must not exceed.
+//! Limits of a run.
 
 use crate::simulate::SetupError;
 
-/// Steps that a method which chooses their length tries at most, unless the order says otherwise: a minute or so. For steps of
-/// fixed length there is a limit when the run is ordered.
+/// Default limit on the steps of a method that chooses their length: about a minute of computing. The number of fixed steps is
+/// checked when the run is built.
 const MAX_CHOSEN_STEPS: u64 = 10_000_000;
 
-/// As ordered; infinite where nothing was.
+/// Limits as set; infinite where none was.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::simulate) struct Limits {
     /// Largest residual of a row, m or rad, m/s or rad/s.
     pub drift: f64,
     /// Largest energy balance over the energy turned over.
     pub energy_error: f64,
-    /// Steps, with those taken back.
+    /// Steps, rejected ones included.
     pub steps: Option<u64>,
 }
 
@@ -78,7 +78,7 @@ pub enum ExceededLimit {
     },
     /// The end is out of reach.
     #[error(
-        "the steps that were tried reach the limit of {limit} (max-steps), the last good one {step_s:.1e} s long; allow more \
+        "the attempted steps reach the limit of {limit} (max-steps), the last good one {step_s:.1e} s long; allow more \
          steps or larger errors, end earlier, or look at the speeds and forces at that time"
     )]
     Steps {

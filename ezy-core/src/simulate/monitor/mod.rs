@@ -1,4 +1,4 @@
-//! What every run watches on its way: residuals, drift, energy, steps; and the limits that end it.
+//! Monitors of a run: residuals, drift, energy, steps; and the limits that end it.
 
 mod condition;
 mod energy;
@@ -11,7 +11,7 @@ pub use limits::ExceededLimit;
 pub(super) use limits::Limits;
 pub(super) use watch::Watch;
 
-/// What a run watched, over all of its steps.
+/// The monitors of a run, over all of its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Monitors {
     /// Largest residual of a position row in the states that the run went through, m or rad; none without such rows. A stop

@@ -1,4 +1,4 @@
-//! Watching, step by step.
+//! The monitors, step by step.
 
 use super::condition::ConditionWatch;
 use super::energy::EnergyWatch;
@@ -6,8 +6,8 @@ use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors, Peak};
 use crate::dynamics::{Projected, Projection, State, System, Worst};
 use crate::model::{Scene, SceneInfo};
 
-/// Steps between looks at velocity rows after projection: a look costs as much as a third of an evaluation of the
-/// accelerations, and what a projection leaves is rounding.
+/// Steps between two evaluations of velocity residuals. One costs a third of an evaluation of the accelerations, and after a
+/// projection the residual is rounding.
 const N_BETWEEN_LOOKS: u64 = 16;
 
 /// The monitors of a run under way.
@@ -95,7 +95,7 @@ impl Watch {
             self.pivot = Some(LeastPivot { value: pivot, t: state.t });
         }
         self.n_steps += 1;
-        // the rows of the start
+        // only with the constraints of the start
         if let Some(condition) = &mut self.condition
             && system.info().n_rows() == self.info.n_rows()
         {
@@ -174,12 +174,12 @@ impl Watch {
     }
 }
 
-/// Whether a limit is kept, if there is one; NaN keeps none.
+/// Whether a value is within a limit; NaN is not.
 fn keeps(value: f64, limit: f64) -> bool {
     value <= limit || limit == f64::INFINITY
 }
 
-/// A NaN stays.
+/// Raises a peak; a NaN stays.
 fn raise(peak: &mut Option<Peak>, worst: Worst, t: f64, info: &'static SceneInfo) {
     if worst.value.is_nan() || peak.is_none_or(|peak| worst.value > peak.value) {
         *peak = Some(Peak { value: worst.value, t, row: info.rows[worst.row].name });

@@ -1,5 +1,5 @@
-//! Rows that repeat others once the model is assembled with its declared parameters: two hinges between the same two
-//! bodies, say, which fit only if their distances agree. A warning: with other parameters the rows may be independent.
+//! Constraints that are redundant once the model is assembled with its declared parameters, such as two hinges between the
+//! same two bodies, which fit only if their distances agree. A warning: with other parameters they may be independent.
 
 use super::basis::Row;
 use super::{RandomState, dependent_rows};
@@ -11,11 +11,11 @@ use crate::symbolic::Symbol;
 use crate::symbolic::evaluate::Point;
 use crate::work;
 
-/// Assemblies that are tried, from different guesses: what all of them say is no accident of one position.
+/// Number of assemblies, from different guesses: what holds in all of them is no accident of one position.
 const SEEDS: [u64; 3] = [11, 12, 13];
 /// Passes of Gauss–Newton; it converges in a few where the model can be assembled at all.
 const MAX_PASSES: usize = 60;
-/// A row that is left with less is met.
+/// A constraint with a smaller residual is satisfied.
 const MET: f64 = 1e-10;
 /// Keeps the matrix of dependent rows regular; slows convergence by as little.
 const DAMPING: f64 = 1e-9;

@@ -1,8 +1,8 @@
-//! Rows of velocities that integrate to rows of positions.
+//! Integrable velocity constraints: they integrate to position constraints.
 //!
-//! A row ω v + s_t = 0 is the rate of a position row on the surface that the position rows leave when dω vanishes on
-//! all motions that it and they allow (Frobenius). Time counts as one more coordinate, with s_t as its entry. Where one
-//! motion at most is left, every row integrates; then only a row that is closed already is reported.
+//! On the surface of the position constraints, ω v + s_t = 0 is the rate of a position constraint when dω vanishes on all
+//! motions that all of them allow (Frobenius). Time counts as one more coordinate, with s_t as its entry. With one degree of
+//! freedom or none every row is integrable; then only a row that is closed already is reported.
 //!
 //! Source: Frobenius, J. reine angew. Math. 82 (1877); as in Bloch, Nonholonomic Mechanics and Control, ch. 2.
 

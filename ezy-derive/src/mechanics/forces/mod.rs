@@ -18,9 +18,9 @@ use super::kinematics::Vector;
 use crate::model::{BodyId, Component, Coordinate, Force, Place};
 use crate::symbolic::{SumId, Symbol};
 
-/// What a group of forces does: Q = Σ (∂r/∂q)ᵀ f − ∂V/∂q.
+/// Generalised force of a group of forces: Q = Σ (∂r/∂q)ᵀ f − ∂V/∂q.
 pub struct Load {
-    /// The part of Q that is no potential's, `n_q` long: it does work.
+    /// The part of Q without a potential, `n_q` long; its work is counted.
     pub work_force: Vec<SumId>,
     /// V(q, t).
     pub potential: SumId,
@@ -48,13 +48,13 @@ impl Load {
         }
     }
 
-    /// A force on a place.
+    /// A force on a point.
     fn at(&mut self, writer: &mut Writer<'_>, place: &Place, force: Vector) {
         let position = writer.position(place);
         self.along_slopes(writer, position, force);
     }
 
-    /// Equal and opposite forces of two places on each other, `force` on the second one.
+    /// Equal and opposite forces of two points on each other, `force` on the second one.
     fn between(&mut self, writer: &mut Writer<'_>, gap: Vector, force: Vector) {
         self.along_slopes(writer, gap, force);
     }

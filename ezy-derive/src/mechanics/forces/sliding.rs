@@ -1,4 +1,4 @@
-//! A skate beyond its limit: it slides, and a force as large as the limit opposes the velocity across it.
+//! A skate beyond its limit slides: a force of the size of the limit opposes the velocity across it.
 
 use super::Load;
 use crate::mechanics::expression::Writer;

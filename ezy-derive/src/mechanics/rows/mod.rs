@@ -1,4 +1,4 @@
-//! The kinds of constraint rows. Each states its expression once, as C or as S v.
+//! The kinds of constraints. Each states its expression once, as C or as S v.
 
 mod equation;
 mod gear;
@@ -15,7 +15,7 @@ use crate::model::{Row, RowId};
 use crate::symbolic::SumId;
 use crate::words::Class;
 
-/// What a row demands to be zero.
+/// The residual of a constraint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Demand {
     /// C(q, t)
@@ -24,7 +24,7 @@ pub enum Demand {
     Velocity(SumId),
 }
 
-/// One scalar row.
+/// One scalar constraint equation.
 #[derive(Debug)]
 pub struct ScalarRow {
     pub name: String,
@@ -37,7 +37,7 @@ pub struct ScalarRow {
     pub family: usize,
 }
 
-/// A scalar row as its kind states it: what stands behind the name (`x` in `B.x`), the multiplier's unit, and C or S v.
+/// A scalar equation of a kind: its suffix (`x` in `B.x`), the multiplier's unit, and C or S v.
 pub struct Component {
     suffix: &'static str,
     unit: String,
@@ -45,7 +45,7 @@ pub struct Component {
 }
 
 impl Component {
-    /// The only row of a declaration, with a multiplier in N.
+    /// The only equation of a declaration, with a multiplier in N.
     fn only(value: SumId) -> Vec<Self> {
         vec![Self::named("", "N", value)]
     }
@@ -55,7 +55,7 @@ impl Component {
     }
 }
 
-/// The scalar rows of a declared row.
+/// The scalar equations of a declared constraint.
 pub fn scalar_rows(writer: &mut Writer<'_>, row: &Row, id: RowId) -> Vec<ScalarRow> {
     let of = &row.arguments;
     let components = match row.word.word {

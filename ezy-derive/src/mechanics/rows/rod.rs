@@ -1,11 +1,11 @@
-//! `rod R: a ~ b length l`: two places keep their distance.
+//! `rod R: a ~ b length l`: two points keep their distance.
 
 use super::Component;
 use crate::mechanics::expression::Writer;
 use crate::model::Arguments;
 
-/// C = (d·d/l − l)/2 with d = place(b) − place(a). Its Jacobian has the unit vector along the rod, so the multiplier is
-/// the tension in the rod; no root is taken.
+/// C = (d·d/l − l)/2 with d = r_b − r_a. Its Jacobian has the unit vector along the rod, so the multiplier is the tension in
+/// the rod. No square root is needed.
 pub fn rows(writer: &mut Writer<'_>, of: &Arguments) -> Vec<Component> {
     let gap = writer.gap(&of.places[0], &of.places[1]);
     let square = writer.dot(gap, gap);

@@ -4,7 +4,7 @@ use super::{Component, slot};
 use crate::mechanics::expression::Writer;
 use crate::model::Arguments;
 
-/// C = (n · (place(b) − place(a)), φ_b − φ_a − e).
+/// C = (n · (r_b − r_a), φ_b − φ_a − e).
 pub fn rows(writer: &mut Writer<'_>, of: &Arguments) -> Vec<Component> {
     let across = slot::off_line(writer, of);
     let turned = writer.turned_by(of.places[0].body, of.places[1].body, of.settings[0].as_ref());

@@ -1,4 +1,4 @@
-//! `slot S: a ~ b along d`: the place on b stays on the line through the place on a along d.
+//! `slot S: a ~ b along d`: the point on b stays on the line through the point on a along d.
 
 use super::Component;
 use crate::mechanics::expression::Writer;
@@ -9,7 +9,7 @@ pub fn rows(writer: &mut Writer<'_>, of: &Arguments) -> Vec<Component> {
     Component::only(off_line(writer, of))
 }
 
-/// C = n · (place(b) − place(a)), with n the unit vector along d turned by +90°.
+/// C = n · (r_b − r_a), with n the unit vector along d turned by +90°.
 pub fn off_line(writer: &mut Writer<'_>, of: &Arguments) -> SumId {
     let along = writer.unit_direction(&of.directions[0]);
     let normal = writer.across(along);

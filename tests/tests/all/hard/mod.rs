@@ -3,3 +3,4 @@
 mod blocks;
 mod bounds;
 mod naive;
+mod symptoms;

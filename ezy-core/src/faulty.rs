@@ -21,7 +21,7 @@ macro_rules! __faulty_model {
                 }
 
                 impl $scene {
-                    pub const INFO: $crate::__private::SceneInfo = ::core::panic!("this model has faults");
+                    pub const INFO: $crate::__private::SceneInfo = ::core::panic!("this model has errors");
                 }
 
                 impl<T: $crate::__private::Scalar> $crate::__private::Equations<T> for $scene {

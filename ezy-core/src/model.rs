@@ -373,7 +373,7 @@ impl Start {
         self.v_near.copy_from_slice(&other.v_near);
     }
 
-    /// The same with what is near left free; `None` when nothing is.
+    /// The same start with the values that are near made free; `None` when there are none.
     pub(crate) fn without_near(&self) -> Option<Self> {
         if !self.q_near.iter().chain(&self.v_near).any(|near| *near) {
             return None;

@@ -38,8 +38,8 @@ pub struct Advice {
 /// Number of finer settings that must reach a target, too.
 const N_CONFIRMING: usize = 3;
 
-/// Chooses for one target. A setting counts when the next finer ones that were measured reach the target as well: a loose
-/// setting may be lucky.
+/// Chooses for one target. A setting counts only when the next finer measured ones reach the target, too, since a loose
+/// setting may be accurate by chance.
 pub(super) fn advise(target: f64, known: f64, candidates: &[Candidate]) -> Advice {
     let mut names: Vec<&str> = candidates.iter().map(|c| c.method.name()).collect();
     names.sort_unstable();

@@ -32,7 +32,7 @@ pub(super) struct ListArguments {
 /// elimination and the operations of one evaluation.
 #[derive(Debug, Args)]
 pub(super) struct ShowArguments {
-    /// Which one; case and underscores do not matter
+    /// Its name; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
     pub path: String,
     /// How the equations are written
@@ -56,7 +56,7 @@ pub(super) enum Format {
 /// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi.
 #[derive(Debug, Args)]
 pub(super) struct RunArguments {
-    /// Which one; case and underscores do not matter
+    /// Its name; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
     pub path: String,
     /// End of the run in seconds [default: what the scene says]
@@ -185,7 +185,7 @@ impl From<MetricName> for Metric {
 /// the rank of the constraints at the start and the energy balance of a short run. Exit status 1 when a check fails.
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
-    /// Which one; case and underscores do not matter
+    /// Its name; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
     pub path: String,
 }
@@ -199,10 +199,10 @@ pub(super) struct CheckArguments {
 )]
 #[cfg_attr(not(feature = "figures"), doc = "Writes accuracy.csv (with the feature `figures` of ezy-core also a page).")]
 /// Errors are those achieved against a reference that a second method
-/// confirms; times are those of repeated runs that keep nothing on their way.
+/// confirms; times are those of repeated runs that record nothing between their ends.
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
-    /// Which one; case and underscores do not matter
+    /// Its name; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
     pub path: String,
     /// End of the runs in seconds [default: what the scene says]

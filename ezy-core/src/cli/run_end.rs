@@ -11,7 +11,7 @@ use crate::simulate::{Cost, ExceededLimit, Outcome, RankSpell, Run, StopReason};
 use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
 
-/// The end as JSON. A run that could not start has the same keys, all `null` where there is nothing to tell.
+/// The end as JSON. A run that could not start has the same keys with `null`.
 pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
     // a stop that holds is a row more
     let info = run.map_or(info, Run::info);
@@ -144,7 +144,7 @@ pub(super) fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
     text + &remarks(run, method, radau_runs)
 }
 
-/// What there is to say about a run besides. `radau_runs`: whether that method can be tried.
+/// Remarks on a run. `radau_runs`: whether radau can run the scene.
 pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     let is_explicit = !matches!(method, Method::Radau(_));
     let stiff = match run.stiff_since_s {

@@ -77,7 +77,7 @@ impl<T: Scalar> Rk4<T> {
         Ok(())
     }
 
-    /// Where the last step looked at the slope of its end; works are left out.
+    /// The state of the last stage, near the end of the step; works are left out.
     pub(crate) fn last_stage(&self) -> &State<T> {
         &self.stage
     }

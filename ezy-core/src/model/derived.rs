@@ -13,19 +13,19 @@ pub trait Derived: Equations<f64> {
         0
     }
 
-    /// Changes count `index`; the description and all constants are then others.
+    /// Changes count `index`, and with it the description and all constants.
     fn set_count(&mut self, index: usize, value: usize) {
         let _ = (index, value);
     }
 
-    /// Where the slopes of the equations of motion stand; `None` for a scene that does not know them. Scenes that `model!`
-    /// generates do.
+    /// Row and column of each entry of the Jacobians of the equations of motion; `None` for a scene without them. Scenes that
+    /// `model!` generates have them.
     fn slope_places(&self) -> Option<SlopePlaces> {
         None
     }
 
     /// R_q and R_v in the order of [`Derived::slope_places`], for accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`).
-    /// At a kink of a law the slope is the mean of those on both sides.
+    /// At a kink of a law a derivative is the mean of those on both sides.
     #[expect(clippy::too_many_arguments, reason = "the variables of R and its two derivatives")]
     fn slopes(
         &self,
@@ -66,12 +66,12 @@ pub trait Derived: Equations<f64> {
         Vec::new()
     }
 
-    /// The recurrences of its Taylor series; none where a law of the scene is not analytic.
+    /// The recurrences of its Taylor series; none when a law of the scene is not analytic.
     fn series(&self) -> Option<&dyn Series<f64>> {
         None
     }
 
-    /// The scene in numbers of twice the length, where it has a Taylor series.
+    /// The scene in double-double arithmetic, when it has a Taylor series.
     fn precise(&self) -> Option<&dyn PreciseScene> {
         None
     }

@@ -69,7 +69,7 @@ pub struct Repeats {
     pub fault: Option<LayoutFault>,
 }
 
-/// Bodies, and members of each `for`, together beyond which a scene is not set up: they take some gigabytes.
+/// Largest number of bodies and members of each `for` together: some gigabytes.
 pub(crate) const LARGEST_N_MEMBERS: usize = 4_000_000;
 
 /// Counts that cannot be used.

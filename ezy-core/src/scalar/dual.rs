@@ -28,7 +28,7 @@ pub struct Dual<const N: usize> {
 }
 
 impl<const N: usize> Dual<N> {
-    /// A number that does not vary.
+    /// A constant.
     #[inline]
     pub const fn constant(value: f64) -> Self {
         Self { value, derivatives: [0.0; N] }

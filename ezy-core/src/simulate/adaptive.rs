@@ -57,18 +57,18 @@ impl<T: Scalar> Adaptive<T> {
         self.watch.restart();
     }
 
-    /// Forgets the steps taken so far, but for what a step from here may be, s.
+    /// Forgets the steps taken so far, and begins with this step length, s.
     pub(super) fn restart_with(&mut self, step_s: f64) {
         self.restart();
         self.step_s = Some(step_s);
     }
 
-    /// Since when stability holds the steps, s.
+    /// Time since which stability limits the steps, s.
     pub(super) fn stiff_since(&self) -> Option<f64> {
         self.watch.since()
     }
 
-    /// Steps that were tried and not taken.
+    /// Rejected steps.
     pub(super) fn n_rejected(&self) -> u64 {
         self.rejected
     }
@@ -90,8 +90,8 @@ impl<T: Scalar> Adaptive<T> {
         Ok(())
     }
 
-    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected. `up_to` knows how long
-    /// a step is, s, that ends at the kink that the present one goes over.
+    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. `up_to` returns the length of a
+    /// step, s, up to the kink that the present step crosses.
     pub(super) fn step<D: Dynamics<T>>(
         &mut self,
         system: &mut D,

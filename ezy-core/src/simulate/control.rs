@@ -16,7 +16,7 @@ pub(super) struct Control<'s> {
 }
 
 impl Control<'_> {
-    /// Whether inputs stay as they are.
+    /// Whether inputs stay constant.
     pub(super) fn is_idle(&self) -> bool {
         self.tables.is_empty() && self.law.is_none()
     }

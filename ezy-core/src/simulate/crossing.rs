@@ -43,7 +43,7 @@ const BESIDE: [f64; 2] = [0.40, 0.53];
 /// A leap whose end has a smaller part of the pivot at its start ends next to a singular position.
 const TOO_NEAR: f64 = 0.1;
 
-/// A leap of the controlled length begins within this of where it should.
+/// The crossing step may begin this factor too far from its ideal start.
 const ABOUT: f64 = 1.1;
 
 /// Relative error that the shortest steps may have: it is noise.
@@ -79,12 +79,12 @@ impl Crossing {
         }
     }
 
-    /// Whether the last step led towards a singular position.
+    /// Whether the last step approached a singular position.
     pub(super) fn is_heading(&self) -> bool {
         self.ahead_s.is_some()
     }
 
-    /// Forgets what was under way.
+    /// Forgets the step under way.
     pub(super) fn restart(&mut self) {
         self.is_under_way = false;
         self.ahead_s = None;
@@ -157,7 +157,7 @@ impl Crossing {
         system.pivot_at(*t, q) < TOO_NEAR * now.end.smallest_pivot
     }
 
-    /// Error of a step over the tolerance, of what its projection leaves.
+    /// Error over tolerance of a step, without the part that its projection removes.
     fn attempt<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -185,7 +185,7 @@ impl Crossing {
         self.method.prepare_dense(&mut on_rows, now.knot(), self.end.knot())
     }
 
-    /// The state at `t` on the way, not projected.
+    /// The state at `t` within the step, not projected.
     pub(super) fn between(&mut self, t: f64, out: &mut State) {
         self.method.dense_at((t - self.begin_s) / (self.end.state.t - self.begin_s), out);
         out.t = t;

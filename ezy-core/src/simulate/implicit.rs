@@ -30,13 +30,13 @@ impl Implicit {
         self.step_s = None;
     }
 
-    /// Forgets the steps taken so far, but for what a step from here may be, s.
+    /// Forgets the steps taken so far, and begins with this step length, s.
     pub(super) fn restart_with(&mut self, step_s: f64) {
         self.restart();
         self.step_s = Some(step_s);
     }
 
-    /// Steps that were tried and not taken.
+    /// Rejected steps.
     pub(super) fn n_rejected(&self) -> u64 {
         self.rejected
     }
@@ -46,7 +46,7 @@ impl Implicit {
         self.method.dense_at(from, to, (t - from.t) / (to.t - from.t), out);
     }
 
-    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected. It ends at a kink.
+    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. It ends at a kink.
     pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,

@@ -45,8 +45,8 @@ impl<'s> Integrator<'s> {
         }
     }
 
-    /// Forgets the steps taken so far, but for what a step from here may be, s: where states are near zero, the first one
-    /// that a method would choose by itself is too short.
+    /// Forgets the steps taken so far, and begins with this step length, s. Where states are near zero, the first step that a
+    /// method would choose is too short.
     pub(super) fn restart_with(&mut self, step_s: f64) {
         match self {
             Self::Dop853(adaptive) => adaptive.restart_with(step_s),
@@ -55,12 +55,12 @@ impl<'s> Integrator<'s> {
         }
     }
 
-    /// Whether it keeps to a tolerance by steps of its own length.
+    /// Whether the method chooses its steps by a tolerance.
     pub(super) const fn chooses_steps(&self) -> bool {
         !matches!(self, Self::Rk4(_))
     }
 
-    /// Steps that were tried and not taken.
+    /// Rejected steps.
     pub(super) fn n_rejected(&self) -> u64 {
         match self {
             Self::Rk4(_) | Self::Taylor(_) => 0,
@@ -69,7 +69,7 @@ impl<'s> Integrator<'s> {
         }
     }
 
-    /// Since when stability holds the steps of an explicit method that can tell, s.
+    /// Time since which stability limits the steps, s; DOP853 alone detects it.
     pub(super) fn stiff_since(&self) -> Option<f64> {
         match self {
             Self::Dop853(adaptive) => adaptive.stiff_since(),
@@ -77,7 +77,7 @@ impl<'s> Integrator<'s> {
         }
     }
 
-    /// Accelerations, multipliers and powers at a state, and what the next step from there needs besides.
+    /// Accelerations, multipliers and powers at a state, and the series for the next step where the method needs one.
     pub(super) fn evaluate<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -100,8 +100,8 @@ impl<'s> Integrator<'s> {
         }
     }
 
-    /// A step of length `h` from `from` to `t_next`, not yet projected; a method that chooses its steps may stop before, and
-    /// any at a kink.
+    /// A step of length `h` from `from` to `t_next`, not yet projected. A method that chooses its steps may stop before, and
+    /// every method stops at a kink.
     pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,

@@ -39,7 +39,7 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
     crossing: Option<Box<Crossing>>,
     /// A buffer for positions ahead.
     foreseen: Vec<f64>,
-    /// About the length of the last steps, s; zero before the first.
+    /// Usual step length, s; zero before the first step.
     usual_s: f64,
     /// Whether works are integrated.
     pub work: bool,
@@ -80,7 +80,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         })
     }
 
-    /// Goes to a state without history; what belongs to it is not evaluated.
+    /// Moves to a state without history, which is not evaluated.
     pub(super) fn place(&mut self, state: &State) {
         let now = &mut self.now.state;
         now.t = state.t;
@@ -105,7 +105,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
-    /// that chooses its steps may stop before `t_next`, and any at a kink.
+    /// that chooses its steps may stop before `t_next`, and every method stops at a kink.
     pub(super) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let Instantaneous { state: State { t, q, .. }, solved, .. } = &self.now;
         self.system.hold_rows(*t, q, solved.is_rank_deficient);
@@ -223,7 +223,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.integrator.chooses_steps()
     }
 
-    /// What moves the scene hardest at `now`, which is evaluated.
+    /// The largest acceleration at `now`, which is evaluated, and its cause.
     pub(super) fn strain(&mut self) -> Option<Strain> {
         let Instantaneous { state, a, lambda, .. } = &self.now;
         self.system.strain(state.t, &state.q, &state.v, a, lambda)
@@ -255,7 +255,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.next.evaluate(&mut self.system)
     }
 
-    /// Goes to where another scene of the same coordinates is, without history, and evaluates there.
+    /// Takes over the state of another scene with the same coordinates, without history, and evaluates it.
     pub(super) fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
@@ -263,8 +263,8 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.evaluate_now()
     }
 
-    /// Goes to where another scene comes to rest on the rows of this one, as by an impulse; to the last digit, since errors
-    /// across the rows would stay while flights become short.
+    /// Takes over the state of another scene after a plastic impact on the constraints of this one. Positions are projected to the
+    /// last digit: errors normal to the constraints would remain while flights become short.
     pub(super) fn land(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
@@ -280,7 +280,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.now.state.work.copy_from_slice(&from.now.state.work);
     }
 
-    /// Goes on from other positions and velocities, without history.
+    /// Continues from other positions and velocities, without history.
     pub(super) fn rebound(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
         self.now.state.q.copy_from_slice(q);
         self.now.state.v = v;
@@ -294,7 +294,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         self.system.kinetic_energy(v) + self.system.potential_energy(*t, q)
     }
 
-    /// Makes the step under way again, as one of length `h` without history.
+    /// Repeats the step under way with the length `h`, without history.
     pub(super) fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.integrator.restart_with(h);
         self.forget_crossing();

@@ -47,7 +47,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     inputs: Vec<f64>,
     keeper: Keeper<'s>,
     on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
-    /// Hundredths of the run that were told.
+    /// Hundredths of the run that were reported.
     told: f64,
     rank: RankRecord,
 }

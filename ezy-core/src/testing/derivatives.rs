@@ -131,7 +131,7 @@ pub(super) fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'
     Check { name, n_compared, n_left_out, largest_error: error, tolerance, reason }
 }
 
-/// Slopes of some numbers, how far they are off, and the largest of the numbers, whose rounding the slopes carry.
+/// Difference quotients, their truncation error, and the largest of the numbers, whose rounding they contain.
 pub(super) struct Difference {
     slopes: Vec<f64>,
     truncation: f64,
@@ -139,7 +139,7 @@ pub(super) struct Difference {
 }
 
 impl Difference {
-    /// Compares with derivatives, except where the slopes are not good enough to tell.
+    /// Compares with derivatives, except where the difference quotients are too inaccurate.
     pub(super) fn compare(&self, derivatives: &[f64], size: f64, worst: &mut Worst) {
         if self.truncation > LARGEST_TRUNCATION * size.max(1.0) {
             worst.n_left_out += self.slopes.len();

@@ -149,7 +149,7 @@ fn dependent_rows(equations: &Equations, state: &impl Point) -> Vec<(usize, Vec<
     dependent
 }
 
-/// Makes the largest entry of each column one, so that long arms do not hide short ones.
+/// Scales the largest entry of each column to one, so that long lever arms do not hide short ones.
 fn scale_columns(rows: &mut [Row]) {
     let mut sizes = Row::new();
     for (&column, x) in rows.iter().flatten() {
@@ -163,7 +163,7 @@ fn scale_columns(rows: &mut [Row]) {
     }
 }
 
-/// A state that is special in no way.
+/// A generic state.
 struct RandomState<'a> {
     symbols: &'a Symbols,
     seed: u64,

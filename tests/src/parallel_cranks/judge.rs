@@ -26,7 +26,7 @@ pub enum Verdict {
 /// A run that was judged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judged {
-    /// What came of it.
+    /// The outcome.
     pub verdict: Verdict,
     /// Error at the end, rad; NaN when it was not reached.
     pub error: f64,

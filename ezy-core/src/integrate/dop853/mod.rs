@@ -67,7 +67,7 @@ impl<T: Scalar> Dop853<T> {
         }
     }
 
-    /// Forgets what rounding cut off, before another run.
+    /// Forgets the rounding errors of the sums, before another run.
     pub fn restart(&mut self) {
         self.rest.fill([T::from_f64(0.0); WIDTH]);
     }

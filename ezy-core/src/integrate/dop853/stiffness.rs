@@ -27,12 +27,12 @@ pub(crate) struct StiffnessWatch {
 }
 
 impl StiffnessWatch {
-    /// Begins again with another motion.
+    /// Forgets the motion so far.
     pub(crate) fn restart(&mut self) {
         (self.n_at_edge, self.n_others) = (0, 0);
     }
 
-    /// Whether the step that was taken last is to be looked at.
+    /// Whether the last step is to be examined.
     pub(crate) fn is_due(&mut self) -> bool {
         self.n_steps += 1;
         self.since.is_none() && (self.n_at_edge > 0 || self.n_steps.is_multiple_of(EVERY))
@@ -54,7 +54,7 @@ impl StiffnessWatch {
         }
     }
 
-    /// When stiffness was noticed, s.
+    /// Time of detection, s.
     pub(crate) fn since(&self) -> Option<f64> {
         self.since
     }

@@ -2,7 +2,7 @@
 
 use crate::scalar::Scalar;
 
-/// Numbers of y that are computed side by side; y is filled up with zeros to a whole number of blocks.
+/// Numbers of y that are computed together; y is padded with zeros to a whole number of blocks.
 pub(super) type Block<T> = [T; WIDTH];
 pub(super) const WIDTH: usize = 4;
 

@@ -29,15 +29,15 @@ const LEAST_ERROR: f64 = 1e-2;
 /// The first step is a guess: what remains of it after a rejection.
 const FIRST_REJECTED: f64 = 0.1;
 
-/// What the estimate may be for values between steps to keep to a tolerance: the estimate goes with the fourth power of the
-/// step, their error with the fifth.
+/// Largest estimate for which values between steps are within a tolerance: the estimate is of order 4 in the step, their error
+/// of order 5.
 pub(crate) fn tolerance_of_estimate(tolerance: Tolerance) -> Tolerance {
     let relative = tolerance.relative.powf(0.8);
     Tolerance { relative, absolute: tolerance.absolute * (relative / tolerance.relative) }
 }
 
 impl RadauControl {
-    /// Whether a step with a large error deserves a second look.
+    /// Whether the error estimate of a rejected step is filtered once more.
     pub(crate) fn is_doubtful(&self) -> bool {
         self.last.is_none() || self.just_rejected
     }

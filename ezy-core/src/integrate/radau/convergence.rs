@@ -2,15 +2,15 @@
 
 use crate::integrate::Tolerance;
 
-/// Passes of the iteration after which a step is given up.
+/// Largest number of Newton iterations of a step.
 pub(super) const MAX_PASSES: u32 = 7;
 /// The iteration ends when its error is below this part of the tolerance, or below the root of the tolerance.
 const PART: f64 = 0.03;
 /// Changes below this many units of rounding are zero.
 const ROUNDING: f64 = 10.0 * f64::EPSILON;
-/// A step this many times as long after an iteration that goes nowhere.
+/// Factor for the step after an iteration that diverges.
 pub(super) const SHORTEN: f64 = 0.5;
-/// A pass has to leave less than this of the error.
+/// Largest rate of convergence.
 const SLOWEST: f64 = 0.99;
 /// Exponent of the previous rate in the estimate for the first iteration.
 const FORGET: f64 = 0.8;
@@ -31,7 +31,7 @@ pub(super) struct Convergence {
     rate: f64,
 }
 
-/// What to do after a pass.
+/// Decision after an iteration.
 pub(super) enum Verdict {
     GoOn,
     Converged,
@@ -42,7 +42,7 @@ pub(super) enum Verdict {
 }
 
 impl Convergence {
-    /// `share` is that of the iteration before.
+    /// `share` is the rate of convergence of the previous step.
     pub(super) fn new(tolerance: Tolerance, share: f64) -> Self {
         let goal = (ROUNDING / tolerance.relative).max(PART.min(tolerance.relative.sqrt()));
         let share = share.max(f64::EPSILON).powf(FORGET);
@@ -88,12 +88,12 @@ impl Convergence {
         Verdict::Diverged { factor: 0.8 * expected.min(20.0).powf(power) }
     }
 
-    /// What a pass leaves of the error.
+    /// Rate of convergence: error after a pass over error before.
     pub(super) fn rate(&self) -> f64 {
         self.rate
     }
 
-    /// What is left of the error after a pass, over the change of that pass.
+    /// Error after a pass over the change of that pass.
     pub(super) fn share(&self) -> f64 {
         self.share
     }

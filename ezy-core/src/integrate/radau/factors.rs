@@ -3,7 +3,7 @@
 use crate::linalg::{Lu, SparseKktError, SparseLu};
 use nalgebra::ComplexField;
 
-/// Dense where that is quicker.
+/// Dense for small matrices, sparse for others.
 pub(super) enum Factors<T: ComplexField<RealField = f64>> {
     Dense(Lu<T>),
     Sparse(Box<SparseLu<T>>),

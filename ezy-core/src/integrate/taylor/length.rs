@@ -60,7 +60,7 @@ pub(super) fn longest_step<T: Scalar>(store: &SeriesStore<T>, order: usize, weig
     ((-last_term - rest) / order).min(radius + LOG_WITHIN_RADIUS).exp2()
 }
 
-/// Reciprocals of what is tolerated, for q and then for v.
+/// Reciprocals of the tolerances of q, then of v.
 pub(super) fn write_weights<T: Scalar>(store: &SeriesStore<T>, tolerance: Tolerance, weights: &mut [f64]) {
     for (weight, x) in weights.iter_mut().zip(&store.q) {
         *weight = 1.0 / (tolerance.absolute + tolerance.relative * x.magnitude());

@@ -77,13 +77,13 @@ impl Kinks {
         self.debt = 0;
     }
 
-    /// A step of fixed length came to its end.
+    /// A step of fixed length was completed.
     pub(crate) fn rest(&mut self) {
         self.debt = self.debt.saturating_sub(1);
     }
 
-    /// Whether a step goes over a kink, to its end or to the other places, `ends`, in which it looks at the law of that time;
-    /// leaves the values at the start and beyond.
+    /// Whether a step crosses a kink, at its end or at one of the other stages in `ends`. Keeps the values at the start and
+    /// beyond the kink.
     pub(crate) fn are_crossed<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,
@@ -109,7 +109,7 @@ impl Kinks {
         are_crossed
     }
 
-    /// Length of the step from `from` that ends at the first kink, s, where the step to `end` goes over one.
+    /// Length of the step from `from` to the first kink, s; none when the step to `end` crosses none.
     pub(crate) fn up_to<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -139,8 +139,7 @@ impl Kinks {
         (length > near && last - first > near).then_some(length + BEHIND * resolution)
     }
 
-    /// A step from `from` that ends at the first kink, where the one to `ends` goes over one; `whole_s` is the length that
-    /// steps have otherwise.
+    /// The step from `from` to the first kink; none when the step to `ends` crosses none. `whole_s` is the usual step length.
     pub(crate) fn cut<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,

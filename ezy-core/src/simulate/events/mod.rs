@@ -85,7 +85,7 @@ impl Lookout {
         self.n_told == 0
     }
 
-    /// Looks at the step that `motion` has made, both ends evaluated; returns what ends the run.
+    /// Locates the events of the step that `motion` has made, both ends evaluated; returns the event that ends the run.
     pub(super) fn look<S: Scene + ?Sized>(
         &mut self,
         motion: &mut Motion<'_, S>,
@@ -98,7 +98,7 @@ impl Lookout {
         Ok(end.map(|end| self.passages[end]))
     }
 
-    /// Keeps what took place in the step that was looked at last.
+    /// Keeps the events of the step that was sampled last.
     pub(super) fn keep<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
         for Passage { t, event } in self.passages.drain(..) {
             motion.inside(t, &mut self.place)?;
@@ -108,7 +108,7 @@ impl Lookout {
         Ok(())
     }
 
-    /// Time of the first passage of a step that is looked at by itself, s: from above zero, unless it `begins` there.
+    /// Time of the first root of this step alone, s. The function starts above zero, or at zero when the mode `begins`.
     pub(super) fn first<S: Scene + ?Sized>(
         &mut self,
         motion: &mut Motion<'_, S>,
@@ -120,7 +120,7 @@ impl Lookout {
         Ok(self.passages.first().map(|passage| passage.t))
     }
 
-    /// Last time of the step at which the values are defined, s; they are not at `undefined`.
+    /// Last time of the step at which the functions are defined, s; at `undefined` they are not.
     pub(super) fn last_defined<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, undefined: f64) -> f64 {
         let (mut last, mut beyond) = (motion.now.state.t, undefined);
         while beyond - last > resolution_at(beyond) {

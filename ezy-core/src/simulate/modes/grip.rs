@@ -10,7 +10,7 @@ const HOLDS: usize = 0;
 const SLIDES_LEFT: usize = 1;
 const SLIDES_RIGHT: usize = 2;
 
-/// To which side of its direction it slides: to the left 1, to the right -1.
+/// Side to which the skate slides: 1 for the left of its direction, -1 for the right.
 pub(super) fn side(mode: usize) -> Option<f64> {
     match mode {
         SLIDES_LEFT => Some(1.0),
@@ -19,7 +19,7 @@ pub(super) fn side(mode: usize) -> Option<f64> {
     }
 }
 
-/// Whether it needs more than its limit.
+/// Whether the reaction of the holding skate exceeds the limit.
 pub(super) fn ends<S: Scene + ?Sized>(
     modes: &Modes<'_, S>,
     info: &GripInfo,
@@ -29,8 +29,8 @@ pub(super) fn ends<S: Scene + ?Sized>(
     Ok(modes.mode == HOLDS && reaction(info, motion).abs() > limit)
 }
 
-/// From holding to the slide that its reaction opposes; from a slide to holding, or on to the other side. Whether it slides
-/// then, so that its velocity begins at zero.
+/// Stick to slip against the reaction; slip to stick, or to slip to the other side when the reaction exceeds the limit.
+/// Returns whether the skate then slides, so that its velocity begins at zero.
 pub(super) fn change<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static GripInfo,

@@ -55,7 +55,7 @@ enum Cut {
 }
 
 impl<'s, S: Scene + ?Sized> Modes<'s, S> {
-    /// Of a scene that begins as `first` and may become one of `others`; `None` where it stays what it is.
+    /// For a scene that starts in mode `first` and may change to `others`; `None` for a scene without modes.
     pub(super) fn new(first: &Motion<'s, S>, others: Vec<Motion<'s, S>>) -> Option<Self> {
         let info = first.system.info();
         let law = info.grip.as_ref().map(Law::Grip).or(info.stop.as_ref().map(Law::Stop))?;
@@ -75,13 +75,13 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         (!modes.parked.is_empty()).then_some(modes)
     }
 
-    /// Description of the mode that has every row.
+    /// Description of the mode with the most constraints.
     pub(super) fn record_info(&self, motion: &Motion<'s, S>) -> &'static SceneInfo {
         let infos = self.parked().chain([motion]).map(|motion| motion.system.info());
         infos.max_by_key(|info| info.n_rows()).unwrap_or(motion.system.info())
     }
 
-    /// The row that the mode under way lacks, and its multiplier as a multiple of the limit of the skate.
+    /// The constraint that the active mode does not have, and its multiplier as a multiple of the skate's limit.
     pub(super) fn lacking(&self) -> Option<(usize, f64)> {
         match self.law {
             Law::Grip(info) => grip::side(self.mode).map(|side| (info.row, side)),
@@ -93,7 +93,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         self.parked.iter().map(|(_, motion)| motion)
     }
 
-    /// Steps that were tried and not taken in any mode but the one under way, or made in any and taken back.
+    /// Rejected steps of the inactive modes, and discarded steps of all modes.
     pub(super) fn n_rejected(&self) -> u64 {
         self.n_taken_back + self.parked().map(Motion::n_rejected).sum::<u64>()
     }
@@ -109,7 +109,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         }
     }
 
-    /// A step, up to where the mode changes; whether it ends there.
+    /// One step, up to the change of mode if there is one; returns whether the mode changes at its end.
     pub(super) fn advance(&mut self, motion: &mut Motion<'s, S>, h: f64, t_next: f64) -> Result<bool, MotionError> {
         self.settle(motion)?;
         for _ in 0..MAX_AT_ONCE {
@@ -145,7 +145,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         Ok(())
     }
 
-    /// Goes on in the mode that follows.
+    /// Changes to the next mode.
     pub(super) fn change(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
         self.longest_s = f64::INFINITY;
         self.begins = match self.law {

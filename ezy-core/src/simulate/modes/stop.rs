@@ -36,7 +36,7 @@ struct Contact {
     restitution: f64,
 }
 
-/// Begins at rest on an end where the scene does; refuses what is beyond one.
+/// Begins in contact when the start is at rest on an end. Refuses a start beyond an end.
 pub(super) fn start<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static StopInfo,
@@ -64,12 +64,12 @@ pub(super) fn start<'s, S: Scene + ?Sized>(
     Ok(())
 }
 
-/// Whether it holds, and would have to pull.
+/// Whether the closed contact would have to pull.
 pub(super) fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &StopInfo, motion: &Motion<'_, S>) -> bool {
     modes.mode != FREE && push(info, modes.mode, motion) < 0.0
 }
 
-/// From free to free again or to rest, by an impact; from rest to free. Whether the distance begins at zero then.
+/// Free to free or to contact, by an impact; contact to free. Returns whether the distance then begins at zero.
 pub(super) fn change<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static StopInfo,

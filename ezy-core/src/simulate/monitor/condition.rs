@@ -47,7 +47,7 @@ impl ConditionWatch {
         Some(Box::new(Self { estimator, n_between: FEWEST_BETWEEN.max((n * n) as u64), peak }))
     }
 
-    /// Looks after step `n_steps` when it is time, or at the end.
+    /// Estimates after step `n_steps` when it is due, or at the end.
     pub(super) fn look<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,

@@ -34,7 +34,7 @@ impl Limits {
         Ok(self)
     }
 
-    /// Steps that a run may take.
+    /// Largest number of steps of a run.
     pub(crate) fn most_steps(&self, chooses_steps: bool) -> u64 {
         self.steps.unwrap_or(if chooses_steps { MAX_CHOSEN_STEPS } else { u64::MAX })
     }

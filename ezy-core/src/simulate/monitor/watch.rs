@@ -61,7 +61,7 @@ impl Watch {
         }
     }
 
-    /// Whether another step may be taken; `n_rejected` were taken back.
+    /// Whether another step may be taken; `n_rejected` were rejected.
     pub(crate) fn admits_step(&self, chooses_steps: bool, n_rejected: u64) -> Result<(), ExceededLimit> {
         let limit = self.limits.most_steps(chooses_steps);
         if self.n_steps + n_rejected < limit {
@@ -71,7 +71,7 @@ impl Watch {
         }
     }
 
-    /// Looks at the projected end of a step that began at `from`, s. A state that exceeds a limit is not counted.
+    /// Monitors the projected end of a step that began at `from`, s. A state beyond a limit is not counted.
     pub(crate) fn look<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,

@@ -12,10 +12,10 @@ mod derived;
 pub(crate) mod equations;
 mod event;
 mod grip;
+mod jacobians;
 pub(crate) mod pivots;
 pub(crate) mod repeats;
 pub(crate) mod series;
-mod slopes;
 mod stop;
 
 pub use derived::Derived;
@@ -23,13 +23,13 @@ pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind};
 pub use grip::GripInfo;
+pub use jacobians::JacobianPlaces;
 pub(crate) use pivots::{PIVOT_TOLERANCE, Pivots};
 pub(crate) use repeats::LARGEST_N_MEMBERS;
 pub use repeats::{CountInfo, LayoutFault};
 pub(crate) use repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
-pub use slopes::SlopePlaces;
 pub use stop::StopInfo;
 
 /// The three renderings of one expression, all printed from the expression that is compiled.

@@ -38,7 +38,7 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     match simulate(arguments, scene.as_ref(), method) {
         Ok(run) => {
             // it chooses its steps, which a table may not let it
-            let radau_runs = arguments.inputs.is_none() && has_slopes(scene.as_ref());
+            let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
             if arguments.json {
                 print(&format!("{}\n", run_json(scene.info(), method, Some(&run), &run.outcome.to_string())))?;
                 eprint!("{}", remarks(&run, method, radau_runs));
@@ -59,9 +59,9 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     }
 }
 
-/// Whether a scene and its modes have the slopes of their equations.
-fn has_slopes(scene: &dyn Scene) -> bool {
-    scene.slope_places().is_some() && scene.modes().iter().all(|mode| mode.slope_places().is_some())
+/// Whether a scene and its modes have the Jacobians of their equations.
+fn has_jacobians(scene: &dyn Scene) -> bool {
+    scene.jacobian_places().is_some() && scene.modes().iter().all(|mode| mode.jacobian_places().is_some())
 }
 
 /// Step of a method with a fixed step, s, when none is given.

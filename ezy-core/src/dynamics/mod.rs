@@ -28,7 +28,7 @@ pub use error::{MotionError, StartError, SystemError};
 pub(crate) use on_rows::OnRows;
 pub use projection::{Metric, Projection};
 pub use rank::RankLoss;
-pub use residual::Slopes;
+pub use residual::Jacobians;
 pub(crate) use row::SystemRow;
 pub use strain::{Strain, StrainSource};
 pub use system::{Counters, System};

@@ -1,11 +1,11 @@
 //! What accelerations and multipliers that are not the solution leave of the equations of motion.
 
 use super::System;
-use crate::model::{Scene, SceneInfo, SlopePlaces};
+use crate::model::{JacobianPlaces, Scene, SceneInfo};
 
-/// Slopes of [`System::residual`] in the order of [`Derived::slope_places`](crate::model::Derived::slope_places), and G at the same state.
+/// Jacobians of [`System::residual`] in the order of [`Derived::jacobian_places`](crate::model::Derived::jacobian_places), and G at the same state.
 #[derive(Debug, Clone)]
-pub struct Slopes {
+pub struct Jacobians {
     /// R_q.
     pub by_q: Vec<f64>,
     /// R_v.
@@ -14,9 +14,9 @@ pub struct Slopes {
     pub jacobian: Vec<f64>,
 }
 
-impl Slopes {
+impl Jacobians {
     /// Zeros at these places.
-    pub fn zero(info: &SceneInfo, places: &SlopePlaces) -> Self {
+    pub fn zero(info: &SceneInfo, places: &JacobianPlaces) -> Self {
         let zeros = |n: usize| vec![0.0; n];
         Self {
             by_q: zeros(places.by_q.len()),
@@ -52,10 +52,10 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 
-    /// Slopes of [`System::residual`] at fixed accelerations and multipliers, and G.
-    pub fn slopes(&self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut Slopes) {
+    /// Jacobians of [`System::residual`] at fixed accelerations and multipliers, and G.
+    pub fn jacobians(&self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
         let Self { scene, fixed, .. } = self;
-        scene.slopes(fixed, t, q, v, a, lambda, &mut out.by_q, &mut out.by_v);
+        scene.jacobians(fixed, t, q, v, a, lambda, &mut out.by_q, &mut out.by_v);
         scene.velocity_jacobian(fixed, t, q, &mut out.jacobian);
     }
 

@@ -1,11 +1,11 @@
 //! What `model!` derives besides the equations.
 
-use super::{Equations, PreciseScene, Scene, Series, SlopePlaces};
+use super::{Equations, JacobianPlaces, PreciseScene, Scene, Series};
 
 /// What a scene may know besides its equations of motion; `model!` derives it.
 ///
 /// Each method has a default that says "not known", so that a scene written by hand may leave the block empty. What it then
-/// does without: Radau needs the slopes and Taylor's method the series; events, stops, sliding skates and counts are none.
+/// does without: Radau needs the Jacobians and Taylor's method the series; events, stops, sliding skates and counts are none.
 pub trait Derived: Equations<f64> {
     /// Value of count `index` of [`SceneInfo::counts`](super::SceneInfo::counts); zero past the last.
     fn count(&self, index: usize) -> usize {
@@ -20,14 +20,14 @@ pub trait Derived: Equations<f64> {
 
     /// Row and column of each entry of the Jacobians of the equations of motion; `None` for a scene without them. Scenes that
     /// `model!` generates have them.
-    fn slope_places(&self) -> Option<SlopePlaces> {
+    fn jacobian_places(&self) -> Option<JacobianPlaces> {
         None
     }
 
-    /// R_q and R_v in the order of [`Derived::slope_places`], for accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`).
+    /// R_q and R_v in the order of [`Derived::jacobian_places`], for accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`).
     /// At a kink of a law a derivative is the mean of those on both sides.
     #[expect(clippy::too_many_arguments, reason = "the variables of R and its two derivatives")]
-    fn slopes(
+    fn jacobians(
         &self,
         c: &[f64],
         t: f64,

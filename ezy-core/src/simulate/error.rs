@@ -84,12 +84,12 @@ pub enum SetupError {
         /// What is known of it.
         series: SeriesInfo,
     },
-    /// The scene does not know the slopes of its equations.
+    /// The scene does not know the Jacobians of its equations.
     #[error(
-        "scene `{scene}` has no slopes of its equations, which radau needs: it was written by hand without them, or they are \
+        "scene `{scene}` has no Jacobians of its equations, which radau needs: it was written by hand without them, or they are \
          too long to write; use another method, such as dop853"
     )]
-    NoSlopes {
+    NoJacobians {
         /// Name of the scene.
         scene: &'static str,
     },

@@ -30,7 +30,7 @@ impl<'s> Integrator<'s> {
             },
             Method::Radau(tolerance) => match Radau::new(scene, n_works).map_err(SystemError::from)? {
                 Some(radau) => Self::Radau(Box::new(Implicit::new(radau, tolerance))),
-                None => return Err(SetupError::NoSlopes { scene: info.name }),
+                None => return Err(SetupError::NoJacobians { scene: info.name }),
             },
         })
     }

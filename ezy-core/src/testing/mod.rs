@@ -10,10 +10,10 @@
 
 mod derivatives;
 mod energy;
+mod jacobians;
 mod probe;
 mod report;
 mod series;
-mod slopes;
 mod solvers;
 
 use crate::dynamics::RankLoss;
@@ -28,7 +28,7 @@ use probe::Probe;
 ///
 /// At 1,000 random states, the same ones each time: C_q and the velocity rows against central differences of C;
 /// [h; s] against central differences of the velocity rows along the motion; G against the velocity rows; powers and
-/// the growth of the potential energy against F·v and λ·g_t; the slopes of the equations of motion against central
+/// the growth of the potential energy against F·v and λ·g_t; the Jacobians of the equations of motion against central
 /// differences of their residual; accelerations, multipliers and mass-weighted corrections
 /// of the generated elimination and the sparse backend against the dense one, at fewer states in large scenes; the Taylor
 /// series against the equations a little later. At the
@@ -53,7 +53,7 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
         derivatives::jacobian_of_velocities(&probe),
         derivatives::power(&probe),
     ];
-    checks.extend(slopes::of_residual(&probe));
+    checks.extend(jacobians::of_residual(&probe));
     checks.extend(solvers::backends(&probe)?);
     checks.extend(series::ahead(&probe)?);
     checks.push(energy::balance(scene, start.t)?);

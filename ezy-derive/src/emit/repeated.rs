@@ -2,10 +2,10 @@
 //! counts.
 
 mod describe;
+pub mod jacobians;
 pub mod kernels;
 mod loops;
 pub mod series;
-pub mod slopes;
 mod slots;
 
 use proc_macro2::{Ident, TokenStream};

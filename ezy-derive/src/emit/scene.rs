@@ -129,21 +129,23 @@ fn methods(model: &Model, derived: &Derived<'_>, of: Trait) -> TokenStream {
             Form::Straight(of) => straight::body(of, derived.n_fixed(), signature, kernel),
             Form::Counted(_) => repeated::kernels::body(model, derived.symbols(), signature, kernel),
         };
-        let places = (signature.quantity == Quantity::Slopes).then(|| slope_places(model, derived));
+        let places = (signature.quantity == Quantity::Jacobians).then(|| jacobian_places(model, derived));
         let method = signature.method(body);
         quote!(#places #method)
     });
     methods.collect()
 }
 
-/// The method that says which slopes there are.
-fn slope_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
+/// The method that says which Jacobians there are.
+fn jacobian_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let places = match &derived.form {
-        Form::Straight(of) => of.slopes.as_ref().map(straight::slope_places),
-        Form::Counted(of) => of.slopes.as_ref().map(|slopes| repeated::slopes::places(model, &of.templates, slopes)),
+        Form::Straight(of) => of.jacobians.as_ref().map(straight::jacobian_places),
+        Form::Counted(of) => {
+            of.jacobians.as_ref().map(|jacobians| repeated::jacobians::places(model, &of.templates, jacobians))
+        }
     };
     quote! {
-        fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
+        fn jacobian_places(&self) -> ::core::option::Option<ezy::JacobianPlaces> {
             #places
         }
     }

@@ -67,7 +67,7 @@ pub const ALL: [Signature; 17] = [
     derived(Quantity::Stop, "stop", &["t", "q", "v"], OUT),
     scene(Quantity::PotentialEnergy, "potential_energy", &["t", "q"], Writes::Value),
     scene(Quantity::Start, "start", &[], Writes::Start),
-    derived(Quantity::Slopes, "slopes", &["t", "q", "v", "a", "lambda"], Writes::Vectors(&["by_q", "by_v"])),
+    derived(Quantity::Jacobians, "jacobians", &["t", "q", "v", "a", "lambda"], Writes::Vectors(&["by_q", "by_v"])),
 ];
 
 const fn any(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {

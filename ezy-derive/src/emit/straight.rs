@@ -6,8 +6,8 @@ use quote::quote;
 use super::kernel::{self, Body};
 use super::signature::{Signature, Writes, argument, give};
 use crate::mechanics::derived::Straight;
+use crate::mechanics::jacobians::{JacobianEntry, Jacobians};
 use crate::mechanics::kernels::{Kernel, Pass, Put, Read};
-use crate::mechanics::slopes::{Slope, Slopes};
 use crate::symbolic::Symbol;
 
 /// What a kernel does.
@@ -80,14 +80,14 @@ fn read(pass: &Pass<'_>, symbol: Symbol) -> TokenStream {
     }
 }
 
-/// The method that says where slopes are.
-pub fn slope_places(slopes: &Slopes) -> TokenStream {
-    let list = |slopes: &[Slope]| -> Vec<TokenStream> {
-        slopes.iter().map(|Slope { row, column, .. }| quote!((#row, #column))).collect()
+/// The method that says where Jacobians are.
+pub fn jacobian_places(jacobians: &Jacobians) -> TokenStream {
+    let list = |jacobians: &[JacobianEntry]| -> Vec<TokenStream> {
+        jacobians.iter().map(|JacobianEntry { row, column, .. }| quote!((#row, #column))).collect()
     };
-    let (by_q, by_v) = (list(&slopes.by_q), list(&slopes.by_v));
+    let (by_q, by_v) = (list(&jacobians.by_q), list(&jacobians.by_v));
     quote! {
-        ::core::option::Option::Some(ezy::SlopePlaces {
+        ::core::option::Option::Some(ezy::JacobianPlaces {
             by_q: ::std::vec![#(#by_q),*],
             by_v: ::std::vec![#(#by_v),*],
         })

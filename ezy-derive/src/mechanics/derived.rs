@@ -1,10 +1,10 @@
 //! All that follows from a scene, stage by stage. What is emitted is this, printed.
 
+use super::jacobians::Jacobians;
 use super::kernels::{Kernels, Quantity};
 use super::programs;
 use super::scene::Equations;
 use super::series::{Recurrences, Series};
-use super::slopes::Slopes;
 use super::solve;
 use super::symbols::Symbols;
 use super::templates::Templates;
@@ -43,15 +43,15 @@ pub struct Straight {
     /// Or the function that has none.
     pub series: Result<Series, Function>,
     /// `None` when they are too long to write.
-    pub slopes: Option<Slopes>,
+    pub jacobians: Option<Jacobians>,
 }
 
-/// Of a scene whose sizes are numbers of a run; series and slopes by item.
+/// Of a scene whose sizes are numbers of a run; series and Jacobians by item.
 #[derive(Debug)]
 pub struct Counted<'m> {
     pub templates: Templates<'m>,
     pub series: Result<Vec<Recurrences>, Function>,
-    pub slopes: Option<Vec<Slopes>>,
+    pub jacobians: Option<Vec<Jacobians>>,
 }
 
 impl Straight {
@@ -93,12 +93,12 @@ impl<'m> Derived<'m> {
         let correction = solve::correction(&mut equations, &mut constants);
         let series = Series::derive(&mut equations, &mut constants);
         let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
-        let slopes = Slopes::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
-        let mut kernels = programs::straight(&equations, slopes.as_ref(), &mut constants);
+        let jacobians = Jacobians::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
+        let mut kernels = programs::straight(&equations, jacobians.as_ref(), &mut constants);
         let elimination = accelerations.order.clone();
         kernels.insert(Quantity::Accelerations, programs::accelerations(&equations, accelerations));
         kernels.insert(Quantity::Correction, programs::correction(correction));
-        let form = Form::Straight(Box::new(Straight { equations, elimination, series, slopes }));
+        let form = Form::Straight(Box::new(Straight { equations, elimination, series, jacobians }));
         Self { scene: scene.clone(), form, kernels, constants, modes: Vec::new() }
     }
 
@@ -107,11 +107,11 @@ impl<'m> Derived<'m> {
         let mut constants = ConstantPool::default();
         let mut kernels = programs::counted(&templates, &mut constants);
         let series = templates.series(&mut constants);
-        let slopes = templates.slopes();
-        if let Some(slopes) = &slopes {
-            kernels.insert(Quantity::Slopes, programs::counted_slopes(&templates, slopes, &mut constants));
+        let jacobians = templates.jacobians();
+        if let Some(jacobians) = &jacobians {
+            kernels.insert(Quantity::Jacobians, programs::counted_jacobians(&templates, jacobians, &mut constants));
         }
-        let form = Form::Counted(Box::new(Counted { templates, series, slopes }));
+        let form = Form::Counted(Box::new(Counted { templates, series, jacobians }));
         Self { scene: scene.clone(), form, kernels, constants, modes: Vec::new() }
     }
 

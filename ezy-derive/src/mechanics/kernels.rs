@@ -25,7 +25,7 @@ pub enum Quantity {
     Stop,
     PotentialEnergy,
     Start,
-    Slopes,
+    Jacobians,
 }
 
 /// The kernels of a scene.

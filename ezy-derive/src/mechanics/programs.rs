@@ -1,8 +1,8 @@
 //! The programs of all kernels, from the expressions of a scene.
 
+use super::jacobians::Jacobians;
 use super::kernels::{Kernel, Kernels, Over, Pass, Put, Quantity, Read};
 use super::scene::{Equations, Group};
-use super::slopes::Slopes;
 use super::solve::{Correction, Solver};
 use super::templates::{RowTemplate, Templates};
 use crate::model::{BodyId, Coordinate};
@@ -50,7 +50,7 @@ impl Lower<'_> {
 }
 
 /// The kernels of a scene whose bodies are known; those that solve are there already.
-pub fn straight<'m>(equations: &Equations, slopes: Option<&Slopes>, constants: &mut ConstantPool) -> Kernels<'m> {
+pub fn straight<'m>(equations: &Equations, jacobians: Option<&Jacobians>, constants: &mut ConstantPool) -> Kernels<'m> {
     let constraints = &equations.constraints;
     let jacobian: Vec<SumId> = constraints.jacobian.iter().flatten().map(|&(_, entry)| entry).collect();
     let points: Vec<SumId> = equations.points.iter().flat_map(|point| point.position).collect();
@@ -78,8 +78,8 @@ pub fn straight<'m>(equations: &Equations, slopes: Option<&Slopes>, constants: &
     let gives = equations.start.iter();
     let gives = gives.map(|given| Put::Start { index: given.index, rate: given.rate, near: given.near });
     kernels.insert(Quantity::Start, lower.once(&start, gives.collect(), Vec::new()));
-    if let Some(slopes) = slopes {
-        kernels.insert(Quantity::Slopes, lower.once(&slopes.values(), slopes.puts(), slopes.reads.clone()));
+    if let Some(jacobians) = jacobians {
+        kernels.insert(Quantity::Jacobians, lower.once(&jacobians.values(), jacobians.puts(), jacobians.reads.clone()));
     }
     if let Some(grip) = &equations.grip {
         kernels.insert(Quantity::Grip, lower.vector(grip));
@@ -115,7 +115,7 @@ fn solution<'m>(solver: Solver, puts: Vec<Put>, reads: Vec<(Symbol, Read)>) -> K
     Kernel { passes: vec![pass], pivots: is_written.then_some(pivots) }
 }
 
-/// The kernels of a scene with counts, but for the slopes.
+/// The kernels of a scene with counts, but for the Jacobians.
 pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> Kernels<'m> {
     let Templates { rows, forces, groups, .. } = templates;
     let mut lower = Lower { algebra: &templates.algebra, constants };
@@ -186,12 +186,16 @@ pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> K
     kernels
 }
 
-/// The slopes of a scene with counts, item by item.
-pub fn counted_slopes<'m>(templates: &Templates<'m>, slopes: &[Slopes], constants: &mut ConstantPool) -> Kernel<'m> {
+/// The Jacobians of a scene with counts, item by item.
+pub fn counted_jacobians<'m>(
+    templates: &Templates<'m>,
+    jacobians: &[Jacobians],
+    constants: &mut ConstantPool,
+) -> Kernel<'m> {
     let mut lower = Lower { algebra: &templates.algebra, constants };
-    let passes = templates.items().zip(slopes).map(|(item, slopes)| {
-        let pass = lower.pass(Over::Loops(item.loops), item.slots, &slopes.values(), slopes.puts());
-        Pass { reads: slopes.reads.clone(), n_rows: item.n_rows(), ..pass }
+    let passes = templates.items().zip(jacobians).map(|(item, jacobians)| {
+        let pass = lower.pass(Over::Loops(item.loops), item.slots, &jacobians.values(), jacobians.puts());
+        Pass { reads: jacobians.reads.clone(), n_rows: item.n_rows(), ..pass }
     });
     Kernel::of(passes.collect())
 }

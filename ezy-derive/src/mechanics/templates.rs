@@ -4,11 +4,11 @@ use super::constraints::Constraints;
 use super::event::SceneEvent;
 use super::expression::Writer;
 use super::forces::Load;
+use super::jacobians::Jacobians;
 use super::kinematics::Vector;
 use super::rows;
 use super::scene::{Group, drives};
 use super::series::Recurrences;
-use super::slopes::Slopes;
 use super::symbols::Symbols;
 use crate::function::Function;
 use crate::model::{
@@ -161,7 +161,7 @@ impl<'m> RowTemplate<'m> {
     }
 }
 
-/// A row or a force of a scene with counts, as series and slopes see it.
+/// A row or a force of a scene with counts, as series and Jacobians see it.
 pub struct Item<'t, 'm> {
     pub loops: &'m [Loop],
     pub slots: &'t [BodyId],
@@ -207,10 +207,10 @@ impl<'m> Templates<'m> {
         Ok(recurrences)
     }
 
-    /// The slopes of each item; `None` when some are too long to write.
-    pub fn slopes(&mut self) -> Option<Vec<Slopes>> {
+    /// The Jacobians of each item; `None` when some are too long to write.
+    pub fn jacobians(&mut self) -> Option<Vec<Jacobians>> {
         let Self { algebra, symbols, rows, forces, .. } = self;
-        let of_item = |item: Item| Slopes::derive(algebra, symbols, item.constraints, item.force.iter().copied());
+        let of_item = |item: Item| Jacobians::derive(algebra, symbols, item.constraints, item.force.iter().copied());
         items(rows, forces).map(of_item).collect()
     }
 }

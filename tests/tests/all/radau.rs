@@ -324,7 +324,7 @@ fn invariant_radau_samples_keep_to_the_tolerance_and_meet_the_rows() {
 fn analytic_radau_refuses_a_scene_without_slopes_and_a_stepper() {
     let scene = HandRoller::driven();
     let outcome = Simulation::new(&scene).method(Method::radau(1e-9)).run();
-    assert!(matches!(outcome, Err(SetupError::NoSlopes { scene: "driven" })));
+    assert!(matches!(outcome, Err(SetupError::NoJacobians { scene: "driven" })));
     let scene = ezy_roller::Driven::default();
     let outcome = Simulation::new(&scene).method(Method::radau(1e-9)).stepper();
     assert!(matches!(outcome, Err(SetupError::NeedsFixedStep { method: "radau" })));

@@ -1,22 +1,22 @@
-//! One pass of Newton's iteration with slopes at every stage.
+//! One pass of Newton's iteration with Jacobians at every stage.
 
 use super::entries::Entries;
 use super::stages::{Stages, add_combination};
 use super::tableau::{A, A_SQUARED, N_STAGES, Triple};
-use crate::dynamics::Slopes;
+use crate::dynamics::Jacobians;
 use crate::linalg::Lu;
-use crate::model::{SceneInfo, SlopePlaces};
+use crate::model::{JacobianPlaces, SceneInfo};
 
 /// Number of equations of motion up to which all stages are solved together.
 pub(super) const LARGEST_COUPLED: usize = 50;
 
-/// All three stages as one system of 3 (n_q + n_c) equations, with the slopes of each stage in its rows.
+/// All three stages as one system of 3 (n_q + n_c) equations, with the Jacobians of each stage in its rows.
 ///
-/// The simplified iteration has one set of slopes for the step. Where a stiff force turns by the angle φ in it, what is left of
-/// them is φ times its frequency times the step, and nothing is gained once that is one; with slopes of their own the stages
+/// The simplified iteration has one set of Jacobians for the step. Where a stiff force turns by the angle φ in it, what is left of
+/// them is φ times its frequency times the step, and nothing is gained once that is one; with Jacobians of their own the stages
 /// converge as fast as ever.
 pub(super) struct Coupled {
-    pub slopes: Slopes,
+    pub jacobians: Jacobians,
     entries: Entries,
     lu: Lu<f64>,
     row_scale: Vec<f64>,
@@ -29,11 +29,11 @@ pub(super) struct Coupled {
 
 impl Coupled {
     /// None for a scene with too many equations.
-    pub(super) fn new(info: &SceneInfo, places: &SlopePlaces) -> Option<Self> {
+    pub(super) fn new(info: &SceneInfo, places: &JacobianPlaces) -> Option<Self> {
         let (n_q, n) = (info.n_coordinates(), N_STAGES * info.n_unknowns());
         let zeros = |n: usize| vec![0.0; n];
         (info.n_unknowns() <= LARGEST_COUPLED).then(|| Self {
-            slopes: Slopes::zero(info, places),
+            jacobians: Jacobians::zero(info, places),
             entries: Entries::new(info, places),
             lu: Lu::new(n),
             row_scale: zeros(n),
@@ -45,9 +45,9 @@ impl Coupled {
         })
     }
 
-    /// Takes the slopes of stage `i` of a step of length `h` into its rows.
+    /// Takes the Jacobians of stage `i` of a step of length `h` into its rows.
     pub(super) fn write(&mut self, i: usize, h: f64, mass: &[f64]) {
-        self.entries.write(mass, &self.slopes);
+        self.entries.write(mass, &self.jacobians);
         for j in 0..N_STAGES {
             let own = if i == j { 1.0 } else { 0.0 };
             self.entries.write_block([i, j], own, h * A[i][j], h * h * A_SQUARED[i][j], self.lu.matrix_mut());

@@ -1,9 +1,9 @@
 //! Entries of the matrices of the simplified Newton iteration, before they are factored.
 
 use super::factors::Factors;
-use crate::dynamics::Slopes;
+use crate::dynamics::Jacobians;
 use crate::linalg::SparseKktError;
-use crate::model::{SceneInfo, SlopePlaces};
+use crate::model::{JacobianPlaces, SceneInfo};
 use nalgebra::{ComplexField, DMatrix};
 
 /// K, R_v and R_q of `N(μ) = K − [R_v/μ + R_q/μ² | 0]` at common places.
@@ -43,13 +43,13 @@ struct Places {
 const DAMPING: f64 = 1e-11;
 
 impl Entries {
-    pub(super) fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Self {
+    pub(super) fn new(info: &SceneInfo, jacobians: &JacobianPlaces) -> Self {
         let (n_q, n) = (info.n_coordinates(), info.n_unknowns());
         let jacobian = || info.jacobian.entries().map(|(_, row, column)| (row, column));
         let mass: Vec<_> = (0..n_q).map(|i| (i, i)).collect();
         let rows: Vec<_> = jacobian().map(|(row, column)| (n_q + row, column)).collect();
         let transposed: Vec<_> = jacobian().map(|(row, column)| (column, n_q + row)).collect();
-        let SlopePlaces { by_q, by_v } = slopes;
+        let JacobianPlaces { by_q, by_v } = jacobians;
         let damped: Vec<_> = (n_q..n).map(|i| (i, i)).collect();
         let mut all = [&mass[..], &rows, &transposed, &damped, by_q, by_v].concat();
         all.sort_unstable();
@@ -81,8 +81,8 @@ impl Entries {
         self.row_scale.len()
     }
 
-    /// Takes M, G and the slopes at one state.
-    pub(super) fn write(&mut self, mass: &[f64], slopes: &Slopes) {
+    /// Takes M, G and the Jacobians at one state.
+    pub(super) fn write(&mut self, mass: &[f64], jacobians: &Jacobians) {
         let Self { fixed, by_v, by_q, places, .. } = self;
         for values in [&mut *fixed, by_v, by_q] {
             values.fill(0.0);
@@ -91,10 +91,10 @@ impl Entries {
             places.iter().zip(terms).for_each(|(place, term)| values[*place] += term);
         };
         add(fixed, &places.mass, mass);
-        add(fixed, &places.jacobian, &slopes.jacobian);
-        add(fixed, &places.transposed, &slopes.jacobian);
-        add(by_v, &places.by_v, &slopes.by_v);
-        add(by_q, &places.by_q, &slopes.by_q);
+        add(fixed, &places.jacobian, &jacobians.jacobian);
+        add(fixed, &places.transposed, &jacobians.jacobian);
+        add(by_v, &places.by_v, &jacobians.by_v);
+        add(by_q, &places.by_q, &jacobians.by_q);
     }
 
     /// Chooses the scales for μ: the unit of forces, then columns, then rows.

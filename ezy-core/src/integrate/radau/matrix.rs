@@ -3,9 +3,9 @@
 use super::entries::Entries;
 use super::factors::Factors;
 use super::tableau::{ALPHA, BETA, GAMMA};
-use crate::dynamics::Slopes;
+use crate::dynamics::Jacobians;
 use crate::linalg::SparseKktError;
-use crate::model::{SceneInfo, SlopePlaces};
+use crate::model::{JacobianPlaces, SceneInfo};
 use nalgebra::Complex;
 
 /// `N(μ) = K − [R_v/μ + R_q/μ² | 0]`, factored for the real and one of the complex eigenvalues μ of A⁻¹/h.
@@ -22,8 +22,8 @@ impl Matrices {
     ///
     /// # Errors
     /// [`SparseKktError`] when there is no memory for an analysis.
-    pub(super) fn new(info: &SceneInfo, slopes: &SlopePlaces) -> Result<Self, SparseKktError> {
-        let entries = Entries::new(info, slopes);
+    pub(super) fn new(info: &SceneInfo, jacobians: &JacobianPlaces) -> Result<Self, SparseKktError> {
+        let entries = Entries::new(info, jacobians);
         let (real, complex) = (entries.factors()?, entries.factors()?);
         Ok(Self { entries, real, complex, step_s: None })
     }
@@ -33,9 +33,9 @@ impl Matrices {
         self.step_s
     }
 
-    /// Takes M, G and the slopes at one state; what was factored is forgotten.
-    pub(super) fn write(&mut self, mass: &[f64], slopes: &Slopes) {
-        self.entries.write(mass, slopes);
+    /// Takes M, G and the Jacobians at one state; what was factored is forgotten.
+    pub(super) fn write(&mut self, mass: &[f64], jacobians: &Jacobians) {
+        self.entries.write(mass, jacobians);
         self.step_s = None;
     }
 
@@ -59,7 +59,7 @@ impl Matrices {
         self.entries.solve(&mut self.complex, x);
     }
 
-    /// `(μ − J)⁻¹ [of_q; of_v]` in place for the real eigenvalue μ of steps of length `h`, where J are the slopes of (v, a);
+    /// `(μ − J)⁻¹ [of_q; of_v]` in place for the real eigenvalue μ of steps of length `h`, where J are the Jacobians of (v, a);
     /// `solution` (`n_q + n_c`) is overwritten.
     pub(super) fn filter(&mut self, h: f64, of_q: &mut [f64], of_v: &mut [f64], solution: &mut [f64]) {
         let mu = GAMMA / h;

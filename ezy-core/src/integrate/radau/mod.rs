@@ -13,7 +13,7 @@ mod stages;
 mod tableau;
 
 use super::{Knot, Tolerance};
-use crate::dynamics::{MotionError, Rows, Slopes, State, System};
+use crate::dynamics::{Jacobians, MotionError, Rows, State, System};
 use crate::linalg::SparseKktError;
 use crate::model::Scene;
 use convergence::{Convergence, SHORTEN, Verdict};
@@ -43,8 +43,8 @@ pub struct Radau {
     /// Length of that step, s; none at the beginning.
     before_s: Option<f64>,
     matrices: Matrices,
-    slopes: Slopes,
-    /// Whether the slopes are those at the start of the step under way.
+    jacobians: Jacobians,
+    /// Whether the Jacobians are those at the start of the step under way.
     fresh: bool,
     newton: Newton,
     /// None in scenes with too many equations for it.
@@ -89,7 +89,7 @@ pub enum Attempt {
     },
 }
 
-/// Slopes and factors are kept as long as a pass leaves less than this of the error.
+/// Jacobians and factors are kept as long as a pass leaves less than this of the error.
 const FAST: f64 = 1e-3;
 /// Assumed rate of convergence when none is known.
 const SLOW: f64 = 1.0;
@@ -102,13 +102,13 @@ const FIRST: f64 = 1e-2;
 const LEAST_FIRST_S: f64 = 1e-6;
 
 impl Radau {
-    /// Storage for steps of a scene with `n_works` works; none for one that does not know its slopes.
+    /// Storage for steps of a scene with `n_works` works; none for one that does not know its Jacobians.
     ///
     /// # Errors
     /// [`SparseKktError`] when there is no memory for the analysis of a large scene.
     pub fn new<S: Scene + ?Sized>(scene: &S, n_works: usize) -> Result<Option<Self>, SparseKktError> {
         let info = scene.info();
-        let Some(places) = scene.slope_places() else { return Ok(None) };
+        let Some(places) = scene.jacobian_places() else { return Ok(None) };
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let (stages, state) = (Stages::zero(n_q, n_c, n_works), State::zero(n_q, n_works));
         Ok(Some(Self {
@@ -117,7 +117,7 @@ impl Radau {
             stages,
             before_s: None,
             matrices: Matrices::new(info, &places)?,
-            slopes: Slopes::zero(info, &places),
+            jacobians: Jacobians::zero(info, &places),
             fresh: false,
             newton: Newton::new(n_q + n_c),
             coupled: Coupled::new(info, &places),
@@ -138,7 +138,7 @@ impl Radau {
         }))
     }
 
-    /// Forgets the stages and slopes of the steps before, which belong to another law.
+    /// Forgets the stages and Jacobians of the steps before, which belong to another law.
     pub fn turn(&mut self) {
         self.before_s = None;
         self.fresh = false;
@@ -234,7 +234,7 @@ impl Radau {
                 let (t, a, lambda) = (start.t + c * h, &stages.a[i], &stages.lambda[i]);
                 system.residual(t, q, v, a, lambda, &mut newton.residual[i]);
                 if let Some(coupled) = &mut coupled {
-                    system.slopes(t, q, v, a, lambda, &mut coupled.slopes);
+                    system.jacobians(t, q, v, a, lambda, &mut coupled.jacobians);
                     coupled.write(i, h, system.mass_matrix());
                 }
             }
@@ -325,8 +325,8 @@ impl Radau {
                 Some(_) => (&self.before.a[N_STAGES - 1], &self.before.lambda[N_STAGES - 1]),
                 None => (&self.stages.a[N_STAGES - 1], &self.stages.lambda[N_STAGES - 1]),
             };
-            system.slopes(start.t, &start.q, &start.v, a, lambda, &mut self.slopes);
-            self.matrices.write(system.mass_matrix(), &self.slopes);
+            system.jacobians(start.t, &start.q, &start.v, a, lambda, &mut self.jacobians);
+            self.matrices.write(system.mass_matrix(), &self.jacobians);
             self.fresh = true;
         }
         system.count_factorization();

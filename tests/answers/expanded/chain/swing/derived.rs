@@ -12,10 +12,10 @@ impl ezy::Derived for Swing {
             _ => {}
         }
     }
-    fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
+    fn jacobian_places(&self) -> ::core::option::Option<ezy::JacobianPlaces> {
         let first_link: i64 = 0;
         let n_q = ezy::Scene::info(self).n_coordinates();
-        let mut places = ezy::SlopePlaces::default();
+        let mut places = ezy::JacobianPlaces::default();
         let mut place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
@@ -75,7 +75,7 @@ impl ezy::Derived for Swing {
         }
         ::core::option::Option::Some(places)
     }
-    fn slopes(
+    fn jacobians(
         &self,
         c: &[f64],
         t: f64,

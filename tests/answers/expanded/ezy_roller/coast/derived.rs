@@ -1,7 +1,7 @@
 #[automatically_derived]
 impl ezy::Derived for Coast {
-    fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
-        ::core::option::Option::Some(ezy::SlopePlaces {
+    fn jacobian_places(&self) -> ::core::option::Option<ezy::JacobianPlaces> {
+        ::core::option::Option::Some(ezy::JacobianPlaces {
             by_q: ::std::vec![
                 (0usize, 2usize), (1usize, 2usize), (2usize, 2usize), (3usize, 5usize),
                 (4usize, 5usize), (5usize, 5usize), (6usize, 2usize), (6usize, 5usize),
@@ -14,7 +14,7 @@ impl ezy::Derived for Coast {
             ],
         })
     }
-    fn slopes(
+    fn jacobians(
         &self,
         c: &[f64],
         t: f64,

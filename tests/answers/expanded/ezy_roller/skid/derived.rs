@@ -18,8 +18,8 @@ impl ezy::Derived for Skid {
         out[0usize] = c[40usize];
         out[1usize] = difference_14;
     }
-    fn slope_places(&self) -> ::core::option::Option<ezy::SlopePlaces> {
-        ::core::option::Option::Some(ezy::SlopePlaces {
+    fn jacobian_places(&self) -> ::core::option::Option<ezy::JacobianPlaces> {
+        ::core::option::Option::Some(ezy::JacobianPlaces {
             by_q: ::std::vec![
                 (0usize, 2usize), (1usize, 2usize), (2usize, 2usize), (3usize, 5usize),
                 (4usize, 5usize), (5usize, 5usize), (6usize, 2usize), (6usize, 5usize),
@@ -32,7 +32,7 @@ impl ezy::Derived for Skid {
             ],
         })
     }
-    fn slopes(
+    fn jacobians(
         &self,
         c: &[f64],
         t: f64,

@@ -1,4 +1,4 @@
-//! The slopes of the equations of motion against differences of their residual.
+//! The Jacobians of the equations of motion against differences of their residual.
 
 use super::Check;
 use super::derivatives::{along, check, slope};
@@ -11,9 +11,9 @@ use crate::model::Scene;
 const TOLERANCE: f64 = 2e-9;
 const REASON: &str = "rounding of differences of terms that cancel";
 
-/// R_q along a random direction and R_v along another one; `None` for a scene that does not know its slopes.
+/// R_q along a random direction and R_v along another one; `None` for a scene that does not know its Jacobians.
 pub(super) fn of_residual<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Option<Check> {
-    let places = probe.scene.slope_places()?;
+    let places = probe.scene.jacobian_places()?;
     let (n_q, n_c) = (probe.info.n_coordinates(), probe.info.n_rows());
     let mut worst = Worst::default();
     let (mut by_q, mut by_v) = (vec![0.0; places.by_q.len()], vec![0.0; places.by_v.len()]);
@@ -21,19 +21,19 @@ pub(super) fn of_residual<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Option<Che
         // any accelerations and multipliers will do, and any directions
         let a: Vec<f64> = v.iter().rev().map(|v| 2.0 * v).collect();
         let lambda: Vec<f64> = (0..n_c).map(|i| v[i % n_q] + 0.5 * (i % 3) as f64).collect();
-        probe.scene.slopes(&probe.fixed, *t, q, v, &a, &lambda, &mut by_q, &mut by_v);
+        probe.scene.jacobians(&probe.fixed, *t, q, v, &a, &lambda, &mut by_q, &mut by_v);
         let along_q = slope(n_q + n_c, |e, out| residual(probe, *t, &along(q, e, v), v, &a, &lambda, out));
         let along_v = slope(n_q + n_c, |e, out| residual(probe, *t, q, &along(v, e, q), &a, &lambda, out));
         let terms = size_of_terms(probe, *t, q, &a, &lambda);
         for (difference, places, entries, d) in [(along_q, &places.by_q, &by_q, v), (along_v, &places.by_v, &by_v, q)] {
             let mut product = vec![0.0; n_q + n_c];
             places.iter().zip(entries).for_each(|(&(row, column), x)| product[row] += x * d[column]);
-            // terms of R may cancel: their rounding counts, not that of R; and that of the state, times the slopes
+            // terms of R may cancel: their rounding counts, not that of R; and that of the state, times the Jacobians
             let size = terms.max(max_abs(entries) * (max_abs(q) + max_abs(v))).max(difference.size);
             difference.compare(&product, size, &mut worst);
         }
     }
-    Some(check("slopes against differences of the equations of motion", worst, TOLERANCE, REASON))
+    Some(check("Jacobians against differences of the equations of motion", worst, TOLERANCE, REASON))
 }
 
 /// Largest entry of G times the sum of what it multiplies.

@@ -10,27 +10,27 @@ use super::kernels::{Put, Read};
 use super::symbols::{Meaning, Symbols};
 use crate::symbolic::{Algebra, SumId, Symbol};
 
-/// Slopes with more terms take minutes to derive, and their code takes longer to compile: a vehicle has some hundreds.
+/// Jacobians with more terms take minutes to derive, and their code takes longer to compile: a vehicle has some hundreds.
 const MOST_TERMS: usize = 20_000;
 
 /// The derivatives of R that are not zero.
 #[derive(Debug)]
-pub struct Slopes {
+pub struct Jacobians {
     /// What they read besides time, coordinates, velocities and inputs; ascending by symbol.
     pub reads: Vec<(Symbol, Read)>,
-    pub by_q: Vec<Slope>,
-    pub by_v: Vec<Slope>,
+    pub by_q: Vec<JacobianEntry>,
+    pub by_v: Vec<JacobianEntry>,
 }
 
 /// An entry: rows of R are coordinates, then rows of G.
 #[derive(Debug)]
-pub struct Slope {
+pub struct JacobianEntry {
     pub row: usize,
     pub column: usize,
     pub value: SumId,
 }
 
-impl Slopes {
+impl Jacobians {
     /// Of rows and forces together; `force` by coordinate. `None` when they are too long to write.
     pub fn derive(
         algebra: &mut Algebra,
@@ -46,13 +46,13 @@ impl Slopes {
             let entry = residual.entry(i).or_insert(SumId::ZERO);
             *entry = algebra.add(*entry, part);
         }
-        let mut slopes = Self { reads, by_q: Vec::new(), by_v: Vec::new() };
+        let mut jacobians = Self { reads, by_q: Vec::new(), by_v: Vec::new() };
         let mut n_terms = 0;
         for (row, sum) in residual {
             for symbol in algebra.symbols_of(sum) {
                 let (entries, column) = match symbols.meaning(symbol) {
-                    Meaning::Coordinate(i) => (&mut slopes.by_q, i),
-                    Meaning::Velocity(i) => (&mut slopes.by_v, i),
+                    Meaning::Coordinate(i) => (&mut jacobians.by_q, i),
+                    Meaning::Velocity(i) => (&mut jacobians.by_v, i),
                     _ => continue,
                 };
                 let value = algebra.diff(sum, symbol);
@@ -62,16 +62,16 @@ impl Slopes {
                     return None;
                 }
                 if !value.is_zero() {
-                    entries.push(Slope { row, column, value });
+                    entries.push(JacobianEntry { row, column, value });
                 }
             }
         }
-        Some(slopes)
+        Some(jacobians)
     }
 
     /// All values, those by coordinates first.
     pub fn values(&self) -> Vec<SumId> {
-        self.by_q.iter().chain(&self.by_v).map(|slope| slope.value).collect()
+        self.by_q.iter().chain(&self.by_v).map(|entry| entry.value).collect()
     }
 
     /// Where they go: to the first vector and to the second one.

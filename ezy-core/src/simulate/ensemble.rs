@@ -1,7 +1,7 @@
 //! Several runs of one scene that step together.
 
 use super::SetupError;
-use super::course::Course;
+use super::trajectory::Trajectory;
 use crate::dynamics::{MotionError, State, System, SystemOf};
 use crate::integrate::Method;
 use crate::linalg::Backend;
@@ -43,7 +43,7 @@ use std::array::from_fn;
 /// # }
 /// ```
 pub struct Ensemble<'s, S, const L: usize> {
-    course: Course<'s, S, Lanes<L>>,
+    trajectory: Trajectory<'s, S, Lanes<L>>,
 }
 
 impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
@@ -68,7 +68,7 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         let q = packed(from_fn(|lane| &starts[lane].q[..]));
         let v = packed(from_fn(|lane| &starts[lane].v[..]));
         let start = State { t: starts[0].t, q, v, work: Vec::new() };
-        Ok(Self { course: Course::new(SystemOf::new(&scenes[0], info, fixed), info, start, method)? })
+        Ok(Self { trajectory: Trajectory::new(SystemOf::new(&scenes[0], info, fixed), info, start, method)? })
     }
 
     /// Steps all runs to `until_s`; nothing happens when they are there already.
@@ -76,18 +76,18 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
     /// # Errors
     /// [`MotionError`] of any run; [`Ensemble::state`] is then the last good state.
     pub fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
-        self.course.advance(until_s)
+        self.trajectory.advance(until_s)
     }
 
     /// Present time, s.
     pub fn time(&self) -> f64 {
-        self.course.now.t
+        self.trajectory.now.t
     }
 
     /// Where run `lane` is, without works.
     pub fn state(&self, lane: usize) -> State {
         let of_lane = |x: &[Lanes<L>]| x.iter().map(|x| x.0[lane]).collect();
-        let State { t, q, v, .. } = &self.course.now;
+        let State { t, q, v, .. } = &self.trajectory.now;
         State { t: *t, q: of_lane(q), v: of_lane(v), work: Vec::new() }
     }
 }

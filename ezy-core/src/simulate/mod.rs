@@ -2,7 +2,6 @@
 
 mod adaptive;
 mod control;
-mod course;
 mod crossing;
 mod ensemble;
 mod error;
@@ -27,6 +26,7 @@ mod series;
 mod simulation;
 mod singular;
 mod stepper;
+mod trajectory;
 mod usual;
 
 pub use ensemble::Ensemble;

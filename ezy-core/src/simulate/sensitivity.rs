@@ -1,7 +1,7 @@
 //! Derivatives of a motion by start values and parameters.
 
 use super::SetupError;
-use super::course::Course;
+use super::trajectory::Trajectory;
 use crate::dynamics::{MotionError, State, System, SystemOf};
 use crate::integrate::Method;
 use crate::linalg::Backend;
@@ -50,7 +50,7 @@ pub struct Tangent {
 /// # }
 /// ```
 pub struct Sensitivities<'s, S: ?Sized, const N: usize> {
-    course: Course<'s, S, Dual<N>>,
+    trajectory: Trajectory<'s, S, Dual<N>>,
 }
 
 /// What a name stands for.
@@ -94,7 +94,7 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
         follow(&mut system, t, &values, &residual, &start.v_given, &mut v);
 
         let start = State { t, q, v, work: Vec::new() };
-        Ok(Self { course: Course::new(SystemOf::new(scene, info, fixed), info, start, method)? })
+        Ok(Self { trajectory: Trajectory::new(SystemOf::new(scene, info, fixed), info, start, method)? })
     }
 
     /// Runs on to `until_s`.
@@ -102,19 +102,19 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
     /// # Errors
     /// [`MotionError`]; [`Sensitivities::state`] is then the last good state.
     pub fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
-        self.course.advance(until_s)
+        self.trajectory.advance(until_s)
     }
 
     /// Where the run is, without works.
     pub fn state(&self) -> State {
         let values = |x: &[Dual<N>]| x.iter().map(|x| x.value).collect();
-        let State { t, q, v, .. } = &self.course.now;
+        let State { t, q, v, .. } = &self.trajectory.now;
         State { t: *t, q: values(q), v: values(v), work: Vec::new() }
     }
 
     /// Derivatives of the present state, in the order of the names.
     pub fn tangents(&self) -> [Tangent; N] {
-        let State { q, v, .. } = &self.course.now;
+        let State { q, v, .. } = &self.trajectory.now;
         std::array::from_fn(|i| {
             let along = |x: &[Dual<N>]| x.iter().map(|x| x.derivatives[i]).collect();
             Tangent { q: along(q), v: along(v) }

@@ -7,7 +7,7 @@ use crate::integrate::{Clock, Knot, Method, Rk4};
 use crate::model::{Equations, SceneInfo};
 use crate::scalar::Scalar;
 
-pub(super) struct Course<'s, S: ?Sized, T> {
+pub(super) struct Trajectory<'s, S: ?Sized, T> {
     system: SystemOf<'s, S, T>,
     info: &'static SceneInfo,
     method: Steps<T>,
@@ -22,7 +22,7 @@ enum Steps<T> {
     Dop853(Box<Adaptive<T>>),
 }
 
-impl<'s, S: Equations<T> + ?Sized, T: Scalar> Course<'s, S, T> {
+impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
     /// From `start`, which meets the rows.
     pub(super) fn new(
         system: SystemOf<'s, S, T>,

@@ -3,7 +3,7 @@
 //! `cargo run --release --example long_runs` prints two tables; with `-- --write` they go into `docs/cost.md`. Instructions are
 //! counted with valgrind, when it is installed, as the difference of two runs.
 
-use ezy_core::integrate::{Knot, Rk4};
+use ezy_core::integrate::{Node, Rk4};
 use ezy_core::prelude::*;
 use ezy_models::{ezy_roller, knife_edge, pendulum, roller_racer};
 use ezy_tests::cachegrind::{instructions, is_installed};
@@ -70,7 +70,7 @@ fn error<S: Scene + Default>(compensated: bool) -> Result<f64, Box<dyn Error>> {
         if !compensated {
             rk4.restart();
         }
-        let from = Knot { state: &now, a: &a, power: &[] };
+        let from = Node { state: &now, a: &a, power: &[] };
         rk4.step(&mut system, from, SHORT_S, (n + 1) as f64 * SHORT_S, &mut next)?;
         let State { t, q, v, .. } = &mut next;
         system.project(*t, q, v, Projection::Both, Metric::Mass)?;

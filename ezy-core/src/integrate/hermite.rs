@@ -4,7 +4,7 @@ use crate::dynamics::State;
 
 /// A state with its accelerations and powers, at one end of a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Knot<'a, T = f64> {
+pub struct Node<'a, T = f64> {
     /// The state.
     pub state: &'a State<T>,
     /// Accelerations, `n_q`.
@@ -21,7 +21,7 @@ pub struct Knot<'a, T = f64> {
 ///
 /// # Source
 /// Hermite interpolation; Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I (1993), II.6.
-pub fn interpolate(from: Knot<'_>, to: Knot<'_>, t: f64, out: &mut State) {
+pub fn interpolate(from: Node<'_>, to: Node<'_>, t: f64, out: &mut State) {
     let h = to.state.t - from.state.t;
     let s = (t - from.state.t) / h;
     let (r, s2) = (1.0 - s, s * s);

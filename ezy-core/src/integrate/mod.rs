@@ -14,7 +14,7 @@ pub use clock::Clock;
 #[doc(hidden)]
 pub use dop853::Dop853;
 pub(crate) use dop853::{ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
-pub use hermite::{Knot, interpolate};
+pub use hermite::{Node, interpolate};
 #[doc(hidden)]
 pub use radau::{Attempt, Radau};
 pub(crate) use radau::{RadauControl, tolerance_of_estimate};

@@ -1,6 +1,6 @@
 //! The classical Runge–Kutta method of order 4.
 
-use super::{Knot, compensated};
+use super::{Node, compensated};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 
@@ -52,12 +52,12 @@ impl<T: Scalar> Rk4<T> {
     pub fn step(
         &mut self,
         system: &mut impl Dynamics<T>,
-        from: Knot<'_, T>,
+        from: Node<'_, T>,
         h: f64,
         t_next: f64,
         to: &mut State<T>,
     ) -> Result<(), MotionError> {
-        let Knot { state: from, a, power } = from;
+        let Node { state: from, a, power } = from;
         self.slope.q.copy_from_slice(&from.v);
         self.slope.v.copy_from_slice(a);
         self.slope.work.copy_from_slice(power);

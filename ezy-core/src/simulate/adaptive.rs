@@ -2,7 +2,7 @@
 
 use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{Dynamics, MotionError, State};
-use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Knot, StepControl, StiffnessWatch, Tolerance};
+use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Node, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
 
 /// Attempts of one step to end at a kink: each one locates it better.
@@ -77,8 +77,8 @@ impl<T: Scalar> Adaptive<T> {
     pub(super) fn between(
         &mut self,
         system: &mut impl Dynamics<T>,
-        from: Knot<'_, T>,
-        to: Knot<'_, T>,
+        from: Node<'_, T>,
+        to: Node<'_, T>,
         t: f64,
         out: &mut State<T>,
     ) -> Result<(), MotionError> {
@@ -95,7 +95,7 @@ impl<T: Scalar> Adaptive<T> {
     pub(super) fn step<D: Dynamics<T>>(
         &mut self,
         system: &mut D,
-        from: Knot<'_, T>,
+        from: Node<'_, T>,
         end: f64,
         to: &mut State<T>,
         mut up_to: impl FnMut(&mut D, &State<T>) -> Option<f64>,

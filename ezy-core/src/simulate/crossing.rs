@@ -1,7 +1,7 @@
 //! Crossing of singular positions, in which the rank of G drops for an instant.
 
-use super::instantaneous::Instantaneous;
 use super::singular::{Approach, about};
+use super::snapshot::Snapshot;
 use super::usual;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
@@ -25,7 +25,7 @@ pub(super) struct Crossing {
     /// Start of the last step, s.
     begin_s: f64,
     /// Its end, projected and evaluated.
-    pub end: Instantaneous,
+    pub end: Snapshot,
     /// Whether the run is within this step or at its end.
     pub is_under_way: bool,
     /// Predicted time of the singular position, s.
@@ -61,7 +61,7 @@ const OF_FIXED_STEPS: f64 = 1e-9;
 impl Crossing {
     pub(super) fn new<S: Scene + ?Sized>(system: &System<'_, S>, tolerance: Option<Tolerance>, work: bool) -> Self {
         let info = system.info();
-        let (n_q, end) = (info.n_coordinates(), Instantaneous::zero(info, work));
+        let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
         let n_works = end.power.len();
         let wanted = tolerance.unwrap_or(Tolerance { relative: OF_FIXED_STEPS, absolute: OF_FIXED_STEPS });
         Self {
@@ -152,7 +152,7 @@ impl Crossing {
     }
 
     /// Whether the step that was tried ends next to a singular position.
-    fn ends_too_near<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, now: &Instantaneous) -> bool {
+    fn ends_too_near<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, now: &Snapshot) -> bool {
         let State { t, q, .. } = &self.end.state;
         system.pivot_at(*t, q) < TOO_NEAR * now.end.smallest_pivot
     }
@@ -161,28 +161,24 @@ impl Crossing {
     fn attempt<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        now: &Instantaneous,
+        now: &Snapshot,
         h: f64,
     ) -> Result<f64, MotionError> {
         let to = &mut self.end.state;
         let mut on_rows = OnRows::new(system, &mut self.on_rows);
-        let error = self.method.attempt(&mut on_rows, now.knot(), h, self.tolerance, to)?;
+        let error = self.method.attempt(&mut on_rows, now.node(), h, self.tolerance, to)?;
         let tangential =
             if error > 1.0 { self.method.tangential_error(&mut on_rows, h, self.tolerance, to) } else { None };
         Ok(tangential.unwrap_or(error))
     }
 
     /// Projects and evaluates the end of a step, and prepares its interpolant.
-    fn finish<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        now: &Instantaneous,
-    ) -> Result<(), MotionError> {
+    fn finish<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, now: &Snapshot) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &mut self.end.state;
         system.project(*t, q, v, Projection::Both, Metric::Mass)?;
         self.end.evaluate(system)?;
         let mut on_rows = OnRows::new(system, &mut self.on_rows);
-        self.method.prepare_dense(&mut on_rows, now.knot(), self.end.knot())
+        self.method.prepare_dense(&mut on_rows, now.node(), self.end.node())
     }
 
     /// The state at `t` within the step, not projected.

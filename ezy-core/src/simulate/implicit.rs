@@ -3,7 +3,7 @@
 use super::events::{Cut, Kinks};
 use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{Attempt, Knot, Radau, RadauControl, Tolerance, tolerance_of_estimate};
+use crate::integrate::{Attempt, Node, Radau, RadauControl, Tolerance, tolerance_of_estimate};
 use crate::model::Scene;
 
 /// Radau IIA with the length of its next step.
@@ -50,7 +50,7 @@ impl Implicit {
     pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        from: Knot<'_>,
+        from: Node<'_>,
         end: f64,
         kinks: &mut Kinks,
         to: &mut State,

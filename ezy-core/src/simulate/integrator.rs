@@ -4,10 +4,10 @@ use super::SetupError;
 use super::adaptive::Adaptive;
 use super::events::{Cut, Kinks};
 use super::implicit::Implicit;
-use super::instantaneous::Instantaneous;
 use super::series::AlongSeries;
+use super::snapshot::Snapshot;
 use crate::dynamics::{MotionError, State, System, SystemError};
-use crate::integrate::{Knot, Method, Radau, Rk4, Taylor, interpolate, taylor_order};
+use crate::integrate::{Method, Node, Radau, Rk4, Taylor, interpolate, taylor_order};
 use crate::model::Scene;
 
 pub(super) enum Integrator<'s> {
@@ -81,11 +81,11 @@ impl<'s> Integrator<'s> {
     pub(super) fn evaluate<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        at: &mut Instantaneous,
+        at: &mut Snapshot,
     ) -> Result<(), MotionError> {
         match self {
             Self::Taylor(series) => {
-                let Instantaneous { state, a, lambda, .. } = at;
+                let Snapshot { state, a, lambda, .. } = at;
                 let solved = series.taylor.expand(system, state, a, lambda)?;
                 at.complete(system, solved)
             }
@@ -105,7 +105,7 @@ impl<'s> Integrator<'s> {
     pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        from: Knot<'_>,
+        from: Node<'_>,
         h: f64,
         t_next: f64,
         kinks: &mut Kinks,
@@ -139,8 +139,8 @@ impl<'s> Integrator<'s> {
     pub(super) fn between<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        from: Knot<'_>,
-        to: Knot<'_>,
+        from: Node<'_>,
+        to: Node<'_>,
         t: f64,
         out: &mut State,
     ) -> Result<(), MotionError> {

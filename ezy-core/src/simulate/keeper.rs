@@ -1,6 +1,6 @@
 //! Completes samples and keeps them.
 
-use super::instantaneous::Instantaneous;
+use super::snapshot::Snapshot;
 use crate::dynamics::{State, System};
 use crate::model::{Scene, SceneInfo};
 use crate::record::{EnergyState, Record, RecordError, Recorder, Sample, Wanted};
@@ -61,7 +61,7 @@ impl<'s> Keeper<'s> {
     pub(super) fn keep<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        at: &Instantaneous,
+        at: &Snapshot,
     ) -> Result<(), RecordError> {
         let State { t, q, v, work: works } = &at.state;
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));

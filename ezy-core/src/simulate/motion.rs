@@ -3,9 +3,9 @@
 use super::SetupError;
 use super::crossing::Crossing;
 use super::events::Kinks;
-use super::instantaneous::Instantaneous;
 use super::integrator::Integrator;
 use super::singular::Approach;
+use super::snapshot::Snapshot;
 use super::usual;
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
@@ -45,8 +45,8 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
     pub work: bool,
     /// What the last projection of a state found and left.
     pub projected: Projected,
-    pub now: Instantaneous,
-    pub next: Instantaneous,
+    pub now: Snapshot,
+    pub next: Snapshot,
 }
 
 impl<'s, S: Scene + ?Sized> Motion<'s, S> {
@@ -58,7 +58,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
         work: bool,
     ) -> Result<Self, SetupError> {
         let info = system.info();
-        let [now, next] = std::array::from_fn(|_| Instantaneous::zero(info, work));
+        let [now, next] = std::array::from_fn(|_| Snapshot::zero(info, work));
         let projects = projection == Projection::Both && metric == Metric::Mass;
         let integrator = Integrator::new(method, system.scene(), now.power.len())?;
         let kinks = Kinks::new(info);
@@ -107,7 +107,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
     /// that chooses its steps may stop before `t_next`, and every method stops at a kink.
     pub(super) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        let Instantaneous { state: State { t, q, .. }, solved, .. } = &self.now;
+        let Snapshot { state: State { t, q, .. }, solved, .. } = &self.now;
         self.system.hold_rows(*t, q, solved.is_rank_deficient);
         let outcome = match self.advance_on_leap(t_next) {
             Ok(true) => Ok(()),
@@ -161,7 +161,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
             crossing.is_under_way = false;
             self.integrator.restart();
             let h = t_next - end.state.t;
-            self.integrator.step(system, end.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
+            self.integrator.step(system, end.node(), h, t_next, &mut self.kinks, &mut next.state)?;
             self.project_next()?;
         }
         check_finite(&self.system, self.now.state.t, &self.next.state)?;
@@ -195,7 +195,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
 
     fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
-        self.integrator.step(system, now.knot(), h, t_next, &mut self.kinks, &mut next.state)?;
+        self.integrator.step(system, now.node(), h, t_next, &mut self.kinks, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         self.project_next()
     }
@@ -208,7 +208,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
     }
 
     /// A state between `now` and `next`, both evaluated; projected and evaluated like them.
-    pub(super) fn between(&mut self, t: f64, out: &mut Instantaneous) -> Result<(), MotionError> {
+    pub(super) fn between(&mut self, t: f64, out: &mut Snapshot) -> Result<(), MotionError> {
         self.inside(t, &mut out.state)?;
         let system = &mut self.system;
         if self.integrator.chooses_steps() {
@@ -225,7 +225,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
 
     /// The largest acceleration at `now`, which is evaluated, and its cause.
     pub(super) fn strain(&mut self) -> Option<Strain> {
-        let Instantaneous { state, a, lambda, .. } = &self.now;
+        let Snapshot { state, a, lambda, .. } = &self.now;
         self.system.strain(state.t, &state.q, &state.v, a, lambda)
     }
 
@@ -237,7 +237,7 @@ impl<'s, S: Scene + ?Sized> Motion<'s, S> {
             crossing.between(t, out);
             return Ok(());
         }
-        self.integrator.between(&mut self.system, self.now.knot(), self.next.knot(), t, out)
+        self.integrator.between(&mut self.system, self.now.node(), self.next.node(), t, out)
     }
 
     /// Projects a state as the ends of steps are.

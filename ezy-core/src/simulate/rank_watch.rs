@@ -1,6 +1,6 @@
 //! Intervals of a run in which constraints were redundant.
 
-use super::instantaneous::Instantaneous;
+use super::snapshot::Snapshot;
 use crate::dynamics::{RankLoss, System};
 use crate::model::Scene;
 
@@ -30,7 +30,7 @@ const MAX_SPELLS: usize = 16;
 
 impl RankRecord {
     /// Registers an accepted state.
-    pub(super) fn see<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, at: &Instantaneous) {
+    pub(super) fn see<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, at: &Snapshot) {
         let was_open = std::mem::replace(&mut self.is_open, at.solved.is_rank_deficient);
         if !at.solved.is_rank_deficient {
             return;

@@ -2,13 +2,13 @@
 
 use super::control::Control;
 use super::events::{Lookout, Passage, Sought};
-use super::instantaneous::Instantaneous;
 use super::keeper::Keeper;
 use super::modes::Modes;
 use super::monitor::Watch;
 use super::motion::Motion;
 use super::pace::Pace;
 use super::rank_watch::RankRecord;
+use super::snapshot::Snapshot;
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, not_finite};
 use crate::model::{EventInfo, Scene};
@@ -42,7 +42,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     n_cut: u64,
     /// Whether the last step was one of these.
     cut: bool,
-    between: Instantaneous,
+    between: Snapshot,
     /// Inputs of the step under way, restored when the controller of the next one fails.
     inputs: Vec<f64>,
     keeper: Keeper<'s>,
@@ -72,7 +72,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&motion));
         let mut keeper = Keeper::new(recorded, plan.wanted, recorder);
-        let mut between = Instantaneous::zero(info, plan.wanted.work);
+        let mut between = Snapshot::zero(info, plan.wanted.work);
         if let Some(modes) = &mut modes {
             modes.start(&mut motion)?;
             between.lambda.clone_from(&motion.now.lambda);

@@ -2,7 +2,7 @@
 
 use super::reach::{Reach, is_too_short, reach};
 use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{Knot, Taylor, Tolerance};
+use crate::integrate::{Node, Taylor, Tolerance};
 use crate::model::Scene;
 
 /// Steps along series, of lengths that their coefficients choose.
@@ -20,7 +20,7 @@ impl<'s> AlongSeries<'s> {
     pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,
-        from: Knot<'_>,
+        from: Node<'_>,
         end: f64,
         to: &mut State,
     ) -> Result<(), MotionError> {

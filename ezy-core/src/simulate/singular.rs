@@ -1,14 +1,14 @@
 //! Prediction of singular positions, in which the rank of G drops.
 
-use super::instantaneous::Instantaneous;
+use super::snapshot::Snapshot;
 use crate::dynamics::{State, System};
 use crate::model::Scene;
 use std::ops::Range;
 
 /// The last two states of a motion. The square root of the smallest pivot is proportional to the distance from a singular position.
 pub(super) struct Approach<'m> {
-    pub now: &'m Instantaneous,
-    pub before: &'m Instantaneous,
+    pub now: &'m Snapshot,
+    pub before: &'m Snapshot,
 }
 
 /// Singular positions are searched for within this many usual steps.

@@ -3,7 +3,7 @@
 use super::SetupError;
 use super::adaptive::Adaptive;
 use crate::dynamics::{Dynamics, MotionError, State, SystemOf, not_finite};
-use crate::integrate::{Clock, Knot, Method, Rk4};
+use crate::integrate::{Clock, Method, Node, Rk4};
 use crate::model::{Equations, SceneInfo};
 use crate::scalar::Scalar;
 
@@ -68,7 +68,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
     fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let Self { system, info, method, now, next, a, lambda } = self;
         system.accelerations(now.t, &now.q, &now.v, a, lambda)?;
-        let from = Knot { state: now, a, power: &[] };
+        let from = Node { state: now, a, power: &[] };
         match method {
             Steps::Rk4 { method, .. } => method.step(system, from, h, t_next, next)?,
             Steps::Dop853(adaptive) => adaptive.step(system, from, t_next, next, |_, _| None)?,

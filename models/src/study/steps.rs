@@ -1,7 +1,7 @@
 //! Part (j) and the order of the method: the same scenes with smaller and smaller steps.
 
 use ezy_core::dynamics::{Projection, State, System};
-use ezy_core::integrate::{Clock, Knot, Method, Rk4};
+use ezy_core::integrate::{Clock, Method, Node, Rk4};
 use ezy_core::linalg::Backend;
 use ezy_core::model::{Equations, Scene};
 use ezy_core::record::find_name;
@@ -212,7 +212,7 @@ fn right_endpoint_gap(driven: &Driven, step_s: f64) -> Result<f64, StudyError> {
     for n in 0..clock.n_steps() {
         system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda)?;
         system.power(now.t, &now.q, &now.v, &lambda, &mut power);
-        rk4.step(&mut system, Knot { state: &now, a: &a, power: &power }, clock.step(n), clock.time(n + 1), &mut next)?;
+        rk4.step(&mut system, Node { state: &now, a: &a, power: &power }, clock.step(n), clock.time(n + 1), &mut next)?;
         driven.applied_force(system.fixed(), next.t, &next.q, &next.v, &mut force);
         sum += force[seat] * ((next.q[seat] - now.q[seat]) - (next.q[bar] - now.q[bar]));
         std::mem::swap(&mut now, &mut next);

@@ -2,7 +2,7 @@
 
 use crate::scenes::{Case, coast, distance, driven};
 use ezy_core::dynamics::State;
-use ezy_core::integrate::{Dop853, Knot, Tolerance};
+use ezy_core::integrate::{Dop853, Node, Tolerance};
 use ezy_core::model;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{Outcome, SetupError, StopReason};
@@ -35,12 +35,12 @@ fn fixed_steps(h: f64) -> (State, State) {
     for i in 0..n as usize {
         let h = if i + 1 == n as usize { last } else { h };
         system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda).unwrap();
-        let from = Knot { state: &now, a: &a, power: &[] };
+        let from = Node { state: &now, a: &a, power: &[] };
         method.attempt(&mut system, from, h, ANY, &mut next).unwrap();
         method.accept();
         if i + 1 == n as usize {
             system.accelerations(next.t, &next.q, &next.v, &mut a_next, &mut lambda).unwrap();
-            let to = Knot { state: &next, a: &a_next, power: &[] };
+            let to = Node { state: &next, a: &a_next, power: &[] };
             method.prepare_dense(&mut system, from, to).unwrap();
             method.dense_at(0.5, &mut middle);
         }
@@ -71,7 +71,7 @@ fn order_dop853_is_eight_and_its_dense_output_seven() {
         let (mut a, mut lambda) = (vec![0.0; 6], vec![0.0; 4]);
         for _ in 0..(1.0 / h).round() as usize {
             system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda).unwrap();
-            method.attempt(&mut system, Knot { state: &now, a: &a, power: &[] }, h, ANY, &mut next).unwrap();
+            method.attempt(&mut system, Node { state: &now, a: &a, power: &[] }, h, ANY, &mut next).unwrap();
             method.accept();
             std::mem::swap(&mut now, &mut next);
         }

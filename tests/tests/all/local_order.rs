@@ -2,7 +2,7 @@
 
 use crate::scenes::distance;
 use ezy_core::dynamics::State;
-use ezy_core::integrate::{Dop853, Knot, Radau, Rk4, Taylor, Tolerance};
+use ezy_core::integrate::{Dop853, Node, Radau, Rk4, Taylor, Tolerance};
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_models::registry::MODELS;
@@ -60,7 +60,7 @@ impl<'s> OnTheWay<'s> {
     fn rk4(&mut self, h: f64) -> State {
         let (n_q, n_c) = (self.state.q.len(), self.lambda.len());
         let mut to = self.state.clone();
-        let from = Knot { state: &self.state, a: &self.a, power: &[] };
+        let from = Node { state: &self.state, a: &self.a, power: &[] };
         Rk4::new(n_q, n_c, 0).step(&mut self.system, from, h, self.state.t + h, &mut to).unwrap();
         to
     }
@@ -68,7 +68,7 @@ impl<'s> OnTheWay<'s> {
     fn dop853(&mut self, h: f64) -> State {
         let (n_q, n_c) = (self.state.q.len(), self.lambda.len());
         let mut to = self.state.clone();
-        let from = Knot { state: &self.state, a: &self.a, power: &[] };
+        let from = Node { state: &self.state, a: &self.a, power: &[] };
         Dop853::new(n_q, n_c, 0).attempt(&mut self.system, from, h, ANY, &mut to).unwrap();
         to
     }
@@ -76,7 +76,7 @@ impl<'s> OnTheWay<'s> {
     /// Steps in which the iteration does not converge err by anything.
     fn radau(&mut self, h: f64) -> State {
         let mut to = self.state.clone();
-        let from = Knot { state: &self.state, a: &self.a, power: &[] };
+        let from = Node { state: &self.state, a: &self.a, power: &[] };
         let mut method = Radau::new(self.system.scene(), 0).unwrap().expect("slopes");
         method.attempt(&mut self.system, from, h, CONVERGED, false, &mut to).unwrap();
         to

@@ -2,7 +2,7 @@
 
 use crate::scenes::distance;
 use ezy_core::dynamics::State;
-use ezy_core::integrate::{Attempt, Knot, Radau, Tolerance};
+use ezy_core::integrate::{Attempt, Node, Radau, Tolerance};
 use ezy_core::model;
 use ezy_core::prelude::*;
 use ezy_core::record::Sample;
@@ -58,7 +58,7 @@ fn equal_steps(scene: &dyn Scene, end_s: f64, h: f64) -> (State, State) {
     for _ in 0..(end_s / h).round() as usize {
         system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda).unwrap();
         system.power(now.t, &now.q, &now.v, &lambda, &mut power);
-        let from = Knot { state: &now, a: &a, power: &power };
+        let from = Node { state: &now, a: &a, power: &power };
         let attempt = method.attempt(&mut system, from, h, TIGHT, false, &mut next).unwrap();
         assert!(matches!(attempt, Attempt::Solved { .. }), "{attempt:?}");
         method.accept(h);

@@ -4,7 +4,7 @@ use super::sums::WIDTH;
 use super::tableau::{DENSE, N_STAGES, N_STAGES_OF_DENSE_OUTPUT};
 use super::{Dop853, read, write};
 use crate::dynamics::{Dynamics, MotionError, State};
-use crate::integrate::Knot;
+use crate::integrate::Node;
 use crate::scalar::Scalar;
 
 /// Coefficients of the polynomial of degree 7, without the state at the start.
@@ -20,8 +20,8 @@ impl<T: Scalar> Dop853<T> {
     pub fn prepare_dense(
         &mut self,
         system: &mut impl Dynamics<T>,
-        from: Knot<'_, T>,
-        to: Knot<'_, T>,
+        from: Node<'_, T>,
+        to: Node<'_, T>,
     ) -> Result<(), MotionError> {
         let (n, length) = (self.n, to.state.t - from.state.t);
         let h = T::from_f64(length);

@@ -6,7 +6,7 @@ mod sums;
 mod tableau;
 
 use super::step_control::Tolerance;
-use super::{Knot, compensated};
+use super::{Node, compensated};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 use sums::{Block, Sum, WIDTH};
@@ -82,7 +82,7 @@ impl<T: Scalar> Dop853<T> {
     pub fn attempt(
         &mut self,
         system: &mut impl Dynamics<T>,
-        from: Knot<'_, T>,
+        from: Node<'_, T>,
         h: f64,
         tolerance: Tolerance,
         to: &mut State<T>,
@@ -115,7 +115,7 @@ impl<T: Scalar> Dop853<T> {
     pub(crate) fn first_step(
         &mut self,
         system: &mut impl Dynamics<T>,
-        from: Knot<'_, T>,
+        from: Node<'_, T>,
         longest: f64,
         tolerance: Tolerance,
     ) -> Result<f64, MotionError> {
@@ -144,8 +144,8 @@ impl<T: Scalar> Dop853<T> {
         Ok(step.min(100.0 * guess).min(longest))
     }
 
-    fn begin(&mut self, from: Knot<'_, T>) {
-        let Knot { state, a, power } = from;
+    fn begin(&mut self, from: Node<'_, T>) {
+        let Node { state, a, power } = from;
         read(self.start.as_flattened_mut(), [&state.q, &state.v, &state.work]);
         read(self.slopes[..self.n].as_flattened_mut(), [&state.v, a, power]);
     }

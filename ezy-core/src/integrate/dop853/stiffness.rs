@@ -2,7 +2,7 @@
 
 use super::Dop853;
 use super::tableau::N_STAGES;
-use crate::integrate::Knot;
+use crate::integrate::Node;
 use crate::scalar::Scalar;
 
 /// Edge of the region in which the method is stable, along the negative real axis, for h |λ|.
@@ -63,7 +63,7 @@ impl StiffnessWatch {
 impl<T: Scalar> Dop853<T> {
     /// `h |λ|` of the largest eigenvalue λ of the motion, from the last two slopes of the step of length `h` that was accepted
     /// last and ended at `to`: both belong to its end.
-    pub(crate) fn stability(&mut self, h: f64, to: Knot<'_, T>) -> f64 {
+    pub(crate) fn stability(&mut self, h: f64, to: Node<'_, T>) -> f64 {
         let last = N_STAGES - 1;
         self.combine(h, Self::STAGES[last - 1]);
         let n = 2 * self.n_q;

@@ -5,7 +5,7 @@ use super::matrix::Matrices;
 use super::stages::{Stages, add_combination};
 use super::tableau::{GAMMA, N_STAGES, NODES, START_SLOPE};
 use crate::dynamics::{MotionError, Rows, State, System};
-use crate::integrate::{Knot, compensated};
+use crate::integrate::{Node, compensated};
 use crate::model::Scene;
 
 impl Radau {
@@ -32,7 +32,7 @@ impl Radau {
     ///
     /// A quadrature with the derivative at the start and the stages has order 3. Its difference from the method is filtered by
     /// (1 − h J/γ)⁻¹, so that stiff components of the derivative at the start do not dominate.
-    pub(super) fn estimate(&mut self, from: Knot<'_>, h: f64) -> f64 {
+    pub(super) fn estimate(&mut self, from: Node<'_>, h: f64) -> f64 {
         let Self { stages, matrices, error, solution, .. } = self;
         error.q.copy_from_slice(&from.state.v);
         error.v.copy_from_slice(from.a);

@@ -12,7 +12,7 @@ mod newton;
 mod stages;
 mod tableau;
 
-use super::{Knot, Tolerance};
+use super::{Node, Tolerance};
 use crate::dynamics::{Jacobians, MotionError, Rows, State, System};
 use crate::linalg::SparseKktError;
 use crate::model::Scene;
@@ -167,7 +167,7 @@ impl Radau {
     pub fn attempt<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        from: Knot<'_>,
+        from: Node<'_>,
         h: f64,
         tolerance: Tolerance,
         doubtful: bool,
@@ -198,7 +198,7 @@ impl Radau {
     fn solve<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        from: Knot<'_>,
+        from: Node<'_>,
         h: f64,
         tolerance: Tolerance,
     ) -> Result<Result<u32, f64>, MotionError> {
@@ -272,7 +272,7 @@ impl Radau {
     }
 
     /// A first step: a hundredth of the time in which the state would change by its own size.
-    pub(crate) fn first_step(&mut self, from: Knot<'_>, longest: f64, tolerance: Tolerance) -> f64 {
+    pub(crate) fn first_step(&mut self, from: Node<'_>, longest: f64, tolerance: Tolerance) -> f64 {
         self.weigh(from.state, tolerance);
         let State { q, v, .. } = from.state;
         let ratio = estimate::norm(q, v, &self.weights) / estimate::norm(v, from.a, &self.weights);
@@ -291,7 +291,7 @@ impl Radau {
     fn predict<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        from: Knot<'_>,
+        from: Node<'_>,
         h: f64,
     ) -> Result<(), MotionError> {
         let State { t, q, v, .. } = from.state;

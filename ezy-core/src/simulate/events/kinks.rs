@@ -11,7 +11,7 @@
 use super::root::root;
 use super::{resolution_at, side_of};
 use crate::dynamics::{Rows, State, System};
-use crate::integrate::{Knot, interpolate};
+use crate::integrate::{Node, interpolate};
 use crate::model::{EventKind, Scene, SceneInfo};
 
 /// A kink this close to an end of a step is ignored, in resolutions of the time.
@@ -113,7 +113,7 @@ impl Kinks {
     pub(crate) fn up_to<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        from: Knot<'_>,
+        from: Node<'_>,
         end: &State,
     ) -> Option<f64> {
         if !self.are_crossed(system, from.state, &[end]) {
@@ -123,7 +123,7 @@ impl Kinks {
         system.accelerations_unchecked(end.t, &end.q, &end.v, a, lambda, Rows::Held).ok()?;
         let (start, last) = (from.state.t, end.t);
         // works do not matter here
-        let to = Knot { state: end, a, power: from.power };
+        let to = Node { state: end, a, power: from.power };
         let resolution = resolution_at(last);
         let mut first = last;
         for &i in places.iter().filter(|&&i| changes(before[i], after[i])) {
@@ -143,7 +143,7 @@ impl Kinks {
     pub(crate) fn cut<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,
-        from: Knot<'_>,
+        from: Node<'_>,
         ends: &[&State],
         whole_s: f64,
     ) -> Option<Cut> {
@@ -199,7 +199,7 @@ fn changes(before: f64, after: f64) -> bool {
 }
 
 /// The state after the time `t` with the accelerations at its start; works are left out.
-fn follow(from: Knot<'_>, t: f64, out: &mut State) {
+fn follow(from: Node<'_>, t: f64, out: &mut State) {
     let State { q, v, .. } = from.state;
     for (i, a) in from.a.iter().enumerate() {
         out.q[i] = q[i] + t * (v[i] + 0.5 * t * a);

@@ -1,11 +1,11 @@
 //! One state of a run with its accelerations.
 
 use crate::dynamics::{MotionError, Rows, Solved, State, System};
-use crate::integrate::Knot;
+use crate::integrate::Node;
 use crate::model::{Scene, SceneInfo};
 
 /// A state with its accelerations, multipliers and powers.
-pub(super) struct Instantaneous {
+pub(super) struct Snapshot {
     pub state: State,
     pub a: Vec<f64>,
     pub lambda: Vec<f64>,
@@ -17,7 +17,7 @@ pub(super) struct Instantaneous {
     pub end: Solved,
 }
 
-impl Instantaneous {
+impl Snapshot {
     /// Everything zero; without room for works and powers unless they are wanted.
     pub(super) fn zero(info: &SceneInfo, work: bool) -> Self {
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
@@ -55,7 +55,7 @@ impl Instantaneous {
         Ok(())
     }
 
-    pub(super) fn knot(&self) -> Knot<'_> {
-        Knot { state: &self.state, a: &self.a, power: &self.power }
+    pub(super) fn node(&self) -> Node<'_> {
+        Node { state: &self.state, a: &self.a, power: &self.power }
     }
 }

@@ -3,9 +3,9 @@
 use super::control::Control;
 use super::modes::Modes;
 use super::monitor::Watch;
-use super::motion::Motion;
 use super::pace::Pace;
 use super::run_loop::{Plan, RunLoop};
+use super::stepper_state::StepperState;
 use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
@@ -75,12 +75,12 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let events = if self.watched { self.scene.info().events } else { &[] };
         let plan = Plan { pace, every_s: self.every_s, wanted: self.wanted, events };
         let state = system.consistent_start(&start)?;
-        let mut motion = self.motion_in(system)?;
-        motion.place(&state);
-        let watch = Watch::new(&mut motion.system, &state, limits, self.projection, self.wanted.work);
-        let others = others.iter().map(|scene| self.motion_of(scene)).collect::<Result<_, _>>()?;
-        let modes = Modes::new(&motion, others).map(Box::new);
-        RunLoop::new(motion, modes, control, plan, watch, self.recorder, self.on_progress)?.run()
+        let mut stepper = self.stepper_in(system)?;
+        stepper.place(&state);
+        let watch = Watch::new(&mut stepper.system, &state, limits, self.projection, self.wanted.work);
+        let others = others.iter().map(|scene| self.stepper_of(scene)).collect::<Result<_, _>>()?;
+        let modes = Modes::new(&stepper, others).map(Box::new);
+        RunLoop::new(stepper, modes, control, plan, watch, self.recorder, self.on_progress)?.run()
     }
 
     /// Hands the scene over to be stepped by the caller; end, limits, recording and progress are left to the caller, too.
@@ -94,16 +94,16 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let step_s = self.fixed_step()?;
         let state = system.consistent_start(&start)?;
         let control = self.take_control(&mut system)?;
-        let motion = self.motion_in(system)?;
-        Ok(Stepper::new(motion, control, step_s, start, state))
+        let stepper = self.stepper_in(system)?;
+        Ok(Stepper::new(stepper, control, step_s, start, state))
     }
 
-    fn motion_of(&self, scene: &'s S) -> Result<Motion<'s, S>, SetupError> {
-        self.motion_in(System::new(scene, self.backend)?)
+    fn stepper_of(&self, scene: &'s S) -> Result<StepperState<'s, S>, SetupError> {
+        self.stepper_in(System::new(scene, self.backend)?)
     }
 
-    fn motion_in(&self, system: System<'s, S>) -> Result<Motion<'s, S>, SetupError> {
-        Motion::new(system, self.method, self.projection, self.metric, self.wanted.work)
+    fn stepper_in(&self, system: System<'s, S>) -> Result<StepperState<'s, S>, SetupError> {
+        StepperState::new(system, self.method, self.projection, self.metric, self.wanted.work)
     }
 
     /// The start of the scene with what is given in its place.

@@ -14,7 +14,6 @@ mod keeper;
 mod launch;
 mod modes;
 mod monitor;
-mod motion;
 mod outcome;
 mod pace;
 mod rank_watch;
@@ -26,6 +25,7 @@ mod simulation;
 mod singular;
 mod snapshot;
 mod stepper;
+mod stepper_state;
 mod trajectory;
 mod usual;
 

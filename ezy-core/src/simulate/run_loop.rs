@@ -5,10 +5,10 @@ use super::events::{Lookout, Passage, Sought};
 use super::keeper::Keeper;
 use super::modes::Modes;
 use super::monitor::Watch;
-use super::motion::Motion;
 use super::pace::Pace;
 use super::rank_watch::RankRecord;
 use super::snapshot::Snapshot;
+use super::stepper_state::StepperState;
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, not_finite};
 use crate::model::{EventInfo, Scene};
@@ -31,7 +31,7 @@ const ON_STEP: f64 = 1e-9;
 const N_PROGRESS: f64 = 100.0;
 
 pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
-    motion: Motion<'s, S>,
+    stepper: StepperState<'s, S>,
     control: Control<'s>,
     plan: Plan,
     watch: Watch,
@@ -55,7 +55,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
 impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// Evaluates and records the start, where `motion` is.
     pub(super) fn new(
-        mut motion: Motion<'s, S>,
+        mut stepper: StepperState<'s, S>,
         mut modes: Option<Box<Modes<'s, S>>>,
         mut control: Control<'s>,
         plan: Plan,
@@ -63,28 +63,28 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         recorder: Option<&'s mut dyn Recorder>,
         on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
     ) -> Result<Self, SetupError> {
-        let info = motion.system.info();
-        let t = motion.now.state.t;
-        control.act(&motion.now.state, plan.pace.step(0, t).0, &mut motion.system)?;
-        motion.evaluate_now()?;
-        if let Some(quantity) = not_finite(info, &motion.now.a, &[]) {
-            return Err(MotionError::NotFinite { t: motion.now.state.t, quantity }.into());
+        let info = stepper.system.info();
+        let t = stepper.now.state.t;
+        control.act(&stepper.now.state, plan.pace.step(0, t).0, &mut stepper.system)?;
+        stepper.evaluate_now()?;
+        if let Some(quantity) = not_finite(info, &stepper.now.a, &[]) {
+            return Err(MotionError::NotFinite { t: stepper.now.state.t, quantity }.into());
         }
-        let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&motion));
+        let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&stepper));
         let mut keeper = Keeper::new(recorded, plan.wanted, recorder);
         let mut between = Snapshot::zero(info, plan.wanted.work);
         if let Some(modes) = &mut modes {
-            modes.start(&mut motion)?;
-            between.lambda.clone_from(&motion.now.lambda);
+            modes.start(&mut stepper)?;
+            between.lambda.clone_from(&stepper.now.lambda);
             keeper.lacking = modes.lacking();
         }
-        keeper.keep(&mut motion.system, &motion.now)?;
+        keeper.keep(&mut stepper.system, &stepper.now)?;
         let mut rank = RankRecord::default();
-        rank.see(&mut motion.system, &motion.now);
-        let inputs = motion.system.inputs().to_vec();
-        let lookout = Lookout::new(Sought::Events, plan.events, info.n_coordinates(), motion.now.power.len());
+        rank.see(&mut stepper.system, &stepper.now);
+        let inputs = stepper.system.inputs().to_vec();
+        let lookout = Lookout::new(Sought::Events, plan.events, info.n_coordinates(), stepper.now.power.len());
         Ok(Self {
-            motion,
+            stepper,
             control,
             plan,
             watch,
@@ -105,7 +105,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let began = Instant::now();
         let mut steps = 0;
         let mut outcome = Outcome::ReachedEnd;
-        while self.motion.now.state.t < self.plan.pace.end() {
+        while self.stepper.now.state.t < self.plan.pace.end() {
             match self.step(steps) {
                 Ok(None) => {}
                 Ok(Some(Passage { t, event })) => {
@@ -114,32 +114,32 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
                     break;
                 }
                 Err(reason) => {
-                    self.motion.system.inputs_mut().copy_from_slice(&self.inputs);
-                    let strain = if reason.asks_for_strain() { self.motion.strain() } else { None };
-                    outcome = Outcome::Stopped { t: self.motion.now.state.t, reason, strain };
+                    self.stepper.system.inputs_mut().copy_from_slice(&self.inputs);
+                    let strain = if reason.asks_for_strain() { self.stepper.strain() } else { None };
+                    outcome = Outcome::Stopped { t: self.stepper.now.state.t, reason, strain };
                     break;
                 }
             }
             steps += 1;
             self.tell_progress();
         }
-        if self.keeper.last_time() < self.motion.now.state.t {
+        if self.keeper.last_time() < self.stepper.now.state.t {
             // the end, or the last good state
-            if let Err(error) = self.keeper.keep(&mut self.motion.system, &self.motion.now)
+            if let Err(error) = self.keeper.keep(&mut self.stepper.system, &self.stepper.now)
                 && outcome.reached_end()
             {
-                outcome = Outcome::Stopped { t: self.motion.now.state.t, reason: error.into(), strain: None };
+                outcome = Outcome::Stopped { t: self.stepper.now.state.t, reason: error.into(), strain: None };
             }
         }
         let (rejected, seconds) = (self.n_rejected(), began.elapsed().as_secs_f64());
         let mut cost = Cost { steps, rejected, seconds, ..Cost::default() };
         let (mut events, mut stiff_since_s) = (self.lookout.occurred, None);
         let parked = self.modes.iter().flat_map(|modes| modes.parked());
-        for motion in std::iter::once(&self.motion).chain(parked) {
-            let counters = motion.system.counters();
+        for stepper in std::iter::once(&self.stepper).chain(parked) {
+            let counters = stepper.system.counters();
             cost.evaluations += counters.evaluations;
             cost.factorizations += counters.factorizations;
-            stiff_since_s = stiff_since_s.or(motion.stiff_since());
+            stiff_since_s = stiff_since_s.or(stepper.stiff_since());
         }
         if let Some(modes) = self.modes {
             events.extend(modes.occurred);
@@ -160,42 +160,42 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
 
     /// One step from `now`, which is unchanged when the step fails; returns the event that ends the run.
     fn step(&mut self, n: u64) -> Result<Option<Passage>, StopReason> {
-        self.watch.admits_step(self.motion.chooses_steps(), self.n_rejected())?;
-        let (h, t_next) = self.plan.pace.step(n - self.n_cut, self.motion.now.state.t);
+        self.watch.admits_step(self.stepper.chooses_steps(), self.n_rejected())?;
+        let (h, t_next) = self.plan.pace.step(n - self.n_cut, self.stepper.now.state.t);
         let changes = self.advance(h, t_next)?;
-        let last = self.motion.next.state.t >= self.plan.pace.end();
+        let last = self.stepper.next.state.t >= self.plan.pace.end();
         if !self.lookout.is_idle() {
-            self.motion.evaluate_next()?;
-            let end = self.lookout.look(&mut self.motion)?;
+            self.stepper.evaluate_next()?;
+            let end = self.lookout.look(&mut self.stepper)?;
             if let Some(end) = end {
                 return self.end(end).map(Some);
             }
         }
-        let Motion { system, projected, now, next, .. } = &mut self.motion;
+        let StepperState { system, projected, now, next, .. } = &mut self.stepper;
         self.watch.look(system, now.state.t, &next.state, projected, last)?;
         let controlled = !self.control.is_idle() && !last && !self.cut;
         if !self.lookout.is_idle() {
-            self.lookout.keep(&mut self.motion)?;
+            self.lookout.keep(&mut self.stepper)?;
         } else if !controlled || self.sample_is_due_before() {
-            self.motion.evaluate_next()?;
+            self.stepper.evaluate_next()?;
         }
         self.record_between(f64::INFINITY)?;
         if controlled {
             // from here on the start of the next step is evaluated
-            let motion = &mut self.motion;
-            let (h, _) = self.plan.pace.step(n + 1 - self.n_cut, motion.next.state.t);
-            self.control.act(&motion.next.state, h, &mut motion.system)?;
-            motion.evaluate_next()?;
+            let stepper = &mut self.stepper;
+            let (h, _) = self.plan.pace.step(n + 1 - self.n_cut, stepper.next.state.t);
+            self.control.act(&stepper.next.state, h, &mut stepper.system)?;
+            stepper.evaluate_next()?;
         }
         let on_end = self.is_on_end(self.next_sample());
-        self.motion.accept();
-        self.rank.see(&mut self.motion.system, &self.motion.now);
-        self.inputs.copy_from_slice(self.motion.system.inputs());
+        self.stepper.accept();
+        self.rank.see(&mut self.stepper.system, &self.stepper.now);
+        self.inputs.copy_from_slice(self.stepper.system.inputs());
         if on_end && !last {
-            self.keeper.keep(&mut self.motion.system, &self.motion.now)?;
+            self.keeper.keep(&mut self.stepper.system, &self.stepper.now)?;
         }
         let changed = match &mut self.modes {
-            Some(modes) if changes && !last => modes.change(&mut self.motion),
+            Some(modes) if changes && !last => modes.change(&mut self.stepper),
             _ => Ok(()),
         };
         self.follow_mode();
@@ -206,32 +206,32 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// Ends the run within a step; monitors do not see the rest of the step.
     fn end(&mut self, end: Passage) -> Result<Passage, StopReason> {
         let state = &mut self.between.state;
-        self.motion.inside(end.t, state)?;
-        self.motion.project(state)?;
-        let Motion { system, projected, now, .. } = &mut self.motion;
+        self.stepper.inside(end.t, state)?;
+        self.stepper.project(state)?;
+        let StepperState { system, projected, now, .. } = &mut self.stepper;
         self.watch.look(system, now.state.t, state, projected, true)?;
-        self.lookout.keep(&mut self.motion)?;
+        self.lookout.keep(&mut self.stepper)?;
         self.record_between(end.t)?;
-        self.motion.end_at(end.t, &mut self.between.state)?;
-        self.motion.accept();
+        self.stepper.end_at(end.t, &mut self.between.state)?;
+        self.stepper.accept();
         Ok(end)
     }
 
     /// Rejected steps of all modes.
     fn n_rejected(&self) -> u64 {
-        self.motion.n_rejected() + self.modes.as_ref().map_or(0, |modes| modes.n_rejected())
+        self.stepper.n_rejected() + self.modes.as_ref().map_or(0, |modes| modes.n_rejected())
     }
 
     /// A step from `now` to `next`; returns whether the mode changes at its end.
     fn advance(&mut self, h: f64, t_next: f64) -> Result<bool, MotionError> {
-        let h = if self.cut { t_next - self.motion.now.state.t } else { h };
+        let h = if self.cut { t_next - self.stepper.now.state.t } else { h };
         let changes = match &mut self.modes {
-            None => self.motion.advance(h, t_next).map(|()| false),
-            Some(modes) => modes.advance(&mut self.motion, h, t_next),
+            None => self.stepper.advance(h, t_next).map(|()| false),
+            Some(modes) => modes.advance(&mut self.stepper, h, t_next),
         };
         self.follow_mode();
         let changes = changes?;
-        self.cut = self.motion.next.state.t < t_next;
+        self.cut = self.stepper.next.state.t < t_next;
         self.n_cut += u64::from(self.cut);
         Ok(changes)
     }
@@ -239,7 +239,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// Adapts the buffers of samples to the mode.
     fn follow_mode(&mut self) {
         if let Some(modes) = &self.modes {
-            self.between.lambda.clone_from(&self.motion.now.lambda);
+            self.between.lambda.clone_from(&self.stepper.now.lambda);
             self.keeper.lacking = modes.lacking();
         }
     }
@@ -253,12 +253,12 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// Whether a sample falls into the step from `now` to `next`, not on its end.
     fn sample_is_due_before(&self) -> bool {
         let t = self.next_sample();
-        t <= self.motion.next.state.t && !self.is_on_end(t)
+        t <= self.stepper.next.state.t && !self.is_on_end(t)
     }
 
     /// Whether a sample at `t` is the end of the step.
     fn is_on_end(&self, t: f64) -> bool {
-        let (now, next) = (self.motion.now.state.t, self.motion.next.state.t);
+        let (now, next) = (self.stepper.now.state.t, self.stepper.next.state.t);
         (t - next).abs() <= ON_STEP * (next - now)
     }
 
@@ -266,15 +266,15 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     fn record_between(&mut self, end: f64) -> Result<(), StopReason> {
         while self.sample_is_due_before() && self.next_sample() < end {
             let t = self.next_sample();
-            self.motion.between(t, &mut self.between)?;
-            self.keeper.keep(&mut self.motion.system, &self.between)?;
+            self.stepper.between(t, &mut self.between)?;
+            self.keeper.keep(&mut self.stepper.system, &self.between)?;
         }
         Ok(())
     }
 
     fn tell_progress(&mut self) {
         let (start, end) = (self.plan.pace.start(), self.plan.pace.end());
-        let done = (self.motion.now.state.t - start) / (end - start);
+        let done = (self.stepper.now.state.t - start) / (end - start);
         if let Some(progress) = &mut self.on_progress
             && (done * N_PROGRESS >= self.told + 1.0 || done >= 1.0)
         {

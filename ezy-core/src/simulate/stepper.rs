@@ -3,7 +3,7 @@
 use super::SetupError;
 use super::control::{Control, check_inputs};
 use super::launch::give;
-use super::motion::Motion;
+use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::model::{Scene, SceneInfo, Start};
 use crate::record::EnergyState;
@@ -51,7 +51,7 @@ use crate::record::EnergyState;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Stepper<'s, S: Scene + ?Sized> {
-    motion: Motion<'s, S>,
+    stepper: StepperState<'s, S>,
     control: Control<'s>,
     step_s: f64,
     /// Steps since the start.
@@ -81,8 +81,14 @@ struct Assembled {
 }
 
 impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
-    pub(super) fn new(motion: Motion<'s, S>, control: Control<'s>, step_s: f64, from: Start, state: State) -> Self {
-        let system = &motion.system;
+    pub(super) fn new(
+        stepper: StepperState<'s, S>,
+        control: Control<'s>,
+        step_s: f64,
+        from: Start,
+        state: State,
+    ) -> Self {
+        let system = &stepper.system;
         let home = Assembled { from: from.clone(), state };
         let mut new = Self {
             control,
@@ -96,7 +102,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
             start_s: 0.0,
             initial_energy: 0.0,
             outputs: vec![0.0; system.info().n_outputs()],
-            motion,
+            stepper,
         };
         new.reset();
         new
@@ -104,7 +110,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
 
     /// Names and sizes.
     pub fn info(&self) -> &'static SceneInfo {
-        self.motion.system.info()
+        self.stepper.system.info()
     }
 
     /// Returns to the start and the inputs of the simulation. A controller keeps its state.
@@ -112,7 +118,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
     /// # Cost
     /// A copy.
     pub fn reset(&mut self) {
-        self.motion.place(&self.home.state);
+        self.stepper.place(&self.home.state);
         self.begin();
     }
 
@@ -126,35 +132,35 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
     pub fn reset_with(&mut self, given: &[(&str, f64)]) -> Result<(), SetupError> {
         self.wished.copy_from(&self.home.from);
         for (name, value) in given {
-            give(self.motion.system.info(), &mut self.wished, name, *value)?;
+            give(self.stepper.system.info(), &mut self.wished, name, *value)?;
         }
         if self.wished != self.other.from {
-            self.other.state = self.motion.system.consistent_start(&self.wished)?;
+            self.other.state = self.stepper.system.consistent_start(&self.wished)?;
             self.other.from.copy_from(&self.wished);
         }
-        self.motion.place(&self.other.state);
+        self.stepper.place(&self.other.state);
         self.begin();
         Ok(())
     }
 
     fn begin(&mut self) {
-        self.motion.system.inputs_mut().copy_from_slice(&self.first_inputs);
+        self.stepper.system.inputs_mut().copy_from_slice(&self.first_inputs);
         self.n_steps = 0;
         self.evaluated = false;
-        self.start_s = self.motion.now.state.t;
+        self.start_s = self.stepper.now.state.t;
         let (kinetic, potential) = self.mechanical_energy();
         self.initial_energy = kinetic + potential;
     }
 
     /// Present inputs, `n_i`, each in its unit.
     pub fn inputs(&self) -> &[f64] {
-        self.motion.system.inputs()
+        self.stepper.system.inputs()
     }
 
     /// The inputs, to set them: they hold until they are set again.
     pub fn inputs_mut(&mut self) -> &mut [f64] {
         self.evaluated = false;
-        self.motion.system.inputs_mut()
+        self.stepper.system.inputs_mut()
     }
 
     /// Takes `n` steps. Tables and the control law, if there are any, set their inputs at the start of each.
@@ -167,17 +173,17 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         for _ in 0..n {
             if !self.control.is_idle() {
                 self.evaluated = false;
-                self.control.act(&self.motion.now.state, self.step_s, &mut self.motion.system)?;
+                self.control.act(&self.stepper.now.state, self.step_s, &mut self.stepper.system)?;
             }
             let t_next = self.start_s + (self.n_steps + 1) as f64 * self.step_s;
             let mut h = self.step_s;
-            while self.motion.now.state.t < t_next {
+            while self.stepper.now.state.t < t_next {
                 self.evaluate()?;
-                self.motion.advance(h, t_next)?;
-                self.motion.accept();
+                self.stepper.advance(h, t_next)?;
+                self.stepper.accept();
                 self.evaluated = false;
                 // from a kink on
-                h = t_next - self.motion.now.state.t;
+                h = t_next - self.stepper.now.state.t;
             }
             self.n_steps += 1;
         }
@@ -186,8 +192,8 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
 
     fn evaluate(&mut self) -> Result<(), MotionError> {
         if !self.evaluated {
-            check_inputs(self.motion.now.state.t, &self.motion.system)?;
-            self.motion.evaluate_now()?;
+            check_inputs(self.stepper.now.state.t, &self.stepper.system)?;
+            self.stepper.evaluate_now()?;
             self.evaluated = true;
         }
         Ok(())
@@ -195,7 +201,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
 
     /// Time, coordinates, velocities, and works with [`Simulation::work`](super::Simulation::work).
     pub fn state(&self) -> &State {
-        &self.motion.now.state
+        &self.stepper.now.state
     }
 
     /// Accelerations, `n_q`, with the present inputs.
@@ -204,7 +210,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
     /// [`MotionError`] when the motion cannot be continued from here.
     pub fn accelerations(&mut self) -> Result<&[f64], MotionError> {
         self.evaluate()?;
-        Ok(&self.motion.now.a)
+        Ok(&self.stepper.now.a)
     }
 
     /// Multipliers, `n_c`, with the present inputs; the reaction on the bodies is −Gᵀ λ.
@@ -213,21 +219,21 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
     /// [`MotionError`] when the motion cannot be continued from here.
     pub fn multipliers(&mut self) -> Result<&[f64], MotionError> {
         self.evaluate()?;
-        Ok(&self.motion.now.lambda)
+        Ok(&self.stepper.now.lambda)
     }
 
     /// Outputs, `n_o`, each in its unit, with the present inputs.
     pub fn outputs(&mut self) -> &[f64] {
-        let State { t, q, v, .. } = &self.motion.now.state;
-        self.motion.system.outputs(*t, q, v, &mut self.outputs);
+        let State { t, q, v, .. } = &self.stepper.now.state;
+        self.stepper.system.outputs(*t, q, v, &mut self.outputs);
         &self.outputs
     }
 
     /// Energies, J; work and balance with [`Simulation::work`](super::Simulation::work).
     pub fn energy(&self) -> EnergyState {
         let (kinetic, potential) = self.mechanical_energy();
-        if self.motion.work {
-            let work = self.motion.now.state.work.iter().fold(0.0, |sum, work| sum + work);
+        if self.stepper.work {
+            let work = self.stepper.now.state.work.iter().fold(0.0, |sum, work| sum + work);
             EnergyState { kinetic, potential, work, balance: kinetic + potential - work - self.initial_energy }
         } else {
             EnergyState::without_work(kinetic, potential)
@@ -235,7 +241,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
     }
 
     fn mechanical_energy(&self) -> (f64, f64) {
-        let (system, State { t, q, v, .. }) = (&self.motion.system, &self.motion.now.state);
+        let (system, State { t, q, v, .. }) = (&self.stepper.system, &self.stepper.now.state);
         (system.kinetic_energy(v), system.potential_energy(*t, q))
     }
 }

@@ -8,7 +8,7 @@ mod kinks;
 mod root;
 mod sought;
 
-use super::motion::Motion;
+use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::model::{EventInfo, EventKind, Scene};
 use dip::dip;
@@ -88,9 +88,9 @@ impl Lookout {
     /// Locates the events of the step that `motion` has made, both ends evaluated; returns the event that ends the run.
     pub(super) fn look<S: Scene + ?Sized>(
         &mut self,
-        motion: &mut Motion<'_, S>,
+        stepper: &mut StepperState<'_, S>,
     ) -> Result<Option<Passage>, MotionError> {
-        self.find(motion)?;
+        self.find(stepper)?;
         let end = self.passages.iter().position(|passage| passage.event.kind == EventKind::End);
         if let Some(end) = end {
             self.passages.truncate(end + 1);
@@ -99,10 +99,10 @@ impl Lookout {
     }
 
     /// Keeps the events of the step that was sampled last.
-    pub(super) fn keep<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
+    pub(super) fn keep<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) -> Result<(), MotionError> {
         for Passage { t, event } in self.passages.drain(..) {
-            motion.inside(t, &mut self.place)?;
-            motion.project(&mut self.place)?;
+            stepper.inside(t, &mut self.place)?;
+            stepper.project(&mut self.place)?;
             self.occurred.push(Occurrence { event, state: self.place.clone() });
         }
         Ok(())
@@ -111,21 +111,21 @@ impl Lookout {
     /// Time of the first root of this step alone, s. The function starts above zero, or at zero when the mode `begins`.
     pub(super) fn first<S: Scene + ?Sized>(
         &mut self,
-        motion: &mut Motion<'_, S>,
+        stepper: &mut StepperState<'_, S>,
         begins: bool,
     ) -> Result<Option<f64>, MotionError> {
         self.fresh = begins;
         self.sides.fill(1.0);
-        self.find(motion)?;
+        self.find(stepper)?;
         Ok(self.passages.first().map(|passage| passage.t))
     }
 
     /// Last time of the step at which the functions are defined, s; at `undefined` they are not.
-    pub(super) fn last_defined<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, undefined: f64) -> f64 {
-        let (mut last, mut beyond) = (motion.now.state.t, undefined);
+    pub(super) fn last_defined<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>, undefined: f64) -> f64 {
+        let (mut last, mut beyond) = (stepper.now.state.t, undefined);
         while beyond - last > resolution_at(beyond) {
             let t = 0.5 * (last + beyond);
-            match self.value(motion, 0, t) {
+            match self.value(stepper, 0, t) {
                 Ok(_) => last = t,
                 Err(_) => beyond = t,
             }
@@ -139,21 +139,21 @@ impl Lookout {
     }
 
     /// Finds the roots of a step, in time order.
-    fn find<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
+    fn find<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) -> Result<(), MotionError> {
         self.passages.clear();
-        self.sample(motion)?;
+        self.sample(stepper)?;
         if self.fresh {
             self.begin();
         }
         for i in 0..self.n_told {
             for part in 1..=N_PARTS {
                 let ends = [part - 1, part].map(|k| (self.times[k], self.values[k][i]));
-                match self.dip(motion, i, part)? {
+                match self.dip(stepper, i, part)? {
                     Some(lowest) => {
-                        self.compare(motion, i, [ends[0], lowest])?;
-                        self.compare(motion, i, [lowest, ends[1]])?;
+                        self.compare(stepper, i, [ends[0], lowest])?;
+                        self.compare(stepper, i, [lowest, ends[1]])?;
                     }
-                    None => self.compare(motion, i, ends)?,
+                    None => self.compare(stepper, i, ends)?,
                 }
             }
         }
@@ -162,20 +162,20 @@ impl Lookout {
     }
 
     /// Samples the functions over a step.
-    fn sample<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>) -> Result<(), MotionError> {
-        let (from, to) = (motion.now.state.t, motion.next.state.t);
+    fn sample<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) -> Result<(), MotionError> {
+        let (from, to) = (stepper.now.state.t, stepper.next.state.t);
         for part in 0..=N_PARTS {
             let t = from + (to - from) * part as f64 / N_PARTS as f64;
             let (t, state) = match part {
-                0 => (from, &motion.now.state),
-                N_PARTS => (to, &motion.next.state),
+                0 => (from, &stepper.now.state),
+                N_PARTS => (to, &stepper.next.state),
                 _ => {
-                    motion.inside(t, &mut self.place)?;
+                    stepper.inside(t, &mut self.place)?;
                     (t, &self.place)
                 }
             };
             self.times[part] = t;
-            self.sought.read(&mut motion.system, t, [&state.q, &state.v], &mut self.values[part])?;
+            self.sought.read(&mut stepper.system, t, [&state.q, &state.v], &mut self.values[part])?;
         }
         Ok(())
     }
@@ -191,16 +191,21 @@ impl Lookout {
     }
 
     /// Function `i` at `t` within the step.
-    fn value<S: Scene + ?Sized>(&mut self, motion: &mut Motion<'_, S>, i: usize, t: f64) -> Result<f64, MotionError> {
-        motion.inside(t, &mut self.place)?;
-        self.sought.read(&mut motion.system, t, [&self.place.q, &self.place.v], &mut self.tried)?;
+    fn value<S: Scene + ?Sized>(
+        &mut self,
+        stepper: &mut StepperState<'_, S>,
+        i: usize,
+        t: f64,
+    ) -> Result<f64, MotionError> {
+        stepper.inside(t, &mut self.place)?;
+        self.sought.read(&mut stepper.system, t, [&self.place.q, &self.place.v], &mut self.tried)?;
         Ok(self.tried[i])
     }
 
     /// A time within a part of the step, and the value there, whose sign differs from both ends of the part.
     fn dip<S: Scene + ?Sized>(
         &mut self,
-        motion: &mut Motion<'_, S>,
+        stepper: &mut StepperState<'_, S>,
         i: usize,
         part: usize,
     ) -> Result<Option<(f64, f64)>, MotionError> {
@@ -212,7 +217,7 @@ impl Lookout {
         let others: [Option<usize>; 2] = [part.checked_sub(2), (part < N_PARTS).then_some(part + 1)];
         let others = others.map(|k| k.map(place));
         let lowest = dip(place(part - 1), place(part), others.into_iter().flatten(), |t| {
-            self.value(motion, i, t).map(|value| side * value)
+            self.value(stepper, i, t).map(|value| side * value)
         })?;
         Ok(lowest.map(|t| (t, self.tried[i])))
     }
@@ -220,7 +225,7 @@ impl Lookout {
     /// Keeps the root of function `i` when its sign changes between two samples.
     fn compare<S: Scene + ?Sized>(
         &mut self,
-        motion: &mut Motion<'_, S>,
+        stepper: &mut StepperState<'_, S>,
         i: usize,
         [(t_before, before), (t, after)]: [(f64, f64); 2],
     ) -> Result<(), MotionError> {
@@ -237,7 +242,7 @@ impl Lookout {
         let t = if side_of(before) == side {
             t_before
         } else {
-            root((t_before, before), (t, after), resolution_at(t), |t| self.value(motion, i, t))?
+            root((t_before, before), (t, after), resolution_at(t), |t| self.value(stepper, i, t))?
         };
         self.passages.push(Passage { t, event });
         Ok(())

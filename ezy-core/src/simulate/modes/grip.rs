@@ -4,7 +4,7 @@ use super::Modes;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, GripInfo, Scene};
 use crate::simulate::events::Sought;
-use crate::simulate::motion::Motion;
+use crate::simulate::stepper_state::StepperState;
 
 const HOLDS: usize = 0;
 const SLIDES_LEFT: usize = 1;
@@ -23,10 +23,10 @@ pub(super) fn side(mode: usize) -> Option<f64> {
 pub(super) fn ends<S: Scene + ?Sized>(
     modes: &Modes<'_, S>,
     info: &GripInfo,
-    motion: &Motion<'_, S>,
+    stepper: &StepperState<'_, S>,
 ) -> Result<bool, MotionError> {
-    let limit = limit(info, motion)?;
-    Ok(modes.mode == HOLDS && reaction(info, motion).abs() > limit)
+    let limit = limit(info, stepper)?;
+    Ok(modes.mode == HOLDS && reaction(info, stepper).abs() > limit)
 }
 
 /// Stick to slip against the reaction; slip to stick, or to slip to the other side when the reaction exceeds the limit.
@@ -34,17 +34,17 @@ pub(super) fn ends<S: Scene + ?Sized>(
 pub(super) fn change<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static GripInfo,
-    motion: &mut Motion<'s, S>,
+    stepper: &mut StepperState<'s, S>,
 ) -> Result<bool, MotionError> {
     let held = modes.mode == HOLDS;
     if !held {
-        modes.tell(&info.stops, motion);
-        modes.switch(HOLDS, motion)?;
+        modes.tell(&info.stops, stepper);
+        modes.switch(HOLDS, stepper)?;
     }
-    let (reaction, limit) = (reaction(info, motion), limit(info, motion)?);
+    let (reaction, limit) = (reaction(info, stepper), limit(info, stepper)?);
     if held || reaction.abs() > limit {
-        modes.tell(&info.slides, motion);
-        modes.switch(if reaction > 0.0 { SLIDES_LEFT } else { SLIDES_RIGHT }, motion)?;
+        modes.tell(&info.slides, stepper);
+        modes.switch(if reaction > 0.0 { SLIDES_LEFT } else { SLIDES_RIGHT }, stepper)?;
     }
     Ok(modes.mode != HOLDS)
 }
@@ -53,11 +53,11 @@ pub(super) fn change<'s, S: Scene + ?Sized>(
 pub(super) fn sought<S: Scene + ?Sized>(
     info: &'static GripInfo,
     mode: usize,
-    motion: &Motion<'_, S>,
+    stepper: &StepperState<'_, S>,
 ) -> (Sought, &'static [EventInfo]) {
     match side(mode) {
         None => {
-            let (a, lambda) = (motion.now.a.clone(), motion.now.lambda.clone());
+            let (a, lambda) = (stepper.now.a.clone(), stepper.now.lambda.clone());
             (Sought::Reserve { info, a, lambda }, std::slice::from_ref(&info.slides))
         }
         Some(side) => (Sought::Slide { info, side }, std::slice::from_ref(&info.stops)),
@@ -65,11 +65,11 @@ pub(super) fn sought<S: Scene + ?Sized>(
 }
 
 /// Force of the skate that holds, N.
-fn reaction<S: Scene + ?Sized>(info: &GripInfo, motion: &Motion<'_, S>) -> f64 {
-    motion.now.lambda[info.row]
+fn reaction<S: Scene + ?Sized>(info: &GripInfo, stepper: &StepperState<'_, S>) -> f64 {
+    stepper.now.lambda[info.row]
 }
 
-fn limit<S: Scene + ?Sized>(info: &GripInfo, motion: &Motion<'_, S>) -> Result<f64, MotionError> {
-    let state = &motion.now.state;
-    Ok(motion.system.checked_grip(info, state.t, &state.q, &state.v)?[0])
+fn limit<S: Scene + ?Sized>(info: &GripInfo, stepper: &StepperState<'_, S>) -> Result<f64, MotionError> {
+    let state = &stepper.now.state;
+    Ok(stepper.system.checked_grip(info, state.t, &state.q, &state.v)?[0])
 }

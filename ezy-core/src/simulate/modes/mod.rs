@@ -5,7 +5,7 @@ mod stop;
 
 use super::SetupError;
 use super::events::{Lookout, Occurrence, resolution_at};
-use super::motion::Motion;
+use super::stepper_state::StepperState;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, GripInfo, Scene, SceneInfo, StopInfo};
 
@@ -31,7 +31,7 @@ pub(super) struct Modes<'s, S: Scene + ?Sized> {
     law: Law,
     /// The one under way, a place in `Derived::modes`.
     mode: usize,
-    parked: Vec<(usize, Motion<'s, S>)>,
+    parked: Vec<(usize, StepperState<'s, S>)>,
     lookout: Lookout,
     /// Whether the mode has made no step yet. Its event function may then begin at zero.
     begins: bool,
@@ -56,7 +56,7 @@ enum Cut {
 
 impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// For a scene that starts in mode `first` and may change to `others`; `None` for a scene without modes.
-    pub(super) fn new(first: &Motion<'s, S>, others: Vec<Motion<'s, S>>) -> Option<Self> {
+    pub(super) fn new(first: &StepperState<'s, S>, others: Vec<StepperState<'s, S>>) -> Option<Self> {
         let info = first.system.info();
         let law = info.grip.as_ref().map(Law::Grip).or(info.stop.as_ref().map(Law::Stop))?;
         let lookout = lookout(law, 0, first);
@@ -76,9 +76,9 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Description of the mode with the most constraints.
-    pub(super) fn record_info(&self, motion: &Motion<'s, S>) -> &'static SceneInfo {
-        let infos = self.parked().chain([motion]).map(|motion| motion.system.info());
-        infos.max_by_key(|info| info.n_rows()).unwrap_or(motion.system.info())
+    pub(super) fn record_info(&self, stepper: &StepperState<'s, S>) -> &'static SceneInfo {
+        let infos = self.parked().chain([stepper]).map(|stepper| stepper.system.info());
+        infos.max_by_key(|info| info.n_rows()).unwrap_or(stepper.system.info())
     }
 
     /// The constraint that the active mode does not have, and its multiplier as a multiple of the skate's limit.
@@ -89,36 +89,41 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         }
     }
 
-    pub(super) fn parked(&self) -> impl Iterator<Item = &Motion<'s, S>> {
-        self.parked.iter().map(|(_, motion)| motion)
+    pub(super) fn parked(&self) -> impl Iterator<Item = &StepperState<'s, S>> {
+        self.parked.iter().map(|(_, stepper)| stepper)
     }
 
     /// Rejected steps of the inactive modes, and discarded steps of all modes.
     pub(super) fn n_rejected(&self) -> u64 {
-        self.n_taken_back + self.parked().map(Motion::n_rejected).sum::<u64>()
+        self.n_taken_back + self.parked().map(StepperState::n_rejected).sum::<u64>()
     }
 
     /// Chooses the mode of the start.
     ///
     /// # Errors
     /// [`SetupError::BeyondStop`], and those of laws that cannot be read and of the change.
-    pub(super) fn start(&mut self, motion: &mut Motion<'s, S>) -> Result<(), SetupError> {
+    pub(super) fn start(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), SetupError> {
         match self.law {
-            Law::Grip(_) => Ok(self.settle(motion)?),
-            Law::Stop(info) => stop::start(self, info, motion),
+            Law::Grip(_) => Ok(self.settle(stepper)?),
+            Law::Stop(info) => stop::start(self, info, stepper),
         }
     }
 
     /// One step, up to the change of mode if there is one; returns whether the mode changes at its end.
-    pub(super) fn advance(&mut self, motion: &mut Motion<'s, S>, h: f64, t_next: f64) -> Result<bool, MotionError> {
-        self.settle(motion)?;
+    pub(super) fn advance(
+        &mut self,
+        stepper: &mut StepperState<'s, S>,
+        h: f64,
+        t_next: f64,
+    ) -> Result<bool, MotionError> {
+        self.settle(stepper)?;
         for _ in 0..MAX_AT_ONCE {
             if h > self.longest_s {
-                motion.advance_again(self.longest_s, motion.now.state.t + self.longest_s)?;
+                stepper.advance_again(self.longest_s, stepper.now.state.t + self.longest_s)?;
             } else {
-                motion.advance(h, t_next)?;
+                stepper.advance(h, t_next)?;
             }
-            match self.cut(motion)? {
+            match self.cut(stepper)? {
                 Cut::Whole => {
                     (self.begins, self.longest_s) = (false, f64::INFINITY);
                     return Ok(false);
@@ -126,70 +131,70 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
                 Cut::AtChange => return Ok(true),
                 Cut::AtOnce => {
                     self.n_taken_back += 1;
-                    self.change(motion)?;
+                    self.change(stepper)?;
                 }
             }
         }
-        Err(MotionError::StepCollapsed { t: motion.now.state.t, step_s: 0.0 })
+        Err(MotionError::StepCollapsed { t: stepper.now.state.t, step_s: 0.0 })
     }
 
     /// Changes the mode when the active one is not admissible at the present state.
-    fn settle(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+    fn settle(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
         let ends = match self.law {
-            Law::Grip(info) => grip::ends(self, info, motion)?,
-            Law::Stop(info) => stop::ends(self, info, motion),
+            Law::Grip(info) => grip::ends(self, info, stepper)?,
+            Law::Stop(info) => stop::ends(self, info, stepper),
         };
         if std::mem::take(&mut self.is_due) || ends {
-            self.change(motion)?;
+            self.change(stepper)?;
         }
         Ok(())
     }
 
     /// Changes to the next mode.
-    pub(super) fn change(&mut self, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+    pub(super) fn change(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
         self.longest_s = f64::INFINITY;
         self.begins = match self.law {
-            Law::Grip(info) => grip::change(self, info, motion)?,
-            Law::Stop(info) => stop::change(self, info, motion)?,
+            Law::Grip(info) => grip::change(self, info, stepper)?,
+            Law::Stop(info) => stop::change(self, info, stepper)?,
         };
-        self.lookout = lookout(self.law, self.mode, motion);
+        self.lookout = lookout(self.law, self.mode, stepper);
         Ok(())
     }
 
-    fn switch(&mut self, mode: usize, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+    fn switch(&mut self, mode: usize, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
         if let Some(other) = self.parked_in(mode) {
-            other.take_over(motion)?;
+            other.take_over(stepper)?;
         }
-        self.swap(mode, motion);
+        self.swap(mode, stepper);
         Ok(())
     }
 
     /// Makes a mode the active one, with its own state.
-    fn swap(&mut self, mode: usize, motion: &mut Motion<'s, S>) {
+    fn swap(&mut self, mode: usize, stepper: &mut StepperState<'s, S>) {
         if let Some((parked, other)) = self.parked.iter_mut().find(|(parked, _)| *parked == mode) {
-            std::mem::swap(other, motion);
+            std::mem::swap(other, stepper);
             *parked = std::mem::replace(&mut self.mode, mode);
         }
     }
 
-    fn parked_in(&mut self, mode: usize) -> Option<&mut Motion<'s, S>> {
-        self.parked.iter_mut().find(|(parked, _)| *parked == mode).map(|(_, motion)| motion)
+    fn parked_in(&mut self, mode: usize) -> Option<&mut StepperState<'s, S>> {
+        self.parked.iter_mut().find(|(parked, _)| *parked == mode).map(|(_, stepper)| stepper)
     }
 
-    fn tell(&mut self, event: &'static EventInfo, motion: &Motion<'s, S>) {
-        self.occurred.push(Occurrence { event, state: motion.now.state.clone() });
+    fn tell(&mut self, event: &'static EventInfo, stepper: &StepperState<'s, S>) {
+        self.occurred.push(Occurrence { event, state: stepper.now.state.clone() });
     }
 
     /// Repeats a step that goes past the end of the mode.
-    fn cut(&mut self, motion: &mut Motion<'s, S>) -> Result<Cut, MotionError> {
-        let start = motion.now.state.t;
-        let shortest = SHORTEST * (motion.next.state.t - start);
+    fn cut(&mut self, stepper: &mut StepperState<'s, S>) -> Result<Cut, MotionError> {
+        let start = stepper.now.state.t;
+        let shortest = SHORTEST * (stepper.next.state.t - start);
         loop {
-            motion.evaluate_next()?;
-            let first = match self.lookout.first(motion, self.begins) {
+            stepper.evaluate_next()?;
+            let first = match self.lookout.first(stepper, self.begins) {
                 Ok(first) => first,
                 Err(fault) => {
-                    self.end_before(fault, motion)?;
+                    self.end_before(fault, stepper)?;
                     continue;
                 }
             };
@@ -197,47 +202,47 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
                 if t <= start {
                     return Ok(Cut::AtOnce);
                 }
-                self.advance_again(motion, t)?;
-                return Ok(if motion.next.state.t < t { Cut::Whole } else { Cut::AtChange });
+                self.advance_again(stepper, t)?;
+                return Ok(if stepper.next.state.t < t { Cut::Whole } else { Cut::AtChange });
             }
             if !self.lookout.ends_below() {
                 return Ok(Cut::Whole);
             }
             // the event function is below zero at the end, and began at zero: the mode ends earlier
-            let h = SHORTER * (motion.next.state.t - start);
+            let h = SHORTER * (stepper.next.state.t - start);
             if h < shortest || start + h <= start {
                 return Ok(Cut::AtOnce);
             }
-            self.advance_again(motion, start + h)?;
+            self.advance_again(stepper, start + h)?;
         }
     }
 
     /// Repeats a step up to the last time at which the event function is defined, since the mode may end before. When no
     /// step is left, the error ends the run.
-    fn end_before(&mut self, fault: MotionError, motion: &mut Motion<'s, S>) -> Result<(), MotionError> {
+    fn end_before(&mut self, fault: MotionError, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
         let (MotionError::SkateLimit { t, .. } | MotionError::StopNotFinite { t, .. }) = fault else {
             return Err(fault);
         };
-        let last = self.lookout.last_defined(motion, t);
-        if last - motion.now.state.t <= resolution_at(last) {
+        let last = self.lookout.last_defined(stepper, t);
+        if last - stepper.now.state.t <= resolution_at(last) {
             return Err(fault);
         }
-        self.advance_again(motion, last)
+        self.advance_again(stepper, last)
     }
 
     /// Discards the present step and makes one that ends at `t`.
-    fn advance_again(&mut self, motion: &mut Motion<'s, S>, t: f64) -> Result<(), MotionError> {
+    fn advance_again(&mut self, stepper: &mut StepperState<'s, S>, t: f64) -> Result<(), MotionError> {
         self.n_taken_back += 1;
-        motion.advance_again(t - motion.now.state.t, t)
+        stepper.advance_again(t - stepper.now.state.t, t)
     }
 }
 
 /// What ends a mode.
-fn lookout<S: Scene + ?Sized>(law: Law, mode: usize, motion: &Motion<'_, S>) -> Lookout {
-    let (n_q, n_works) = (motion.now.state.q.len(), motion.now.state.work.len());
+fn lookout<S: Scene + ?Sized>(law: Law, mode: usize, stepper: &StepperState<'_, S>) -> Lookout {
+    let (n_q, n_works) = (stepper.now.state.q.len(), stepper.now.state.work.len());
     let (sought, events) = match law {
-        Law::Grip(info) => grip::sought(info, mode, motion),
-        Law::Stop(info) => stop::sought(info, mode, motion),
+        Law::Grip(info) => grip::sought(info, mode, stepper),
+        Law::Stop(info) => stop::sought(info, mode, stepper),
     };
     Lookout::new(sought, events, n_q, n_works)
 }

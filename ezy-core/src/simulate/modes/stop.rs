@@ -9,7 +9,7 @@ use crate::dynamics::{MotionError, SystemRow};
 use crate::model::{EventInfo, Scene, StopInfo};
 use crate::simulate::SetupError;
 use crate::simulate::events::{Sought, resolution_at};
-use crate::simulate::motion::Motion;
+use crate::simulate::stepper_state::StepperState;
 
 const FREE: usize = 0;
 
@@ -40,24 +40,24 @@ struct Contact {
 pub(super) fn start<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static StopInfo,
-    motion: &mut Motion<'s, S>,
+    stepper: &mut StepperState<'s, S>,
 ) -> Result<(), SetupError> {
-    let Contact { end, gap, rate, .. } = nearest(info, motion)?;
-    let state = &motion.now.state;
+    let Contact { end, gap, rate, .. } = nearest(info, stepper)?;
+    let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
     let Some(rest) = modes.parked_in(end + 1) else { return Ok(()) };
     let touching = BEYOND * rest.system.position_tolerance(&row);
     if gap < -touching {
-        let scene = motion.system.info().name;
+        let scene = stepper.system.info().name;
         return Err(SetupError::BeyondStop { scene, stop: info.name, end: info.end(end), beyond: -gap });
     }
     if gap > touching {
         return Ok(());
     }
     check_rate(info, end, state.t, rate)?;
-    let stands = rate == 0.0 || flight(info, end, motion, rest).is_some_and(|flight| flight.is_too_short);
+    let stands = rate == 0.0 || flight(info, end, stepper, rest).is_some_and(|flight| flight.is_too_short);
     if stands {
-        modes.change(motion)?;
+        modes.change(stepper)?;
         modes.occurred.clear();
     }
     modes.is_due = !stands && rate < 0.0;
@@ -65,21 +65,21 @@ pub(super) fn start<'s, S: Scene + ?Sized>(
 }
 
 /// Whether the closed contact would have to pull.
-pub(super) fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &StopInfo, motion: &Motion<'_, S>) -> bool {
-    modes.mode != FREE && push(info, modes.mode, motion) < 0.0
+pub(super) fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &StopInfo, stepper: &StepperState<'_, S>) -> bool {
+    modes.mode != FREE && push(info, modes.mode, stepper) < 0.0
 }
 
 /// Free to free or to contact, by an impact; contact to free. Returns whether the distance then begins at zero.
 pub(super) fn change<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static StopInfo,
-    motion: &mut Motion<'s, S>,
+    stepper: &mut StepperState<'s, S>,
 ) -> Result<bool, MotionError> {
     if modes.mode == FREE {
-        arrive(modes, info, motion)?;
+        arrive(modes, info, stepper)?;
     } else {
-        modes.tell(&info.lets_go, motion);
-        modes.switch(FREE, motion)?;
+        modes.tell(&info.lets_go, stepper);
+        modes.switch(FREE, stepper)?;
     }
     Ok(modes.mode == FREE)
 }
@@ -88,12 +88,12 @@ pub(super) fn change<'s, S: Scene + ?Sized>(
 pub(super) fn sought<S: Scene + ?Sized>(
     info: &'static StopInfo,
     mode: usize,
-    motion: &Motion<'_, S>,
+    stepper: &StepperState<'_, S>,
 ) -> (Sought, &'static [EventInfo]) {
     if mode == FREE {
         return (Sought::Gaps { info, values: vec![0.0; n_values(info)] }, info.hits);
     }
-    let (a, lambda) = (motion.now.a.clone(), motion.now.lambda.clone());
+    let (a, lambda) = (stepper.now.a.clone(), stepper.now.lambda.clone());
     let side = f64::from(info.sides[mode - 1]);
     (Sought::Push { row: info.row, side, a, lambda }, std::slice::from_ref(&info.lets_go))
 }
@@ -102,35 +102,35 @@ pub(super) fn sought<S: Scene + ?Sized>(
 fn arrive<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
     info: &'static StopInfo,
-    motion: &mut Motion<'s, S>,
+    stepper: &mut StepperState<'s, S>,
 ) -> Result<(), MotionError> {
-    let Contact { end, rate, restitution, .. } = nearest(info, motion)?;
-    check_rate(info, end, motion.now.state.t, rate)?;
+    let Contact { end, rate, restitution, .. } = nearest(info, stepper)?;
+    check_rate(info, end, stepper.now.state.t, rate)?;
     if !(0.0..=1.0).contains(&restitution) {
-        return Err(MotionError::Restitution { t: motion.now.state.t, stop: info.name, value: restitution });
+        return Err(MotionError::Restitution { t: stepper.now.state.t, stop: info.name, value: restitution });
     }
     let comes = rate < 0.0;
     if comes {
-        modes.tell(&info.hits[end], motion);
+        modes.tell(&info.hits[end], stepper);
     }
     let mode = end + 1;
     let Some(rest) = modes.parked_in(mode) else { return Ok(()) };
-    rest.land(motion)?;
+    rest.land(stepper)?;
     let e = if comes { restitution } else { 0.0 };
-    let (before, landed) = (motion.energy(), &rest.now.state);
-    let velocities = landed.v.iter().zip(&motion.now.state.v).map(|(v0, v)| v0 + e * (v0 - v)).collect();
-    motion.rebound(&landed.q, velocities)?;
-    let flight = flight(info, end, motion, rest);
+    let (before, landed) = (stepper.energy(), &rest.now.state);
+    let velocities = landed.v.iter().zip(&stepper.now.state.v).map(|(v0, v)| v0 + e * (v0 - v)).collect();
+    stepper.rebound(&landed.q, velocities)?;
+    let flight = flight(info, end, stepper, rest);
     let stays = e == 0.0 || flight.is_some_and(|flight| flight.is_too_short);
     let rests = stays && push(info, mode, rest) >= 0.0;
-    let arrived = if rests { &mut *rest } else { &mut *motion };
+    let arrived = if rests { &mut *rest } else { &mut *stepper };
     let lost = arrived.energy() - before;
     if let Some(work) = arrived.now.state.work.last_mut() {
         *work += lost;
     }
     if rests {
-        modes.swap(mode, motion);
-        modes.tell(&info.holds, motion);
+        modes.swap(mode, stepper);
+        modes.tell(&info.holds, stepper);
     } else {
         modes.longest_s = flight.map_or(f64::INFINITY, |flight| LONG_ENOUGH * flight.length_s);
     }
@@ -148,18 +148,18 @@ struct Flight {
 fn flight<S: Scene + ?Sized>(
     info: &StopInfo,
     end: usize,
-    motion: &Motion<'_, S>,
-    rest: &mut Motion<'_, S>,
+    stepper: &StepperState<'_, S>,
+    rest: &mut StepperState<'_, S>,
 ) -> Option<Flight> {
-    let state = &motion.now.state;
+    let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
-    let (acceleration, rounding) = rest.system.row_acceleration(&row, &motion.now.a);
+    let (acceleration, rounding) = rest.system.row_acceleration(&row, &stepper.now.a);
     let fall = -f64::from(info.sides[end]) * acceleration;
     if fall.is_nan() || fall <= 0.0 {
         return None;
     }
     let mut values = vec![0.0; n_values(info)];
-    motion.system.stop(state.t, &state.q, &state.v, &mut values);
+    stepper.system.stop(state.t, &state.q, &state.v, &mut values);
     let rate = values[2 * end + 1];
     let (length_s, height) = (2.0 * rate.abs() / fall, 0.5 * rate * rate / fall);
     let shortest_s = SHORTEST_FLIGHT * resolution_at(state.t);
@@ -167,9 +167,9 @@ fn flight<S: Scene + ?Sized>(
 }
 
 /// The nearest end.
-fn nearest<S: Scene + ?Sized>(info: &StopInfo, motion: &Motion<'_, S>) -> Result<Contact, MotionError> {
-    let (state, mut values) = (&motion.now.state, vec![0.0; n_values(info)]);
-    motion.system.checked_stop(info, state.t, &state.q, &state.v, &mut values)?;
+fn nearest<S: Scene + ?Sized>(info: &StopInfo, stepper: &StepperState<'_, S>) -> Result<Contact, MotionError> {
+    let (state, mut values) = (&stepper.now.state, vec![0.0; n_values(info)]);
+    stepper.system.checked_stop(info, state.t, &state.q, &state.v, &mut values)?;
     let gap = |end: &usize| values[2 * end];
     let ends = 0..info.hits.len();
     let end = ends.min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or_default();
@@ -189,6 +189,6 @@ fn n_values(info: &StopInfo) -> usize {
 }
 
 /// Force of the stop that holds, away from the end.
-fn push<S: Scene + ?Sized>(info: &StopInfo, mode: usize, motion: &Motion<'_, S>) -> f64 {
-    -f64::from(info.sides[mode - 1]) * motion.now.lambda[info.row]
+fn push<S: Scene + ?Sized>(info: &StopInfo, mode: usize, stepper: &StepperState<'_, S>) -> f64 {
+    -f64::from(info.sides[mode - 1]) * stepper.now.lambda[info.row]
 }

@@ -25,7 +25,7 @@ const QUARTERED: f64 = 0.25;
 const MAX_SHORTENED: usize = 3;
 
 /// The state `now`, and the end `next` of the step under way.
-pub(super) struct Motion<'s, S: Scene + ?Sized> {
+pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     pub system: System<'s, S>,
     integrator: Integrator<'s>,
     kinks: Kinks,
@@ -49,7 +49,7 @@ pub(super) struct Motion<'s, S: Scene + ?Sized> {
     pub next: Snapshot,
 }
 
-impl<'s, S: Scene + ?Sized> Motion<'s, S> {
+impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     pub(super) fn new(
         system: System<'s, S>,
         method: Method,

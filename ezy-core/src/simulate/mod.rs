@@ -2,7 +2,6 @@
 
 mod adaptive;
 mod control;
-mod crossing;
 mod ensemble;
 mod error;
 mod events;
@@ -23,6 +22,7 @@ mod sensitivity;
 mod series;
 mod simulation;
 mod singular;
+mod singularity_crossing;
 mod snapshot;
 mod stepper;
 mod stepper_state;

@@ -1,10 +1,10 @@
 //! A scene with the state of its integration: one step, projected. Shared by runs and steppers.
 
 use super::SetupError;
-use super::crossing::Crossing;
 use super::events::Kinks;
 use super::integrator::Integrator;
 use super::singular::Approach;
+use super::singularity_crossing::SingularityCrossing;
 use super::snapshot::Snapshot;
 use super::usual;
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
@@ -36,7 +36,7 @@ pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     /// Tolerance of a method that chooses its steps.
     tolerance: Option<Tolerance>,
     /// Made when it is first needed.
-    crossing: Option<Box<Crossing>>,
+    crossing: Option<Box<SingularityCrossing>>,
     /// A buffer for positions ahead.
     foreseen: Vec<f64>,
     /// Usual step length, s; zero before the first step.
@@ -109,7 +109,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     pub(super) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let Snapshot { state: State { t, q, .. }, solved, .. } = &self.now;
         self.system.hold_rows(*t, q, solved.is_rank_deficient);
-        let outcome = match self.advance_on_leap(t_next) {
+        let outcome = match self.advance_across_singularity(t_next) {
             Ok(true) => Ok(()),
             Ok(false) => self.advance_past_singular_positions(h, t_next),
             Err(error) => Err(error),
@@ -123,7 +123,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     }
 
     /// A step across a singular position, or a part of such a step; false where there is none.
-    fn advance_on_leap(&mut self, t_next: f64) -> Result<bool, MotionError> {
+    fn advance_across_singularity(&mut self, t_next: f64) -> Result<bool, MotionError> {
         let chooses_steps = self.integrator.chooses_steps();
         let Self { system, crossing, now, next, .. } = self;
         if let Some(crossing) = crossing
@@ -143,7 +143,8 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             let ahead =
                 if is_heading { Some(0.0..0.0) } else { approach.ahead(system, self.usual_s, &mut self.foreseen) };
             let Some(within) = ahead else { return Ok(false) };
-            let crossing = crossing.get_or_insert_with(|| Box::new(Crossing::new(system, self.tolerance, self.work)));
+            let crossing =
+                crossing.get_or_insert_with(|| Box::new(SingularityCrossing::new(system, self.tolerance, self.work)));
             if !crossing.step(system, &approach, within, self.usual_s) {
                 return Ok(false);
             }

@@ -13,7 +13,7 @@ use std::ops::Range;
 /// At a distance D from it, rounding of positions appears in velocities multiplied by 1/D² and in forces by 1/D³. So no step
 /// ends near it. One step of DOP853 crosses it, with the singular position in the widest gap between its nodes. The stages are
 /// projected, since accelerations have a pole there off the constraints.
-pub(super) struct Crossing {
+pub(super) struct SingularityCrossing {
     method: Dop853,
     on_rows: State,
     control: StepControl,
@@ -58,7 +58,7 @@ const FINEST: f64 = 1e-13;
 /// Tolerance for methods with a fixed step, whose own errors are larger.
 const OF_FIXED_STEPS: f64 = 1e-9;
 
-impl Crossing {
+impl SingularityCrossing {
     pub(super) fn new<S: Scene + ?Sized>(system: &System<'_, S>, tolerance: Option<Tolerance>, work: bool) -> Self {
         let info = system.info();
         let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
@@ -120,12 +120,12 @@ impl Crossing {
         let noise = NOISE / self.tolerance.relative;
         for _ in 0..MAX_TRIES {
             let length = self.length_s;
-            let leaps = distance <= ABOUT * MIDDLE * length;
-            let h = if leaps { distance / MIDDLE } else { length.min(distance - MIDDLE * length) };
+            let crosses_now = distance <= ABOUT * MIDDLE * length;
+            let h = if crosses_now { distance / MIDDLE } else { length.min(distance - MIDDLE * length) };
             self.method.restart();
             let mut error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
             let mut others = BESIDE.iter().map(|middle| distance / middle);
-            while leaps
+            while crosses_now
                 && error <= 1.0
                 && self.ends_too_near(system, now)
                 && let Some(other) = others.next()
@@ -139,7 +139,7 @@ impl Crossing {
                     break;
                 }
                 self.is_under_way = true;
-                self.ahead_s = (!leaps).then_some(t + distance);
+                self.ahead_s = (!crosses_now).then_some(t + distance);
                 return true;
             }
             if !self.chooses_steps || length <= shortest {

@@ -1,6 +1,6 @@
 //! DOP853 with its step control.
 
-use super::reach::{Reach, is_too_short, reach};
+use super::step_limit::{StepLimit, is_too_short, limited_step};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Node, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
@@ -115,7 +115,7 @@ impl<T: Scalar> Adaptive<T> {
         // the step length before a kink, to continue with behind it
         let (mut whole, mut n_kinks) = (None, 0);
         loop {
-            let Reach { step_s: h, t_next } = reach(t, end, length);
+            let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }

@@ -1,7 +1,7 @@
 //! Radau IIA with its step control.
 
 use super::events::{Cut, Kinks};
-use super::reach::{Reach, is_too_short, reach};
+use super::step_limit::{StepLimit, is_too_short, limited_step};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Attempt, Node, Radau, RadauControl, Tolerance, tolerance_of_estimate};
 use crate::model::Scene;
@@ -61,7 +61,7 @@ impl Implicit {
         // the step length before a kink, to continue with behind it
         let (mut whole, mut cut) = (None, None);
         loop {
-            let Reach { step_s: h, t_next } = reach(t, end, length);
+            let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }

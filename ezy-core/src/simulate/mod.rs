@@ -1,6 +1,7 @@
 //! Runs a scene: step, project, record. Knows no formula.
 
 mod adaptive;
+mod build;
 mod control;
 mod ensemble;
 mod error;
@@ -9,25 +10,24 @@ mod implicit;
 mod input_file;
 mod input_table;
 mod integrator;
-mod keeper;
-mod launch;
 mod modes;
 mod monitor;
 mod outcome;
-mod pace;
 mod rank_watch;
-mod reach;
 mod run_loop;
+mod sampler;
+mod schedule;
 mod sensitivity;
 mod series;
 mod simulation;
 mod singular;
 mod singularity_crossing;
 mod snapshot;
+mod step_limit;
 mod stepper;
 mod stepper_state;
 mod trajectory;
-mod usual;
+mod usual_step;
 
 pub use ensemble::Ensemble;
 pub use error::SetupError;

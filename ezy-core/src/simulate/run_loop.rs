@@ -2,11 +2,11 @@
 
 use super::control::Control;
 use super::events::{Lookout, Passage, Sought};
-use super::keeper::Keeper;
 use super::modes::Modes;
 use super::monitor::Watch;
-use super::pace::Pace;
 use super::rank_watch::RankRecord;
+use super::sampler::Sampler;
+use super::schedule::Schedule;
 use super::snapshot::Snapshot;
 use super::stepper_state::StepperState;
 use super::{Cost, Outcome, Run, SetupError, StopReason};
@@ -17,7 +17,7 @@ use std::time::Instant;
 
 /// The checked settings of a run.
 pub(super) struct Plan {
-    pub pace: Pace,
+    pub schedule: Schedule,
     pub every_s: Option<f64>,
     pub wanted: Wanted,
     /// Events to locate.
@@ -45,7 +45,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     between: Snapshot,
     /// Inputs of the step under way, restored when the controller of the next one fails.
     inputs: Vec<f64>,
-    keeper: Keeper<'s>,
+    sampler: Sampler<'s>,
     on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
     /// Hundredths of the run that were reported.
     told: f64,
@@ -65,20 +65,20 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     ) -> Result<Self, SetupError> {
         let info = stepper.system.info();
         let t = stepper.now.state.t;
-        control.act(&stepper.now.state, plan.pace.step(0, t).0, &mut stepper.system)?;
+        control.act(&stepper.now.state, plan.schedule.step(0, t).0, &mut stepper.system)?;
         stepper.evaluate_now()?;
         if let Some(quantity) = not_finite(info, &stepper.now.a, &[]) {
             return Err(MotionError::NotFinite { t: stepper.now.state.t, quantity }.into());
         }
         let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&stepper));
-        let mut keeper = Keeper::new(recorded, plan.wanted, recorder);
+        let mut sampler = Sampler::new(recorded, plan.wanted, recorder);
         let mut between = Snapshot::zero(info, plan.wanted.work);
         if let Some(modes) = &mut modes {
             modes.start(&mut stepper)?;
             between.lambda.clone_from(&stepper.now.lambda);
-            keeper.lacking = modes.lacking();
+            sampler.lacking = modes.lacking();
         }
-        keeper.keep(&mut stepper.system, &stepper.now)?;
+        sampler.keep(&mut stepper.system, &stepper.now)?;
         let mut rank = RankRecord::default();
         rank.see(&mut stepper.system, &stepper.now);
         let inputs = stepper.system.inputs().to_vec();
@@ -94,7 +94,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             cut: false,
             between,
             inputs,
-            keeper,
+            sampler,
             on_progress,
             told: 0.0,
             rank,
@@ -105,7 +105,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let began = Instant::now();
         let mut steps = 0;
         let mut outcome = Outcome::ReachedEnd;
-        while self.stepper.now.state.t < self.plan.pace.end() {
+        while self.stepper.now.state.t < self.plan.schedule.end() {
             match self.step(steps) {
                 Ok(None) => {}
                 Ok(Some(Passage { t, event })) => {
@@ -123,9 +123,9 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             steps += 1;
             self.tell_progress();
         }
-        if self.keeper.last_time() < self.stepper.now.state.t {
+        if self.sampler.last_time() < self.stepper.now.state.t {
             // the end, or the last good state
-            if let Err(error) = self.keeper.keep(&mut self.stepper.system, &self.stepper.now)
+            if let Err(error) = self.sampler.keep(&mut self.stepper.system, &self.stepper.now)
                 && outcome.reached_end()
             {
                 outcome = Outcome::Stopped { t: self.stepper.now.state.t, reason: error.into(), strain: None };
@@ -145,7 +145,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             events.extend(modes.occurred);
             events.sort_by(|a, b| a.state.t.total_cmp(&b.state.t));
         }
-        let (info, monitors) = (self.keeper.info(), self.watch.monitors());
+        let (info, monitors) = (self.sampler.info(), self.watch.monitors());
         Ok(Run {
             outcome,
             cost,
@@ -154,16 +154,16 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             stiff_since_s,
             info,
             events,
-            record: self.keeper.into_record(),
+            record: self.sampler.into_record(),
         })
     }
 
     /// One step from `now`, which is unchanged when the step fails; returns the event that ends the run.
     fn step(&mut self, n: u64) -> Result<Option<Passage>, StopReason> {
         self.watch.admits_step(self.stepper.chooses_steps(), self.n_rejected())?;
-        let (h, t_next) = self.plan.pace.step(n - self.n_cut, self.stepper.now.state.t);
+        let (h, t_next) = self.plan.schedule.step(n - self.n_cut, self.stepper.now.state.t);
         let changes = self.advance(h, t_next)?;
-        let last = self.stepper.next.state.t >= self.plan.pace.end();
+        let last = self.stepper.next.state.t >= self.plan.schedule.end();
         if !self.lookout.is_idle() {
             self.stepper.evaluate_next()?;
             let end = self.lookout.look(&mut self.stepper)?;
@@ -183,7 +183,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         if controlled {
             // from here on the start of the next step is evaluated
             let stepper = &mut self.stepper;
-            let (h, _) = self.plan.pace.step(n + 1 - self.n_cut, stepper.next.state.t);
+            let (h, _) = self.plan.schedule.step(n + 1 - self.n_cut, stepper.next.state.t);
             self.control.act(&stepper.next.state, h, &mut stepper.system)?;
             stepper.evaluate_next()?;
         }
@@ -192,7 +192,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         self.rank.see(&mut self.stepper.system, &self.stepper.now);
         self.inputs.copy_from_slice(self.stepper.system.inputs());
         if on_end && !last {
-            self.keeper.keep(&mut self.stepper.system, &self.stepper.now)?;
+            self.sampler.keep(&mut self.stepper.system, &self.stepper.now)?;
         }
         let changed = match &mut self.modes {
             Some(modes) if changes && !last => modes.change(&mut self.stepper),
@@ -240,14 +240,14 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     fn follow_mode(&mut self) {
         if let Some(modes) = &self.modes {
             self.between.lambda.clone_from(&self.stepper.now.lambda);
-            self.keeper.lacking = modes.lacking();
+            self.sampler.lacking = modes.lacking();
         }
     }
 
     /// Time of the next sample; infinite when only start and end are kept.
     fn next_sample(&self) -> f64 {
-        let start = self.plan.pace.start();
-        self.plan.every_s.map_or(f64::INFINITY, |every_s| start + self.keeper.n_kept() as f64 * every_s)
+        let start = self.plan.schedule.start();
+        self.plan.every_s.map_or(f64::INFINITY, |every_s| start + self.sampler.n_kept() as f64 * every_s)
     }
 
     /// Whether a sample falls into the step from `now` to `next`, not on its end.
@@ -267,13 +267,13 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         while self.sample_is_due_before() && self.next_sample() < end {
             let t = self.next_sample();
             self.stepper.between(t, &mut self.between)?;
-            self.keeper.keep(&mut self.stepper.system, &self.between)?;
+            self.sampler.keep(&mut self.stepper.system, &self.between)?;
         }
         Ok(())
     }
 
     fn tell_progress(&mut self) {
-        let (start, end) = (self.plan.pace.start(), self.plan.pace.end());
+        let (start, end) = (self.plan.schedule.start(), self.plan.schedule.end());
         let done = (self.stepper.now.state.t - start) / (end - start);
         if let Some(progress) = &mut self.on_progress
             && (done * N_PROGRESS >= self.told + 1.0 || done >= 1.0)

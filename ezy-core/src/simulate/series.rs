@@ -1,6 +1,6 @@
 //! Taylor's method with its step control.
 
-use super::reach::{Reach, is_too_short, reach};
+use super::step_limit::{StepLimit, is_too_short, limited_step};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Node, Taylor, Tolerance};
 use crate::model::Scene;
@@ -28,7 +28,7 @@ impl<'s> AlongSeries<'s> {
         if is_too_short(t, length) && length < end - t {
             return Err(MotionError::StepCollapsed { t, step_s: length });
         }
-        let Reach { step_s, t_next } = reach(t, end, length);
+        let StepLimit { step_s, t_next } = limited_step(t, end, length);
         self.taylor.advance(system, from.state, step_s, to);
         to.t = t_next;
         Ok(())

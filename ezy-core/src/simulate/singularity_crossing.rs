@@ -2,7 +2,7 @@
 
 use super::singular::{Approach, about};
 use super::snapshot::Snapshot;
-use super::usual;
+use super::usual_step;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
@@ -116,7 +116,7 @@ impl SingularityCrossing {
         if !self.chooses_steps {
             self.length_s = distance / MIDDLE;
         }
-        let shortest = usual::SHORTEST * usual_s;
+        let shortest = usual_step::SHORTEST * usual_s;
         let noise = NOISE / self.tolerance.relative;
         for _ in 0..MAX_TRIES {
             let length = self.length_s;

@@ -6,7 +6,7 @@ use super::integrator::Integrator;
 use super::singular::Approach;
 use super::singularity_crossing::SingularityCrossing;
 use super::snapshot::Snapshot;
-use super::usual;
+use super::usual_step;
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
@@ -116,7 +116,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         };
         if outcome.is_ok() {
             let length = self.next.state.t - self.now.state.t;
-            self.usual_s = usual::follow(self.usual_s, length, length);
+            self.usual_s = usual_step::follow(self.usual_s, length, length);
         }
         let State { t, q, .. } = &self.now.state;
         outcome.map_err(|error| self.system.locked_up(*t, q, error))

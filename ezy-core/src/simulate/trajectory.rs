@@ -38,7 +38,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
             }
             Method::Rk4 { step_s } => return Err(SetupError::Step { step_s }),
             Method::Dop853(tolerance) => {
-                super::launch::check_tolerance(tolerance)?;
+                super::build::check_tolerance(tolerance)?;
                 Steps::Dop853(Box::new(Adaptive::new(n_q, n_c, 0, tolerance)))
             }
             Method::Taylor(_) | Method::Radau(_) => return Err(SetupError::SingleNumbers { method: method.name() }),

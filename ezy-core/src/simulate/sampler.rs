@@ -6,7 +6,7 @@ use crate::model::{Scene, SceneInfo};
 use crate::record::{EnergyState, Record, RecordError, Recorder, Sample, Wanted};
 
 /// The record of a run and, when there is one, the recorder that a caller gave.
-pub(super) struct Keeper<'s> {
+pub(super) struct Sampler<'s> {
     info: &'static SceneInfo,
     record: Record,
     recorder: Option<&'s mut dyn Recorder>,
@@ -23,7 +23,7 @@ pub(super) struct Keeper<'s> {
     multipliers: Vec<f64>,
 }
 
-impl<'s> Keeper<'s> {
+impl<'s> Sampler<'s> {
     pub(super) fn new(info: &'static SceneInfo, wanted: Wanted, recorder: Option<&'s mut dyn Recorder>) -> Self {
         Self {
             info,

@@ -7,22 +7,22 @@ const SHORTEST: f64 = 1e-14;
 const STRETCH: f64 = 1e-3;
 
 /// Length and end of a step, s.
-pub(super) struct Reach {
+pub(super) struct StepLimit {
     pub step_s: f64,
     pub t_next: f64,
 }
 
 /// A step of about `length` from `t` towards `end`. The last two steps share the rest equally.
-pub(super) fn reach(t: f64, end: f64, length: f64) -> Reach {
+pub(super) fn limited_step(t: f64, end: f64, length: f64) -> StepLimit {
     let left = end - t;
     let n_left = left / length;
     if n_left <= 1.0 + STRETCH {
-        return Reach { step_s: left, t_next: end };
+        return StepLimit { step_s: left, t_next: end };
     }
     let wanted = if n_left < 2.0 { 0.5 * left } else { length };
     // the difference of two doubles, so that times carry no rounding
     let t_next = t + wanted;
-    Reach { step_s: t_next - t, t_next }
+    StepLimit { step_s: t_next - t, t_next }
 }
 
 /// Whether a step of this length from `t` would change nothing.

@@ -4,12 +4,12 @@ use crate::integrate::Clock;
 
 /// The steps of a clock, or the end alone when the method chooses its steps.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Pace {
+pub(super) enum Schedule {
     Clock(Clock),
     Free { start: f64, end: f64 },
 }
 
-impl Pace {
+impl Schedule {
     /// Length and end of step `n`, which starts at `t`, s; a method that chooses its steps may stop before.
     pub(super) fn step(&self, n: u64, t: f64) -> (f64, f64) {
         match self {

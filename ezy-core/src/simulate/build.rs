@@ -3,8 +3,8 @@
 use super::control::Control;
 use super::modes::Modes;
 use super::monitor::Watch;
-use super::pace::Pace;
 use super::run_loop::{Plan, RunLoop};
+use super::schedule::Schedule;
 use super::stepper_state::StepperState;
 use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, System};
@@ -32,10 +32,10 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// so, and everything up to there is kept.
     pub fn run(self) -> Result<Run, SetupError> {
         match &self.scene.modes()[..] {
-            [] => self.launch(&[]),
+            [] => self.run_in_modes(&[]),
             [first, others @ ..] => {
                 let others: Vec<&dyn Scene> = others.iter().map(|scene| &**scene).collect();
-                self.of_scene(&**first).launch(&others)
+                self.of_scene(&**first).run_in_modes(&others)
             }
         }
     }
@@ -66,14 +66,14 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 
     /// Runs; `others` are the other modes of the scene.
-    fn launch(mut self, others: &[&'s S]) -> Result<Run, SetupError> {
+    fn run_in_modes(mut self, others: &[&'s S]) -> Result<Run, SetupError> {
         let mut system = System::new(self.scene, self.backend)?;
         let start = self.start(&system)?;
         let control = self.take_control(&mut system)?;
-        let pace = self.pace(start.t, control.is_idle())?;
+        let schedule = self.schedule(start.t, control.is_idle())?;
         let limits = self.limits.checked()?;
         let events = if self.watched { self.scene.info().events } else { &[] };
-        let plan = Plan { pace, every_s: self.every_s, wanted: self.wanted, events };
+        let plan = Plan { schedule, every_s: self.every_s, wanted: self.wanted, events };
         let state = system.consistent_start(&start)?;
         let mut stepper = self.stepper_in(system)?;
         stepper.place(&state);
@@ -142,7 +142,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 
     /// `idle`: whether inputs stay constant. Inputs that change are held over steps of fixed length.
-    fn pace(&self, start_s: f64, idle: bool) -> Result<Pace, SetupError> {
+    fn schedule(&self, start_s: f64, idle: bool) -> Result<Schedule, SetupError> {
         let until_s = self.until_s;
         if !start_s.is_finite() {
             return Err(StartError::NotFinite { name: "t", value: start_s }.into());
@@ -165,7 +165,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         match self.method.tolerance() {
             Some(tolerance) if idle => {
                 check_tolerance(tolerance)?;
-                Ok(Pace::Free { start: start_s, end: until_s })
+                Ok(Schedule::Free { start: start_s, end: until_s })
             }
             _ => {
                 let step_s = self.fixed_step()?;
@@ -173,7 +173,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
                 if steps > MAX_STEPS {
                     return Err(SetupError::TooManySteps { steps, step_s, limit: MAX_STEPS });
                 }
-                Ok(Pace::Clock(Clock::new(start_s, until_s, step_s)))
+                Ok(Schedule::Clock(Clock::new(start_s, until_s, step_s)))
             }
         }
     }

@@ -237,8 +237,8 @@ pub struct SceneInfo {
     pub inputs: &'static [InputInfo],
     /// `n_o` outputs of the model and of the scene's effects.
     pub outputs: &'static [OutputInfo],
-    /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the kinks of
-    /// its forces; a scene with counts does not know its kinks.
+    /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the discontinuities of
+    /// its forces; a scene with counts does not know its discontinuities.
     pub events: &'static [EventInfo],
     /// The skate with a limit (stick–slip friction), if there is one.
     pub grip: Option<GripInfo>,

@@ -25,7 +25,7 @@ pub trait Derived: Equations<f64> {
     }
 
     /// R_q and R_v in the order of [`Derived::jacobian_places`], for accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`).
-    /// At a kink of a law a derivative is the mean of those on both sides.
+    /// At a discontinuity of a law a derivative is the mean of those on both sides.
     #[expect(clippy::too_many_arguments, reason = "the variables of R and its two derivatives")]
     fn jacobians(
         &self,

@@ -5,7 +5,7 @@ use super::Formula;
 /// An event function of a scene; the event is its root.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct EventInfo {
-    /// Name in the model file; of a condition behind `until` the condition as written; of a kink its value.
+    /// Name in the model file; of a condition behind `until` the condition as written; of a discontinuity its value.
     pub name: &'static str,
     /// The consequence.
     pub kind: EventKind,
@@ -28,7 +28,7 @@ pub enum EventKind {
     End,
     /// None: a law has a discontinuity there, of its value or its slope, by `abs`, `sign`, `min` or `max`. DOP853, Radau and RK4
     /// end a step there.
-    Kink,
+    Discontinuity,
 }
 
 /// Direction of a root.

@@ -9,7 +9,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number and its derivatives by `N` quantities, carried through every operation (forward differentiation).
 ///
-/// Comparisons go by the value. Where a function has a kink (`abs`, `min`, `max`) the derivatives are those of the side that
+/// Comparisons go by the value. Where a function is not differentiable (`abs`, `min`, `max`) the derivatives are those of the side that
 /// is taken.
 ///
 /// ```

@@ -5,17 +5,17 @@ use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Node, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
 
-/// Attempts of one step to end at a kink: each one locates it better.
-const MAX_KINKS: u32 = 3;
+/// Attempts of one step to end at a discontinuity: each one locates it better.
+const MAX_DISCONTINUITIES: u32 = 3;
 
-/// Stages of a long step that ends at a kink may be beyond it by their own error and then see the other law. So a step covers
-/// this part of the way to the kink, and the rest is a short step of its own.
+/// Stages of a long step that ends at a discontinuity may be beyond it by their own error and then see the other law. So a step covers
+/// this part of the way to the discontinuity, and the rest is a short step of its own.
 const APPROACH: f64 = 31.0 / 32.0;
 
 /// The rest is short when it is below this part of the attempted step.
 const LEFT: f64 = 1.0 / 16.0;
 
-/// A step to a kink that is shorter than this part of the attempted one follows another kink closely, as where dry friction
+/// A step to a discontinuity that is shorter than this part of the attempted one follows another discontinuity closely, as where dry friction
 /// sticks. The next step is then not attempted at full length.
 const SPLINTER: f64 = 1e-5;
 
@@ -91,7 +91,7 @@ impl<T: Scalar> Adaptive<T> {
     }
 
     /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. `up_to` returns the length of a
-    /// step, s, up to the kink that the present step crosses.
+    /// step, s, up to the discontinuity that the present step crosses.
     pub(super) fn step<D: Dynamics<T>>(
         &mut self,
         system: &mut D,
@@ -112,8 +112,8 @@ impl<T: Scalar> Adaptive<T> {
             Some(step_s) => step_s,
             None => self.method.first_step(system, from, left, self.tolerance)?,
         };
-        // the step length before a kink, to continue with behind it
-        let (mut whole, mut n_kinks) = (None, 0);
+        // the step length before a discontinuity, to continue with behind it
+        let (mut whole, mut n_discontinuities) = (None, 0);
         loop {
             let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
             if is_too_short(t, h) && h < left {
@@ -121,9 +121,9 @@ impl<T: Scalar> Adaptive<T> {
             }
             match self.method.attempt(system, from, h, self.tolerance, to) {
                 Ok(error) => {
-                    let shorter = if n_kinks < MAX_KINKS { up_to(system, to) } else { None };
+                    let shorter = if n_discontinuities < MAX_DISCONTINUITIES { up_to(system, to) } else { None };
                     if let Some(shorter) = shorter {
-                        n_kinks += 1;
+                        n_discontinuities += 1;
                         let whole = *whole.get_or_insert(h);
                         length = if shorter > LEFT * whole { APPROACH * shorter } else { shorter };
                     } else if error <= 1.0 {

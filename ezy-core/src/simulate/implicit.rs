@@ -1,6 +1,6 @@
 //! Radau IIA with its step control.
 
-use super::events::{Cut, Kinks};
+use super::events::{Cut, Discontinuities};
 use super::step_limit::{StepLimit, is_too_short, limited_step};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Attempt, Node, Radau, RadauControl, Tolerance, tolerance_of_estimate};
@@ -46,19 +46,19 @@ impl Implicit {
         self.method.dense_at(from, to, (t - from.t) / (to.t - from.t), out);
     }
 
-    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. It ends at a kink.
+    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. It ends at a discontinuity.
     pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Node<'_>,
         end: f64,
-        kinks: &mut Kinks,
+        discontinuities: &mut Discontinuities,
         to: &mut State,
     ) -> Result<(), MotionError> {
         let t = from.state.t;
         let left = end - t;
         let mut length = self.step_s.unwrap_or_else(|| self.method.first_step(from, left, self.tolerance));
-        // the step length before a kink, to continue with behind it
+        // the step length before a discontinuity, to continue with behind it
         let (mut whole, mut cut) = (None, None);
         loop {
             let StepLimit { step_s: h, t_next } = limited_step(t, end, length);
@@ -70,8 +70,10 @@ impl Implicit {
             if matches!(attempt, Attempt::Solved { .. }) {
                 to.t = t_next;
                 let next_cut = match cut {
-                    None => kinks.cut(system, from, &[to], h),
-                    Some(Cut::Before(_)) if kinks.are_crossed(system, from.state, &[to]) => Some(Cut::Before(0.5 * h)),
+                    None => discontinuities.cut(system, from, &[to], h),
+                    Some(Cut::Before(_)) if discontinuities.are_crossed(system, from.state, &[to]) => {
+                        Some(Cut::Before(0.5 * h))
+                    }
                     Some(_) => None,
                 };
                 if let Some(Cut::Before(shorter) | Cut::Over(shorter)) = next_cut {
@@ -86,7 +88,7 @@ impl Implicit {
                     self.step_s = Some(match whole {
                         Some(whole) => whole,
                         None => {
-                            kinks.restart();
+                            discontinuities.restart();
                             self.control.accept(h, error, n_passes, self.method.keeps_factors())
                         }
                     });

@@ -2,7 +2,7 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
-use super::events::{Cut, Kinks};
+use super::events::{Cut, Discontinuities};
 use super::implicit::Implicit;
 use super::series::AlongSeries;
 use super::snapshot::Snapshot;
@@ -101,36 +101,36 @@ impl<'s> Integrator<'s> {
     }
 
     /// A step of length `h` from `from` to `t_next`, not yet projected. A method that chooses its steps may stop before, and
-    /// every method stops at a kink.
+    /// every method stops at a discontinuity.
     pub(super) fn step<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Node<'_>,
         h: f64,
         t_next: f64,
-        kinks: &mut Kinks,
+        discontinuities: &mut Discontinuities,
         to: &mut State,
     ) -> Result<(), MotionError> {
         match self {
             Self::Rk4(rk4) => {
                 rk4.step(system, from, h, t_next, to)?;
-                let mut cut = kinks.cut(system, from, &[to, rk4.last_stage()], h);
+                let mut cut = discontinuities.cut(system, from, &[to, rk4.last_stage()], h);
                 while let Some(Cut::Before(length) | Cut::Over(length)) = cut {
                     rk4.restart();
                     rk4.step(system, from, length, from.state.t + length, to)?;
                     let is_before = matches!(cut, Some(Cut::Before(_)));
-                    let is_over = is_before && kinks.are_crossed(system, from.state, &[to, rk4.last_stage()]);
+                    let is_over = is_before && discontinuities.are_crossed(system, from.state, &[to, rk4.last_stage()]);
                     cut = is_over.then_some(Cut::Before(0.5 * length));
                 }
                 if to.t >= t_next {
-                    kinks.rest();
+                    discontinuities.rest();
                 }
                 Ok(())
             }
             Self::Dop853(adaptive) => {
-                adaptive.step(system, from, t_next, to, |system, end| kinks.up_to(system, from, end))
+                adaptive.step(system, from, t_next, to, |system, end| discontinuities.up_to(system, from, end))
             }
-            Self::Radau(implicit) => implicit.step(system, from, t_next, kinks, to),
+            Self::Radau(implicit) => implicit.step(system, from, t_next, discontinuities, to),
             Self::Taylor(series) => series.step(system, from, t_next, to),
         }
     }

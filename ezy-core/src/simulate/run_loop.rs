@@ -1,7 +1,7 @@
 //! The loop: control, step, project, record.
 
 use super::control::Control;
-use super::events::{Lookout, Passage, Sought};
+use super::events::{EventDetector, EventFunction, Passage};
 use super::modes::Modes;
 use super::monitor::Watch;
 use super::rank_watch::RankRecord;
@@ -35,7 +35,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     control: Control<'s>,
     plan: Plan,
     watch: Watch,
-    lookout: Lookout,
+    detector: EventDetector,
     /// Of a scene with modes.
     modes: Option<Box<Modes<'s, S>>>,
     /// Steps that ended before the clock's time.
@@ -82,13 +82,14 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let mut rank = RankRecord::default();
         rank.see(&mut stepper.system, &stepper.now);
         let inputs = stepper.system.inputs().to_vec();
-        let lookout = Lookout::new(Sought::Events, plan.events, info.n_coordinates(), stepper.now.power.len());
+        let detector =
+            EventDetector::new(EventFunction::Events, plan.events, info.n_coordinates(), stepper.now.power.len());
         Ok(Self {
             stepper,
             control,
             plan,
             watch,
-            lookout,
+            detector,
             modes,
             n_cut: 0,
             cut: false,
@@ -133,7 +134,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         let (rejected, seconds) = (self.n_rejected(), began.elapsed().as_secs_f64());
         let mut cost = Cost { steps, rejected, seconds, ..Cost::default() };
-        let (mut events, mut stiff_since_s) = (self.lookout.occurred, None);
+        let (mut events, mut stiff_since_s) = (self.detector.occurred, None);
         let parked = self.modes.iter().flat_map(|modes| modes.parked());
         for stepper in std::iter::once(&self.stepper).chain(parked) {
             let counters = stepper.system.counters();
@@ -164,9 +165,9 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let (h, t_next) = self.plan.schedule.step(n - self.n_cut, self.stepper.now.state.t);
         let changes = self.advance(h, t_next)?;
         let last = self.stepper.next.state.t >= self.plan.schedule.end();
-        if !self.lookout.is_idle() {
+        if !self.detector.is_idle() {
             self.stepper.evaluate_next()?;
-            let end = self.lookout.look(&mut self.stepper)?;
+            let end = self.detector.look(&mut self.stepper)?;
             if let Some(end) = end {
                 return self.end(end).map(Some);
             }
@@ -174,8 +175,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let StepperState { system, projected, now, next, .. } = &mut self.stepper;
         self.watch.look(system, now.state.t, &next.state, projected, last)?;
         let controlled = !self.control.is_idle() && !last && !self.cut;
-        if !self.lookout.is_idle() {
-            self.lookout.keep(&mut self.stepper)?;
+        if !self.detector.is_idle() {
+            self.detector.keep(&mut self.stepper)?;
         } else if !controlled || self.sample_is_due_before() {
             self.stepper.evaluate_next()?;
         }
@@ -210,7 +211,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         self.stepper.project(state)?;
         let StepperState { system, projected, now, .. } = &mut self.stepper;
         self.watch.look(system, now.state.t, state, projected, true)?;
-        self.lookout.keep(&mut self.stepper)?;
+        self.detector.keep(&mut self.stepper)?;
         self.record_between(end.t)?;
         self.stepper.end_at(end.t, &mut self.between.state)?;
         self.stepper.accept();

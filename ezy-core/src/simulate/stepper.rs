@@ -182,7 +182,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
                 self.stepper.advance(h, t_next)?;
                 self.stepper.accept();
                 self.evaluated = false;
-                // from a kink on
+                // from a discontinuity on
                 h = t_next - self.stepper.now.state.t;
             }
             self.n_steps += 1;

@@ -1,7 +1,7 @@
 //! A scene with the state of its integration: one step, projected. Shared by runs and steppers.
 
 use super::SetupError;
-use super::events::Kinks;
+use super::events::Discontinuities;
 use super::integrator::Integrator;
 use super::singular::Approach;
 use super::singularity_crossing::SingularityCrossing;
@@ -28,7 +28,7 @@ const MAX_SHORTENED: usize = 3;
 pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     pub system: System<'s, S>,
     integrator: Integrator<'s>,
-    kinks: Kinks,
+    discontinuities: Discontinuities,
     projection: Projection,
     metric: Metric,
     /// Whether singular positions are crossed by special steps: only when steps are projected.
@@ -61,11 +61,11 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         let [now, next] = std::array::from_fn(|_| Snapshot::zero(info, work));
         let projects = projection == Projection::Both && metric == Metric::Mass;
         let integrator = Integrator::new(method, system.scene(), now.power.len())?;
-        let kinks = Kinks::new(info);
+        let discontinuities = Discontinuities::new(info);
         Ok(Self {
             system,
             integrator,
-            kinks,
+            discontinuities,
             projection,
             metric,
             crosses: projects && info.n_position_rows > 0,
@@ -93,7 +93,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     /// Forgets the steps taken so far.
     fn restart(&mut self) {
         self.integrator.restart();
-        self.kinks.restart();
+        self.discontinuities.restart();
         self.forget_crossing();
     }
 
@@ -105,7 +105,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     }
 
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
-    /// that chooses its steps may stop before `t_next`, and every method stops at a kink.
+    /// that chooses its steps may stop before `t_next`, and every method stops at a discontinuity.
     pub(super) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let Snapshot { state: State { t, q, .. }, solved, .. } = &self.now;
         self.system.hold_rows(*t, q, solved.is_rank_deficient);
@@ -162,7 +162,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             crossing.is_under_way = false;
             self.integrator.restart();
             let h = t_next - end.state.t;
-            self.integrator.step(system, end.node(), h, t_next, &mut self.kinks, &mut next.state)?;
+            self.integrator.step(system, end.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
             self.project_next()?;
         }
         check_finite(&self.system, self.now.state.t, &self.next.state)?;
@@ -196,7 +196,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
 
     fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
-        self.integrator.step(system, now.node(), h, t_next, &mut self.kinks, &mut next.state)?;
+        self.integrator.step(system, now.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         self.project_next()
     }

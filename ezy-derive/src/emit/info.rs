@@ -286,7 +286,7 @@ pub fn event(event: &SceneEvent, printed: &Printed) -> TokenStream {
         EventKind::Declared { name, documentation, ends } => {
             (quote!(#name), documentation.as_str(), if *ends { quote!(End) } else { quote!(Mark) })
         }
-        EventKind::Kink => (quote!(#text), "", quote!(Kink)),
+        EventKind::Discontinuity => (quote!(#text), "", quote!(Discontinuity)),
     };
     let formula = formula(printed);
     let direction = match event.relation {

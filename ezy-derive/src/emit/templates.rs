@@ -132,7 +132,7 @@ impl Template<'_> {
             Kind::Event(event) => {
                 let name = match &event.event.kind {
                     EventKind::Declared { name, .. } => name.clone(),
-                    EventKind::Kink => String::new(),
+                    EventKind::Discontinuity => String::new(),
                 };
                 (name, "event", None, nothing())
             }

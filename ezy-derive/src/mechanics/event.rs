@@ -1,4 +1,4 @@
-//! Event functions: declared ones, and the kinks of laws.
+//! Event functions: declared ones, and the discontinuities of laws.
 
 use std::collections::BTreeSet;
 
@@ -20,8 +20,8 @@ pub struct SceneEvent {
 pub enum EventKind {
     /// Name, documentation, and whether it ends a run.
     Declared { name: String, documentation: String, ends: bool },
-    /// A kink of a law.
-    Kink,
+    /// A discontinuity of a law.
+    Discontinuity,
 }
 
 impl SceneEvent {
@@ -36,13 +36,13 @@ impl SceneEvent {
     }
 
     /// Arguments of functions that are not differentiable in one of the laws, each once.
-    pub fn kinks(algebra: &mut Algebra, laws: &[SumId]) -> Vec<Self> {
+    pub fn discontinuities(algebra: &mut Algebra, laws: &[SumId]) -> Vec<Self> {
         let (mut seen, mut values) = (BTreeSet::new(), Vec::new());
         for &law in laws {
             collect(algebra, law, &mut seen, &mut values);
         }
-        let kink = |value| Self { kind: EventKind::Kink, relation: Relation::Equal, value };
-        values.into_iter().map(kink).collect()
+        let discontinuity = |value| Self { kind: EventKind::Discontinuity, relation: Relation::Equal, value };
+        values.into_iter().map(discontinuity).collect()
     }
 }
 
@@ -71,12 +71,12 @@ fn collect(algebra: &mut Algebra, sum: SumId, seen: &mut BTreeSet<SumId>, values
     }
 }
 
-/// The value that passes zero at the kink of the function.
+/// The value that passes zero at the discontinuity of the function.
 fn change_over(algebra: &mut Algebra, function: Function, arguments: &[SumId]) -> Option<SumId> {
     match (function, arguments) {
         (Function::Abs | Function::Sign, &[x]) => Some(x),
         (Function::Min | Function::Max, &[x, y]) => {
-            // what only keeps a divisor from zero is no kink
+            // what only keeps a divisor from zero is no discontinuity
             let least = algebra.number(f64::MIN_POSITIVE);
             (x != least && y != least).then(|| algebra.sub(x, y))
         }

@@ -23,7 +23,7 @@ pub struct Equations {
     pub inputs: Vec<InputId>,
     /// Outputs of the model and of the scene's effects: place in [`Model::outputs`] and value.
     pub outputs: Vec<(usize, SumId)>,
-    /// Events, then kinks of F.
+    /// Events, then discontinuities of F.
     pub events: Vec<SceneEvent>,
     /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
     pub grip: Option<[SumId; 2]>,
@@ -98,7 +98,7 @@ impl Equations {
         let grip = model.grip_of(scene).map(|(row, limit)| sliding::grip(&mut writer, row, limit));
         let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
         let laws = laws(&mut writer, scene, &force, grip);
-        events.extend(SceneEvent::kinks(writer.algebra, &laws));
+        events.extend(SceneEvent::discontinuities(writer.algebra, &laws));
         let parameters =
             (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
@@ -172,7 +172,7 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
     applied
 }
 
-/// What may have kinks: F and the limit of a skate, the same in every mode of the skate.
+/// What may have discontinuities: F and the limit of a skate, the same in every mode of the skate.
 fn laws(writer: &mut Writer<'_>, scene: &Scene, force: &[SumId], grip: Option<[SumId; 2]>) -> Vec<SumId> {
     let Some([limit, _]) = grip else { return force.to_vec() };
     let mut laws = applied_forces(writer, &Scene { mode: None, ..scene.clone() }).force;

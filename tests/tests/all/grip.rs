@@ -240,7 +240,7 @@ fn invariant_steppers_refuse_a_skate_that_may_slide() {
 }
 
 #[test]
-fn analytic_limit_with_a_kink_is_followed_in_every_mode() {
+fn analytic_limit_with_a_discontinuity_is_followed_in_every_mode() {
     // it lets go where 3 - t is 2; then 2 v = (t - 1)²/2 up to 2 s, and 1/2 + (t - 2) from there on
     for method in [Method::dop853(1e-12), Method::rk4(0.05)] {
         let run = Simulation::new(&fading::Pushed::default()).method(method).run().unwrap();

@@ -3,18 +3,18 @@
 //! After each step the event functions are sampled on its interpolant, at the ends of [`N_PARTS`] parts. A change of sign
 //! between two samples is located. Where a parabola through three samples predicts a double root, it is searched for.
 
-mod dip;
-mod kinks;
+mod discontinuities;
+mod double_root;
+mod event_function;
 mod root;
-mod sought;
 
 use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::model::{EventInfo, EventKind, Scene};
-use dip::dip;
-pub(super) use kinks::{Cut, Kinks};
+pub(super) use discontinuities::{Cut, Discontinuities};
+use double_root::double_root;
+pub(super) use event_function::EventFunction;
 use root::root;
-pub(super) use sought::Sought;
 
 /// Parts of a step at whose ends event functions are sampled.
 const N_PARTS: usize = 4;
@@ -42,10 +42,10 @@ pub(super) struct Passage {
 }
 
 /// Samples event functions and keeps the events of a run.
-pub(super) struct Lookout {
-    sought: Sought,
+pub(super) struct EventDetector {
+    function: EventFunction,
     events: &'static [EventInfo],
-    /// Number of events to report: kinks come last and are not reported.
+    /// Number of events to report: discontinuities come last and are not reported.
     n_told: usize,
     /// Last sign of each event function: -1 or 1; 0 when it has not left zero yet.
     sides: Vec<f64>,
@@ -63,13 +63,13 @@ pub(super) struct Lookout {
     pub occurred: Vec<Occurrence>,
 }
 
-impl Lookout {
-    pub(super) fn new(sought: Sought, events: &'static [EventInfo], n_q: usize, n_works: usize) -> Self {
+impl EventDetector {
+    pub(super) fn new(function: EventFunction, events: &'static [EventInfo], n_q: usize, n_works: usize) -> Self {
         let zeros = || vec![0.0; events.len()];
         Self {
-            sought,
+            function,
             events,
-            n_told: events.iter().filter(|event| event.kind != EventKind::Kink).count(),
+            n_told: events.iter().filter(|event| event.kind != EventKind::Discontinuity).count(),
             sides: zeros(),
             fresh: true,
             times: [0.0; N_PARTS + 1],
@@ -148,7 +148,7 @@ impl Lookout {
         for i in 0..self.n_told {
             for part in 1..=N_PARTS {
                 let ends = [part - 1, part].map(|k| (self.times[k], self.values[k][i]));
-                match self.dip(stepper, i, part)? {
+                match self.double_root(stepper, i, part)? {
                     Some(lowest) => {
                         self.compare(stepper, i, [ends[0], lowest])?;
                         self.compare(stepper, i, [lowest, ends[1]])?;
@@ -175,7 +175,7 @@ impl Lookout {
                 }
             };
             self.times[part] = t;
-            self.sought.read(&mut stepper.system, t, [&state.q, &state.v], &mut self.values[part])?;
+            self.function.read(&mut stepper.system, t, [&state.q, &state.v], &mut self.values[part])?;
         }
         Ok(())
     }
@@ -198,12 +198,12 @@ impl Lookout {
         t: f64,
     ) -> Result<f64, MotionError> {
         stepper.inside(t, &mut self.place)?;
-        self.sought.read(&mut stepper.system, t, [&self.place.q, &self.place.v], &mut self.tried)?;
+        self.function.read(&mut stepper.system, t, [&self.place.q, &self.place.v], &mut self.tried)?;
         Ok(self.tried[i])
     }
 
     /// A time within a part of the step, and the value there, whose sign differs from both ends of the part.
-    fn dip<S: Scene + ?Sized>(
+    fn double_root<S: Scene + ?Sized>(
         &mut self,
         stepper: &mut StepperState<'_, S>,
         i: usize,
@@ -216,7 +216,7 @@ impl Lookout {
         let place = |k: usize| (self.times[k], side * self.values[k][i]);
         let others: [Option<usize>; 2] = [part.checked_sub(2), (part < N_PARTS).then_some(part + 1)];
         let others = others.map(|k| k.map(place));
-        let lowest = dip(place(part - 1), place(part), others.into_iter().flatten(), |t| {
+        let lowest = double_root(place(part - 1), place(part), others.into_iter().flatten(), |t| {
             self.value(stepper, i, t).map(|value| side * value)
         })?;
         Ok(lowest.map(|t| (t, self.tried[i])))

@@ -3,7 +3,7 @@
 use super::Modes;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, GripInfo, Scene};
-use crate::simulate::events::Sought;
+use crate::simulate::events::EventFunction;
 use crate::simulate::stepper_state::StepperState;
 
 const HOLDS: usize = 0;
@@ -50,17 +50,17 @@ pub(super) fn change<'s, S: Scene + ?Sized>(
 }
 
 /// What ends a mode.
-pub(super) fn sought<S: Scene + ?Sized>(
+pub(super) fn function<S: Scene + ?Sized>(
     info: &'static GripInfo,
     mode: usize,
     stepper: &StepperState<'_, S>,
-) -> (Sought, &'static [EventInfo]) {
+) -> (EventFunction, &'static [EventInfo]) {
     match side(mode) {
         None => {
             let (a, lambda) = (stepper.now.a.clone(), stepper.now.lambda.clone());
-            (Sought::Reserve { info, a, lambda }, std::slice::from_ref(&info.slides))
+            (EventFunction::Reserve { info, a, lambda }, std::slice::from_ref(&info.slides))
         }
-        Some(side) => (Sought::Slide { info, side }, std::slice::from_ref(&info.stops)),
+        Some(side) => (EventFunction::Slide { info, side }, std::slice::from_ref(&info.stops)),
     }
 }
 

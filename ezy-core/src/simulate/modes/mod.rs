@@ -4,7 +4,7 @@ mod grip;
 mod stop;
 
 use super::SetupError;
-use super::events::{Lookout, Occurrence, resolution_at};
+use super::events::{EventDetector, Occurrence, resolution_at};
 use super::stepper_state::StepperState;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, GripInfo, Scene, SceneInfo, StopInfo};
@@ -32,7 +32,7 @@ pub(super) struct Modes<'s, S: Scene + ?Sized> {
     /// The one under way, a place in `Derived::modes`.
     mode: usize,
     parked: Vec<(usize, StepperState<'s, S>)>,
-    lookout: Lookout,
+    detector: EventDetector,
     /// Whether the mode has made no step yet. Its event function may then begin at zero.
     begins: bool,
     /// Whether the next step begins with a change of mode.
@@ -59,13 +59,13 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     pub(super) fn new(first: &StepperState<'s, S>, others: Vec<StepperState<'s, S>>) -> Option<Self> {
         let info = first.system.info();
         let law = info.grip.as_ref().map(Law::Grip).or(info.stop.as_ref().map(Law::Stop))?;
-        let lookout = lookout(law, 0, first);
+        let detector = detector(law, 0, first);
         let parked: Vec<_> = (1..).zip(others).collect();
         let modes = Self {
             law,
             mode: 0,
             parked,
-            lookout,
+            detector,
             begins: false,
             is_due: false,
             longest_s: f64::INFINITY,
@@ -157,7 +157,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
             Law::Grip(info) => grip::change(self, info, stepper)?,
             Law::Stop(info) => stop::change(self, info, stepper)?,
         };
-        self.lookout = lookout(self.law, self.mode, stepper);
+        self.detector = detector(self.law, self.mode, stepper);
         Ok(())
     }
 
@@ -191,7 +191,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         let shortest = SHORTEST * (stepper.next.state.t - start);
         loop {
             stepper.evaluate_next()?;
-            let first = match self.lookout.first(stepper, self.begins) {
+            let first = match self.detector.first(stepper, self.begins) {
                 Ok(first) => first,
                 Err(fault) => {
                     self.end_before(fault, stepper)?;
@@ -205,7 +205,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
                 self.advance_again(stepper, t)?;
                 return Ok(if stepper.next.state.t < t { Cut::Whole } else { Cut::AtChange });
             }
-            if !self.lookout.ends_below() {
+            if !self.detector.ends_below() {
                 return Ok(Cut::Whole);
             }
             // the event function is below zero at the end, and began at zero: the mode ends earlier
@@ -223,7 +223,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         let (MotionError::SkateLimit { t, .. } | MotionError::StopNotFinite { t, .. }) = fault else {
             return Err(fault);
         };
-        let last = self.lookout.last_defined(stepper, t);
+        let last = self.detector.last_defined(stepper, t);
         if last - stepper.now.state.t <= resolution_at(last) {
             return Err(fault);
         }
@@ -238,11 +238,11 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
 }
 
 /// What ends a mode.
-fn lookout<S: Scene + ?Sized>(law: Law, mode: usize, stepper: &StepperState<'_, S>) -> Lookout {
+fn detector<S: Scene + ?Sized>(law: Law, mode: usize, stepper: &StepperState<'_, S>) -> EventDetector {
     let (n_q, n_works) = (stepper.now.state.q.len(), stepper.now.state.work.len());
-    let (sought, events) = match law {
-        Law::Grip(info) => grip::sought(info, mode, stepper),
-        Law::Stop(info) => stop::sought(info, mode, stepper),
+    let (function, events) = match law {
+        Law::Grip(info) => grip::function(info, mode, stepper),
+        Law::Stop(info) => stop::function(info, mode, stepper),
     };
-    Lookout::new(sought, events, n_q, n_works)
+    EventDetector::new(function, events, n_q, n_works)
 }

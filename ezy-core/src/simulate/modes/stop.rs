@@ -8,7 +8,7 @@ use super::Modes;
 use crate::dynamics::{MotionError, SystemRow};
 use crate::model::{EventInfo, Scene, StopInfo};
 use crate::simulate::SetupError;
-use crate::simulate::events::{Sought, resolution_at};
+use crate::simulate::events::{EventFunction, resolution_at};
 use crate::simulate::stepper_state::StepperState;
 
 const FREE: usize = 0;
@@ -85,17 +85,17 @@ pub(super) fn change<'s, S: Scene + ?Sized>(
 }
 
 /// What ends a mode.
-pub(super) fn sought<S: Scene + ?Sized>(
+pub(super) fn function<S: Scene + ?Sized>(
     info: &'static StopInfo,
     mode: usize,
     stepper: &StepperState<'_, S>,
-) -> (Sought, &'static [EventInfo]) {
+) -> (EventFunction, &'static [EventInfo]) {
     if mode == FREE {
-        return (Sought::Gaps { info, values: vec![0.0; n_values(info)] }, info.hits);
+        return (EventFunction::Gaps { info, values: vec![0.0; n_values(info)] }, info.hits);
     }
     let (a, lambda) = (stepper.now.a.clone(), stepper.now.lambda.clone());
     let side = f64::from(info.sides[mode - 1]);
-    (Sought::Push { row: info.row, side, a, lambda }, std::slice::from_ref(&info.lets_go))
+    (EventFunction::Push { row: info.row, side, a, lambda }, std::slice::from_ref(&info.lets_go))
 }
 
 /// The impact, and the choice of the next mode.

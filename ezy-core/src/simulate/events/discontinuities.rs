@@ -1,12 +1,12 @@
-//! Kinks of laws, discontinuities of a force or of its slope: a step that crosses one is repeated up to it.
+//! Discontinuities of laws, discontinuities of a force or of its slope: a step that crosses one is repeated up to it.
 //!
-//! Across a kink a method loses its order. Its error estimate may miss that, or shorten steps again and again. The scene
-//! says by event functions whether a step crossed a kink; the interpolant says where.
+//! Across a discontinuity a method loses its order. Its error estimate may miss that, or shorten steps again and again. The scene
+//! says by event functions whether a step crossed a discontinuity; the interpolant says where.
 //!
-//! A stage at the end of a step may be beyond the kink by its own error and then sees the other law. DOP853 makes the last
-//! part of the way a short step, and its error estimate controls the rest. Methods of lower order stop before the kink, at a
+//! A stage at the end of a step may be beyond the discontinuity by its own error and then sees the other law. DOP853 makes the last
+//! part of the way a short step, and its error estimate controls the rest. Methods of lower order stop before the discontinuity, at a
 //! distance above the uncertainty of its predicted time. That uncertainty shrinks with each step; the last step is a
-//! very short one across the kink.
+//! very short one across the discontinuity.
 
 use super::root::root;
 use super::{resolution_at, side_of};
@@ -14,35 +14,35 @@ use crate::dynamics::{Rows, State, System};
 use crate::integrate::{Node, interpolate};
 use crate::model::{EventKind, Scene, SceneInfo};
 
-/// A kink this close to an end of a step is ignored, in resolutions of the time.
+/// A discontinuity this close to an end of a step is ignored, in resolutions of the time.
 const AT_END: f64 = 10.0;
 
-/// Steps end this far behind a kink, in resolutions of the time, so that the next one begins on its other side.
+/// Steps end this far behind a discontinuity, in resolutions of the time, so that the next one begins on its other side.
 const BEHIND: f64 = 2.0;
 
-/// Uncertainty of the predicted distance to a kink, relative to that distance, for a whole step. For shorter distances it
+/// Uncertainty of the predicted distance to a discontinuity, relative to that distance, for a whole step. For shorter distances it
 /// falls in proportion to the distance.
 const UNKNOWN: f64 = 1.0 / 32.0;
 
-/// Guard against chattering: each shortened step adds [`CUT`], each full step subtracts one. From [`MOST_CUT`] on kinks are
+/// Guard against chattering: each shortened step adds [`CUT`], each full step subtracts one. From [`MOST_CUT`] on discontinuities are
 /// stepped over, as where dry friction sticks or where a value is only rounding.
 const CUT: u32 = 2;
-const MOST_CUT: u32 = 48;
+const CHATTERING_GUARD: u32 = 48;
 
-/// Shortest step across a kink, relative to the time: shorter steps move nothing.
-const HOP: f64 = 2e-14;
+/// Shortest step across a discontinuity, relative to the time: shorter steps move nothing.
+const SHORTEST_CROSSING: f64 = 2e-14;
 
-/// A step that ends at a kink.
+/// A step that ends at a discontinuity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::simulate) enum Cut {
-    /// Stop before the kink, after this time, s.
+    /// Stop before the discontinuity, after this time, s.
     Before(f64),
-    /// Stop just behind the kink, after this time, s.
+    /// Stop just behind the discontinuity, after this time, s.
     Over(f64),
 }
 
-/// The kinks of a scene, with buffers.
-pub(in crate::simulate) struct Kinks {
+/// The discontinuities of a scene, with buffers.
+pub(in crate::simulate) struct Discontinuities {
     /// Indices into the events.
     places: Vec<usize>,
     /// Values at the start of the step, at its end, and between.
@@ -51,14 +51,14 @@ pub(in crate::simulate) struct Kinks {
     lambda: Vec<f64>,
     between: State,
     /// Guard against chattering, see [`MOST_CUT`].
-    debt: u32,
+    chattering: u32,
 }
 
-impl Kinks {
+impl Discontinuities {
     pub(crate) fn new(info: &SceneInfo) -> Self {
-        let is_kink = |&i: &usize| info.events[i].kind == EventKind::Kink;
-        let places: Vec<usize> = (0..info.events.len()).filter(is_kink).collect();
-        // without kinks there is nothing to look for
+        let is_discontinuity = |&i: &usize| info.events[i].kind == EventKind::Discontinuity;
+        let places: Vec<usize> = (0..info.events.len()).filter(is_discontinuity).collect();
+        // without discontinuities there is nothing to look for
         let [n_s, n_q, n_c] =
             [info.events.len(), info.n_coordinates(), info.n_rows()].map(|n| if places.is_empty() { 0 } else { n });
         let zeros = |n: usize| vec![0.0; n];
@@ -68,22 +68,22 @@ impl Kinks {
             a: zeros(n_q),
             lambda: zeros(n_c),
             between: State::zero(n_q, 0),
-            debt: 0,
+            chattering: 0,
         }
     }
 
     /// Nothing was cut before.
     pub(crate) fn restart(&mut self) {
-        self.debt = 0;
+        self.chattering = 0;
     }
 
     /// A step of fixed length was completed.
     pub(crate) fn rest(&mut self) {
-        self.debt = self.debt.saturating_sub(1);
+        self.chattering = self.chattering.saturating_sub(1);
     }
 
-    /// Whether a step crosses a kink, at its end or at one of the other stages in `ends`. Keeps the values at the start and
-    /// beyond the kink.
+    /// Whether a step crosses a discontinuity, at its end or at one of the other stages in `ends`. Keeps the values at the start and
+    /// beyond the discontinuity.
     pub(crate) fn are_crossed<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,
@@ -109,7 +109,7 @@ impl Kinks {
         are_crossed
     }
 
-    /// Length of the step from `from` to the first kink, s; none when the step to `end` crosses none.
+    /// Length of the step from `from` to the first discontinuity, s; none when the step to `end` crosses none.
     pub(crate) fn up_to<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -139,7 +139,7 @@ impl Kinks {
         (length > near && last - first > near).then_some(length + BEHIND * resolution)
     }
 
-    /// The step from `from` to the first kink; none when the step to `ends` crosses none. `whole_s` is the usual step length.
+    /// The step from `from` to the first discontinuity; none when the step to `ends` crosses none. `whole_s` is the usual step length.
     pub(crate) fn cut<S: Scene + ?Sized>(
         &mut self,
         system: &System<'_, S>,
@@ -148,18 +148,18 @@ impl Kinks {
         whole_s: f64,
     ) -> Option<Cut> {
         let end_s = ends.first()?.t;
-        if self.debt >= MOST_CUT {
+        if self.chattering >= CHATTERING_GUARD {
             return None;
         }
         let is_crossed = self.are_crossed(system, from.state, ends);
         let Self { places, values: [before, after, inside], between, .. } = self;
         let (start, h) = (from.state.t, end_s - from.state.t);
         let resolution = resolution_at(end_s);
-        let hop = (BEHIND * resolution).max(HOP * start.abs());
-        // a start on the kink belongs to neither side
-        if places.iter().any(|&i| before[i] == 0.0 && after[i] != 0.0) && h > hop {
-            self.debt += CUT;
-            return Some(Cut::Over(hop));
+        let shortest_crossing = (BEHIND * resolution).max(SHORTEST_CROSSING * start.abs());
+        // a start on the discontinuity belongs to neither side
+        if places.iter().any(|&i| before[i] == 0.0 && after[i] != 0.0) && h > shortest_crossing {
+            self.chattering += CUT;
+            return Some(Cut::Over(shortest_crossing));
         }
         if !is_crossed {
             return None;
@@ -175,7 +175,7 @@ impl Kinks {
             let Ok(t) = if changes(before[i], last) {
                 root((0.0, before[i]), (h, last), resolution, value)
             } else {
-                // the parabola misses the kink: half the way is predicted better
+                // the parabola misses the discontinuity: half the way is predicted better
                 Ok(0.5 * h)
             };
             length = length.min(t);
@@ -184,11 +184,11 @@ impl Kinks {
         if h - length <= near {
             return None;
         }
-        self.debt += CUT;
+        self.chattering += CUT;
         Some(if length > near {
             Cut::Before(length * (1.0 - UNKNOWN * length / whole_s))
         } else {
-            Cut::Over(length + hop)
+            Cut::Over(length + shortest_crossing)
         })
     }
 }

@@ -4,7 +4,7 @@ use crate::dynamics::{MotionError, Rows, System};
 use crate::model::{GripInfo, Scene, StopInfo};
 
 /// What is located.
-pub(in crate::simulate) enum Sought {
+pub(in crate::simulate) enum EventFunction {
     /// The events of the scene.
     Events,
     /// Limit less reaction of a skate that holds.
@@ -17,7 +17,7 @@ pub(in crate::simulate) enum Sought {
     Push { row: usize, side: f64, a: Vec<f64>, lambda: Vec<f64> },
 }
 
-impl Sought {
+impl EventFunction {
     pub(crate) fn read<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,

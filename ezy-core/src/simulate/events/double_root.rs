@@ -7,7 +7,7 @@ const MAX_TRIES: usize = 3;
 const SHALLOW: f64 = 0.5;
 
 /// A point between `a` and `b` where `f` is negative. At `a`, `b` and the `others` beyond them it is positive.
-pub(super) fn dip<E>(
+pub(super) fn double_root<E>(
     a: (f64, f64),
     b: (f64, f64),
     others: impl Iterator<Item = (f64, f64)>,
@@ -50,7 +50,7 @@ mod tests {
             n += 1;
             Ok::<f64, std::convert::Infallible>(f(x))
         };
-        let Ok(x) = dip((0.0, f(0.0)), (1.0, f(1.0)), [(2.0, f(2.0))].into_iter(), counted);
+        let Ok(x) = double_root((0.0, f(0.0)), (1.0, f(1.0)), [(2.0, f(2.0))].into_iter(), counted);
         (x, n)
     }
 

@@ -1,4 +1,4 @@
-//! Kinks of laws: steps end there.
+//! Discontinuities of laws: steps end there.
 
 use ezy_core::dynamics::State;
 use ezy_core::model::EventKind;
@@ -77,7 +77,7 @@ fn analytic_springs_that_meet_are_followed_as_well_as_one() {
             let (one, alone) = end(&block::Alone { k: 4.0, ..Default::default() }, method);
             let [error, of_one] = [distance(found, exact), distance(one, [-40f64.cos(), 2.0 * 40f64.sin()])];
             // twice the speed all of the time
-            assert!(error <= 2.0 * of_one, "{method:?}: {error:.1e}, without a kink {of_one:.1e}");
+            assert!(error <= 2.0 * of_one, "{method:?}: {error:.1e}, without a discontinuity {of_one:.1e}");
             assert!(run.cost.rejected <= alone.cost.rejected + tries * 9, "{method:?}: {:?}", run.cost);
         }
     }
@@ -95,9 +95,9 @@ fn analytic_dry_friction_is_followed_through_every_reversal() {
     }
 }
 
-/// Four lengths of steps: that a stage is beyond a kink and the end is not happens at some.
+/// Four lengths of steps: that a stage is beyond a discontinuity and the end is not happens at some.
 #[test]
-fn order_rk4_is_four_across_kinks() {
+fn order_rk4_is_four_across_discontinuities() {
     let scenes: [(&dyn Scene, _); 2] =
         [(&block::Between::default(), between_springs(20.0)), (&block::Rubs::default(), rubbing(12.0))];
     for (scene, exact) in scenes {
@@ -107,9 +107,9 @@ fn order_rk4_is_four_across_kinks() {
     }
 }
 
-/// Of a step that a kink cuts, the rest ends where the step would have.
+/// Of a step that a discontinuity cuts, the rest ends where the step would have.
 #[test]
-fn invariant_kinks_leave_the_times_of_samples_and_steppers_alone() {
+fn invariant_discontinuities_leave_the_times_of_samples_and_steppers_alone() {
     let scene = block::Rubs::default();
     let run = Simulation::new(&scene).method(Method::rk4(0.01)).every(0.02).run().unwrap();
     let mut stepper = Simulation::new(&scene).method(Method::rk4(0.01)).stepper().unwrap();
@@ -132,11 +132,11 @@ fn analytic_smoothed_friction_through_zero_speed_is_near_dry_friction() {
 }
 
 #[test]
-fn invariant_kinks_are_listed_once_and_are_no_events_of_a_run() {
+fn invariant_discontinuities_are_listed_once_and_are_no_events_of_a_run() {
     let info = Scene::info(&block::Between::default());
-    let kinks: Vec<&str> = info.events.iter().map(|event| event.name).collect();
-    assert_eq!(kinks, ["block.x"]);
-    assert!(info.events.iter().all(|event| event.kind == EventKind::Kink));
+    let discontinuities: Vec<&str> = info.events.iter().map(|event| event.name).collect();
+    assert_eq!(discontinuities, ["block.x"]);
+    assert!(info.events.iter().all(|event| event.kind == EventKind::Discontinuity));
     let (_, run) = end(&block::Between::default(), Method::dop853(1e-6));
     assert!(run.events().is_empty());
     assert!(Scene::info(&block::Smoothed::default()).events.is_empty());

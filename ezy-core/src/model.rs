@@ -11,18 +11,17 @@
 mod derived;
 pub(crate) mod equations;
 mod event;
-mod grip;
 mod jacobians;
 pub(crate) mod pivots;
 pub(crate) mod repeats;
 pub(crate) mod series;
+mod stick_slip;
 mod stop;
 
 pub use derived::Derived;
 pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind};
-pub use grip::GripInfo;
 pub use jacobians::JacobianPlaces;
 pub(crate) use pivots::{PIVOT_TOLERANCE, Pivots};
 pub(crate) use repeats::LARGEST_N_MEMBERS;
@@ -30,6 +29,7 @@ pub use repeats::{CountInfo, LayoutFault};
 pub(crate) use repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
+pub use stick_slip::StickSlipInfo;
 pub use stop::StopInfo;
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
@@ -241,7 +241,7 @@ pub struct SceneInfo {
     /// its forces; a scene with counts does not know its discontinuities.
     pub events: &'static [EventInfo],
     /// The skate with a limit (stick–slip friction), if there is one.
-    pub grip: Option<GripInfo>,
+    pub stick_slip: Option<StickSlipInfo>,
     /// The stop (unilateral contact), if there is one.
     pub stop: Option<StopInfo>,
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are

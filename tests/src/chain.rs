@@ -90,7 +90,7 @@ static FIXED: SceneInfo = SceneInfo {
     inputs: &[],
     outputs: &[],
     events: &[],
-    grip: None,
+    stick_slip: None,
     stop: None,
     effects: &[EffectInfo { name: "gravity", documentation: "" }],
     until_s: 1.0,

@@ -76,7 +76,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         inputs: &[],
         outputs: &[],
         events: &[],
-        grip: None,
+        stick_slip: None,
         stop: None,
         effects: description.effects,
         until_s: description.until_s,

@@ -40,7 +40,7 @@ pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Ru
         let outputs = info.outputs.iter().enumerate().map(|(i, output)| (output.name, number(&|last| last.outputs[i])));
         members.push(("outputs", Json::object(outputs)));
     }
-    if !info.events.is_empty() || info.grip.is_some() || info.stop.is_some() {
+    if !info.events.is_empty() || info.stick_slip.is_some() || info.stop.is_some() {
         let events = run.map_or(&[][..], Run::events).iter().map(|occurred| {
             Json::object([("name", Json::text(occurred.event.name)), ("t", Json::Number(occurred.state.t))])
         });

@@ -1,7 +1,7 @@
 //! Energies, powers, and what else a scene says of its state.
 
 use super::{MotionError, System};
-use crate::model::{GripInfo, Scene, StopInfo};
+use crate::model::{Scene, StickSlipInfo, StopInfo};
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// ½ vᵀ M v, J.
@@ -29,18 +29,24 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
-    pub(crate) fn grip(&self, t: f64, q: &[f64], v: &[f64]) -> [f64; 2] {
-        let mut grip = [0.0; 2];
-        self.scene.grip(&self.fixed, t, q, v, &mut grip);
-        grip
+    pub(crate) fn stick_slip(&self, t: f64, q: &[f64], v: &[f64]) -> [f64; 2] {
+        let mut stick_slip = [0.0; 2];
+        self.scene.stick_slip(&self.fixed, t, q, v, &mut stick_slip);
+        stick_slip
     }
 
     /// The same where the skate can hold or slide.
     ///
     /// # Errors
     /// [`MotionError::SkateLimit`].
-    pub(crate) fn checked_grip(&self, info: &GripInfo, t: f64, q: &[f64], v: &[f64]) -> Result<[f64; 2], MotionError> {
-        let [limit, velocity] = self.grip(t, q, v);
+    pub(crate) fn checked_stick_slip(
+        &self,
+        info: &StickSlipInfo,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+    ) -> Result<[f64; 2], MotionError> {
+        let [limit, velocity] = self.stick_slip(t, q, v);
         if limit > 0.0 {
             Ok([limit, velocity])
         } else {

@@ -46,9 +46,9 @@ pub trait Derived: Equations<f64> {
         let _ = (c, t, q, v, out);
     }
 
-    /// What the skate of [`SceneInfo::grip`](super::SceneInfo::grip) holds up to, N, and the velocity across it, to the left of
+    /// What the skate of [`SceneInfo::stick_slip`](super::SceneInfo::stick_slip) holds up to, N, and the velocity across it, to the left of
     /// its direction, m/s. Writes 2.
-    fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+    fn stick_slip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
     }
 
@@ -59,7 +59,7 @@ pub trait Derived: Equations<f64> {
     }
 
     /// What the scene is while it runs, of which it begins as the first: with the skate of
-    /// [`SceneInfo::grip`](super::SceneInfo::grip) itself, then without its row, sliding to the left and to the right; with the
+    /// [`SceneInfo::stick_slip`](super::SceneInfo::stick_slip) itself, then without its row, sliding to the left and to the right; with the
     /// stop of [`SceneInfo::stop`](super::SceneInfo::stop) itself, then with a row more for each end, which holds the quantity
     /// there. Empty where it stays what it is.
     fn modes(&self) -> Vec<Box<dyn Scene>> {

@@ -239,7 +239,7 @@ mod tests {
         inputs: &[],
         outputs: &[],
         events: &[],
-        grip: None,
+        stick_slip: None,
         stop: None,
         effects: &[],
         until_s: 1.0,

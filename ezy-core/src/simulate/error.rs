@@ -192,7 +192,7 @@ impl SetupError {
     /// # Errors
     /// [`SetupError::Modes`].
     pub(crate) fn refuse_modes(info: &'static SceneInfo) -> Result<(), Self> {
-        let skate = info.grip.map(|grip| ("skate", info.rows[grip.row].name));
+        let skate = info.stick_slip.map(|stick_slip| ("skate", info.rows[stick_slip.row].name));
         let stop = info.stop.map(|stop| ("stop", stop.name));
         match skate.or(stop) {
             None => Ok(()),

@@ -84,7 +84,7 @@ impl<'s> Sampler<'s> {
         let multipliers = match self.lacking {
             None => &at.lambda,
             Some((row, multiple)) => {
-                let [limit, _] = system.grip(*t, q, v);
+                let [limit, _] = system.stick_slip(*t, q, v);
                 self.multipliers.clone_from(&at.lambda);
                 self.multipliers.insert(row, multiple * limit);
                 &self.multipliers

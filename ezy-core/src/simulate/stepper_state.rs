@@ -266,7 +266,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
 
     /// Takes over the state of another scene after a plastic impact on the constraints of this one. Positions are projected to the
     /// last digit: errors normal to the constraints would remain while flights become short.
-    pub(super) fn land(&mut self, from: &Self) -> Result<(), MotionError> {
+    pub(super) fn apply_impact(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
         self.system.project_positions(*t, q, Metric::Mass)?;
@@ -282,7 +282,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     }
 
     /// Continues from other positions and velocities, without history.
-    pub(super) fn rebound(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
+    pub(super) fn apply_restitution(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
         self.now.state.q.copy_from_slice(q);
         self.now.state.v = v;
         self.restart();

@@ -37,7 +37,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let outputs = outputs(model, equations, names);
     let events = equations.events.iter().map(|event| self::event(event, &names.print(event.value)));
     let events: Vec<_> = events.collect();
-    let grip = option(grip(model, scene, equations, names));
+    let stick_slip = option(stick_slip(model, scene, equations, names));
     let stop = option(stop(model, scene, equations, names));
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
@@ -73,7 +73,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             inputs: &[#(#inputs),*],
             outputs: &[#(#outputs),*],
             events: &[#(#events),*],
-            grip: #grip,
+            stick_slip: #stick_slip,
             stop: #stop,
             effects: &[#(#effects),*],
             until_s: #until,
@@ -221,9 +221,9 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
 }
 
 /// The skate with a limit; not of the scenes in which it slides.
-fn grip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
-    let [limit, velocity] = equations.grip.filter(|_| scene.mode.is_none())?;
-    let (row, _) = model.grip_of(scene)?;
+fn stick_slip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
+    let [limit, velocity] = equations.stick_slip.filter(|_| scene.mode.is_none())?;
+    let (row, _) = model.stick_slip_of(scene)?;
     let i_row = equations.constraints.rows.iter().position(|scalar| row.name == scalar.name)?;
     let limit = formula_of(names, limit);
     let slides = change(&row.name, "slides", &limit, "The skate would need more than its limit.");
@@ -231,7 +231,7 @@ fn grip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviatio
     let stops = change(&row.name, "stops", &velocity, "The velocity across the skate comes back to zero.");
     let name = row.name.to_string();
     Some(quote! {
-        ezy::GripInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
+        ezy::StickSlipInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
     })
 }
 

@@ -94,7 +94,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
             inputs: &[#(#inputs),*],
             outputs: &[],
             events: &[#(#events),*],
-            grip: ::core::option::Option::None,
+            stick_slip: ::core::option::Option::None,
             stop: ::core::option::Option::None,
             effects: &[#(#effects),*],
             until_s: #until,

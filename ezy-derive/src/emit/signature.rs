@@ -63,7 +63,7 @@ pub const ALL: [Signature; 17] = [
     scene(Quantity::Points, "points", &["t", "q"], OUT),
     scene(Quantity::Outputs, "outputs", &["t", "q", "v"], OUT),
     derived(Quantity::Events, "events", &["t", "q", "v"], OUT),
-    derived(Quantity::Grip, "grip", &["t", "q", "v"], OUT),
+    derived(Quantity::StickSlip, "stick_slip", &["t", "q", "v"], OUT),
     derived(Quantity::Stop, "stop", &["t", "q", "v"], OUT),
     scene(Quantity::PotentialEnergy, "potential_energy", &["t", "q"], Writes::Value),
     scene(Quantity::Start, "start", &[], Writes::Start),

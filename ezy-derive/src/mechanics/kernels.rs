@@ -21,7 +21,7 @@ pub enum Quantity {
     Points,
     Outputs,
     Events,
-    Grip,
+    StickSlip,
     Stop,
     PotentialEnergy,
     Start,

@@ -81,8 +81,8 @@ pub fn straight<'m>(equations: &Equations, jacobians: Option<&Jacobians>, consta
     if let Some(jacobians) = jacobians {
         kernels.insert(Quantity::Jacobians, lower.once(&jacobians.values(), jacobians.puts(), jacobians.reads.clone()));
     }
-    if let Some(grip) = &equations.grip {
-        kernels.insert(Quantity::Grip, lower.vector(grip));
+    if let Some(stick_slip) = &equations.stick_slip {
+        kernels.insert(Quantity::StickSlip, lower.vector(stick_slip));
     }
     if let Some(contact) = &equations.contact {
         kernels.insert(Quantity::Stop, lower.vector(&contact.values()));

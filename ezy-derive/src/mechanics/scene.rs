@@ -26,7 +26,7 @@ pub struct Equations {
     /// Events, then discontinuities of F.
     pub events: Vec<SceneEvent>,
     /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
-    pub grip: Option<[SumId; 2]>,
+    pub stick_slip: Option<[SumId; 2]>,
     /// What its stop looks at.
     pub contact: Option<Contact>,
     /// Diagonal of M.
@@ -95,9 +95,9 @@ impl Equations {
         let outputs = model.outputs.iter().enumerate().filter(|(_, output)| called(output.effect));
         let outputs = outputs.map(|(i, output)| (i, writer.write(&output.value))).collect();
         let mut events = SceneEvent::declared(&mut writer, model, scene);
-        let grip = model.grip_of(scene).map(|(row, limit)| sliding::grip(&mut writer, row, limit));
+        let stick_slip = model.stick_slip_of(scene).map(|(row, limit)| sliding::stick_slip(&mut writer, row, limit));
         let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
-        let laws = laws(&mut writer, scene, &force, grip);
+        let laws = laws(&mut writer, scene, &force, stick_slip);
         events.extend(SceneEvent::discontinuities(writer.algebra, &laws));
         let parameters =
             (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
@@ -111,7 +111,7 @@ impl Equations {
             inputs,
             outputs,
             events,
-            grip,
+            stick_slip,
             contact,
             mass,
             mass_entries,
@@ -155,8 +155,8 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
         for force in forces {
             load.add(writer, force);
         }
-        let grip = model.grip_of(scene).filter(|(row, _)| row.effect == group);
-        if let (Some((row, limit)), Some(Mode::Slides(side))) = (grip, scene.mode) {
+        let stick_slip = model.stick_slip_of(scene).filter(|(row, _)| row.effect == group);
+        if let (Some((row, limit)), Some(Mode::Slides(side))) = (stick_slip, scene.mode) {
             sliding::add(writer, row, limit, side, &mut load);
         }
         let (generalised, power) = load.finish(writer);
@@ -165,7 +165,7 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
         }
         applied.potential = writer.algebra.add(applied.potential, load.potential);
         // forces of the model that have a potential, or none, do no work to record
-        if group.is_some() || grip.is_some() || !power.is_zero() {
+        if group.is_some() || stick_slip.is_some() || !power.is_zero() {
             applied.power.push((group.map_or(Group::Model, Group::Effect), power));
         }
     }
@@ -173,8 +173,8 @@ fn applied_forces(writer: &mut Writer<'_>, scene: &Scene) -> Applied {
 }
 
 /// What may have discontinuities: F and the limit of a skate, the same in every mode of the skate.
-fn laws(writer: &mut Writer<'_>, scene: &Scene, force: &[SumId], grip: Option<[SumId; 2]>) -> Vec<SumId> {
-    let Some([limit, _]) = grip else { return force.to_vec() };
+fn laws(writer: &mut Writer<'_>, scene: &Scene, force: &[SumId], stick_slip: Option<[SumId; 2]>) -> Vec<SumId> {
+    let Some([limit, _]) = stick_slip else { return force.to_vec() };
     let mut laws = applied_forces(writer, &Scene { mode: None, ..scene.clone() }).force;
     laws.push(limit);
     laws

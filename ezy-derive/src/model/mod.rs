@@ -381,7 +381,7 @@ impl Model {
 
     /// The modes of a scene besides that of its start.
     pub fn modes_of(&self, scene: &Scene) -> Vec<Mode> {
-        match (self.grip_of(scene), self.stop_of(scene)) {
+        match (self.stick_slip_of(scene), self.stop_of(scene)) {
             (Some(_), _) => [Side::Left, Side::Right].map(Mode::Slides).to_vec(),
             (None, Some(stop)) => stop.ends().map(|(bound, _)| Mode::Rests(bound)).collect(),
             (None, None) => Vec::new(),
@@ -389,7 +389,7 @@ impl Model {
     }
 
     /// The skate of a scene that holds up to a limit, and the limit.
-    pub fn grip_of<'a>(&'a self, scene: &'a Scene) -> Option<(&'a Row, &'a Expr)> {
+    pub fn stick_slip_of<'a>(&'a self, scene: &'a Scene) -> Option<(&'a Row, &'a Expr)> {
         self.selected_rows(scene).find_map(|(_, row)| Some((row, row.limit()?)))
     }
 

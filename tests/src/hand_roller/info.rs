@@ -129,7 +129,7 @@ const fn scene(
         inputs: &[],
         outputs: &[],
         events: &[],
-        grip: None,
+        stick_slip: None,
         stop: None,
         effects,
         until_s,

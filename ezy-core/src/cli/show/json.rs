@@ -88,7 +88,7 @@ fn point(point: &PointInfo) -> Json {
 
 /// Limit of constraint `i`.
 fn limit(info: &SceneInfo, i: usize) -> Json {
-    info.grip.filter(|grip| grip.row == i).map_or(Json::Null, |grip| formula(&grip.limit))
+    info.stick_slip.filter(|stick_slip| stick_slip.row == i).map_or(Json::Null, |stick_slip| formula(&stick_slip.limit))
 }
 
 fn row(row: &RowInfo, limit: Json) -> Json {

@@ -79,10 +79,11 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     put(["coordinate", "unit", "velocity", "", ""], coordinates.collect());
     let rows = info.rows.iter().enumerate().map(|(i, row)| {
         let level = if i < info.n_position_rows { "position" } else { "velocity" };
-        let limit = info.grip.filter(|grip| grip.row == i).map_or("", |grip| grip.limit.text);
+        let limit =
+            info.stick_slip.filter(|stick_slip| stick_slip.row == i).map_or("", |stick_slip| stick_slip.limit.text);
         [row.name, row.kind, level, row.multiplier_unit, limit]
     });
-    let limit = if info.grip.is_some() { "slides beyond" } else { "" };
+    let limit = if info.stick_slip.is_some() { "slides beyond" } else { "" };
     put(["row", "word", "level", "unit of its multiplier", limit], rows.collect());
     tables
 }

@@ -1,16 +1,16 @@
 //! The event functions.
 
 use crate::dynamics::{MotionError, Rows, System};
-use crate::model::{GripInfo, Scene, StopInfo};
+use crate::model::{Scene, StickSlipInfo, StopInfo};
 
 /// What is located.
 pub(in crate::simulate) enum EventFunction {
     /// The events of the scene.
     Events,
     /// Limit less reaction of a skate that holds.
-    Reserve { info: &'static GripInfo, a: Vec<f64>, lambda: Vec<f64> },
+    Reserve { info: &'static StickSlipInfo, a: Vec<f64>, lambda: Vec<f64> },
     /// Velocity across a skate that slides to this side.
-    Slide { info: &'static GripInfo, side: f64 },
+    Slide { info: &'static StickSlipInfo, side: f64 },
     /// Distances to the ends of a stop; `values` is a buffer.
     Gaps { info: &'static StopInfo, values: Vec<f64> },
     /// Force of a closed contact on this side.
@@ -29,11 +29,11 @@ impl EventFunction {
             Self::Events => system.events(t, q, v, out),
             Self::Reserve { info, a, lambda } => {
                 system.accelerations_unchecked(t, q, v, a, lambda, Rows::Projected)?;
-                let [limit, _] = system.checked_grip(info, t, q, v)?;
+                let [limit, _] = system.checked_stick_slip(info, t, q, v)?;
                 out.fill(limit - lambda[info.row].abs());
             }
             Self::Slide { info, side } => {
-                let [_, velocity] = system.checked_grip(info, t, q, v)?;
+                let [_, velocity] = system.checked_stick_slip(info, t, q, v)?;
                 out.fill(*side * velocity);
             }
             Self::Gaps { info, values } => {

@@ -1,13 +1,13 @@
 //! Scenes with modes: one motion for each mode, and the changes between modes.
 
-mod grip;
-mod stop;
+mod contact;
+mod stick_slip;
 
 use super::SetupError;
 use super::events::{EventDetector, Occurrence, resolution_at};
 use super::stepper_state::StepperState;
 use crate::dynamics::MotionError;
-use crate::model::{EventInfo, GripInfo, Scene, SceneInfo, StopInfo};
+use crate::model::{EventInfo, Scene, SceneInfo, StickSlipInfo, StopInfo};
 
 /// Smallest step, relative to the requested one, when a mode ends where it begins. In shorter steps the rounding of an
 /// interpolated value dominates.
@@ -22,7 +22,7 @@ const MAX_AT_ONCE: usize = 8;
 /// The law that gives a scene its modes.
 #[derive(Clone, Copy)]
 enum Law {
-    Grip(&'static GripInfo),
+    StickSlip(&'static StickSlipInfo),
     Stop(&'static StopInfo),
 }
 
@@ -58,7 +58,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// For a scene that starts in mode `first` and may change to `others`; `None` for a scene without modes.
     pub(super) fn new(first: &StepperState<'s, S>, others: Vec<StepperState<'s, S>>) -> Option<Self> {
         let info = first.system.info();
-        let law = info.grip.as_ref().map(Law::Grip).or(info.stop.as_ref().map(Law::Stop))?;
+        let law = info.stick_slip.as_ref().map(Law::StickSlip).or(info.stop.as_ref().map(Law::Stop))?;
         let detector = detector(law, 0, first);
         let parked: Vec<_> = (1..).zip(others).collect();
         let modes = Self {
@@ -84,7 +84,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// The constraint that the active mode does not have, and its multiplier as a multiple of the skate's limit.
     pub(super) fn lacking(&self) -> Option<(usize, f64)> {
         match self.law {
-            Law::Grip(info) => grip::side(self.mode).map(|side| (info.row, side)),
+            Law::StickSlip(info) => stick_slip::side(self.mode).map(|side| (info.row, side)),
             Law::Stop(info) => (self.mode == 0).then_some((info.row, 0.0)),
         }
     }
@@ -104,8 +104,8 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// [`SetupError::BeyondStop`], and those of laws that cannot be read and of the change.
     pub(super) fn start(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), SetupError> {
         match self.law {
-            Law::Grip(_) => Ok(self.settle(stepper)?),
-            Law::Stop(info) => stop::start(self, info, stepper),
+            Law::StickSlip(_) => Ok(self.settle(stepper)?),
+            Law::Stop(info) => contact::start(self, info, stepper),
         }
     }
 
@@ -141,8 +141,8 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// Changes the mode when the active one is not admissible at the present state.
     fn settle(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
         let ends = match self.law {
-            Law::Grip(info) => grip::ends(self, info, stepper)?,
-            Law::Stop(info) => stop::ends(self, info, stepper),
+            Law::StickSlip(info) => stick_slip::ends(self, info, stepper)?,
+            Law::Stop(info) => contact::ends(self, info, stepper),
         };
         if std::mem::take(&mut self.is_due) || ends {
             self.change(stepper)?;
@@ -154,8 +154,8 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     pub(super) fn change(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
         self.longest_s = f64::INFINITY;
         self.begins = match self.law {
-            Law::Grip(info) => grip::change(self, info, stepper)?,
-            Law::Stop(info) => stop::change(self, info, stepper)?,
+            Law::StickSlip(info) => stick_slip::change(self, info, stepper)?,
+            Law::Stop(info) => contact::change(self, info, stepper)?,
         };
         self.detector = detector(self.law, self.mode, stepper);
         Ok(())
@@ -241,8 +241,8 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
 fn detector<S: Scene + ?Sized>(law: Law, mode: usize, stepper: &StepperState<'_, S>) -> EventDetector {
     let (n_q, n_works) = (stepper.now.state.q.len(), stepper.now.state.work.len());
     let (function, events) = match law {
-        Law::Grip(info) => grip::function(info, mode, stepper),
-        Law::Stop(info) => stop::function(info, mode, stepper),
+        Law::StickSlip(info) => stick_slip::function(info, mode, stepper),
+        Law::Stop(info) => contact::function(info, mode, stepper),
     };
     EventDetector::new(function, events, n_q, n_works)
 }

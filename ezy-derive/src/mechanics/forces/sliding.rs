@@ -7,7 +7,7 @@ use crate::model::{Expr, Row, Side};
 use crate::symbolic::SumId;
 
 /// The limit, and n · v_P: zero while the skate holds.
-pub fn grip(writer: &mut Writer<'_>, row: &Row, limit: &Expr) -> [SumId; 2] {
+pub fn stick_slip(writer: &mut Writer<'_>, row: &Row, limit: &Expr) -> [SumId; 2] {
     let normal = normal(writer, row);
     let velocity = writer.velocity(&row.arguments.places[0]);
     [writer.write(limit), writer.dot(normal, velocity)]

@@ -355,7 +355,7 @@ impl Coast {
         inputs: &[],
         outputs: &[],
         events: &[],
-        grip: ::core::option::Option::None,
+        stick_slip: ::core::option::Option::None,
         stop: ::core::option::Option::None,
         effects: &[],
         until_s: 1f64,

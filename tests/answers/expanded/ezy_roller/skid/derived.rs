@@ -1,6 +1,6 @@
 #[automatically_derived]
 impl ezy::Derived for Skid {
-    fn grip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+    fn stick_slip(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let c = ezy::array::<41usize, f64>(c);
         let q = ezy::array::<6usize, f64>(q);
         let v = ezy::array::<6usize, f64>(v);

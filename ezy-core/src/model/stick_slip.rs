@@ -7,7 +7,7 @@ use super::{EventInfo, Formula};
 /// Beyond the limit the skate slides: a force of the size of the limit opposes the velocity across it, until that velocity
 /// returns to zero. Then it holds again, or slides to the other side if its reaction still exceeds the limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct GripInfo {
+pub struct StickSlipInfo {
     /// Its name, and that of its constraint.
     pub name: &'static str,
     /// Index of its constraint in [`SceneInfo::rows`](super::SceneInfo::rows).

@@ -115,11 +115,11 @@ fn arrive<'s, S: Scene + ?Sized>(
     }
     let mode = end + 1;
     let Some(rest) = modes.parked_in(mode) else { return Ok(()) };
-    rest.land(stepper)?;
+    rest.apply_impact(stepper)?;
     let e = if comes { restitution } else { 0.0 };
     let (before, landed) = (stepper.energy(), &rest.now.state);
     let velocities = landed.v.iter().zip(&stepper.now.state.v).map(|(v0, v)| v0 + e * (v0 - v)).collect();
-    stepper.rebound(&landed.q, velocities)?;
+    stepper.apply_restitution(&landed.q, velocities)?;
     let flight = flight(info, end, stepper, rest);
     let stays = e == 0.0 || flight.is_some_and(|flight| flight.is_too_short);
     let rests = stays && push(info, mode, rest) >= 0.0;

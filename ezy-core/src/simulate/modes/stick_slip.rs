@@ -2,7 +2,7 @@
 
 use super::Modes;
 use crate::dynamics::MotionError;
-use crate::model::{EventInfo, GripInfo, Scene};
+use crate::model::{EventInfo, Scene, StickSlipInfo};
 use crate::simulate::events::EventFunction;
 use crate::simulate::stepper_state::StepperState;
 
@@ -22,7 +22,7 @@ pub(super) fn side(mode: usize) -> Option<f64> {
 /// Whether the reaction of the holding skate exceeds the limit.
 pub(super) fn ends<S: Scene + ?Sized>(
     modes: &Modes<'_, S>,
-    info: &GripInfo,
+    info: &StickSlipInfo,
     stepper: &StepperState<'_, S>,
 ) -> Result<bool, MotionError> {
     let limit = limit(info, stepper)?;
@@ -33,7 +33,7 @@ pub(super) fn ends<S: Scene + ?Sized>(
 /// Returns whether the skate then slides, so that its velocity begins at zero.
 pub(super) fn change<'s, S: Scene + ?Sized>(
     modes: &mut Modes<'s, S>,
-    info: &'static GripInfo,
+    info: &'static StickSlipInfo,
     stepper: &mut StepperState<'s, S>,
 ) -> Result<bool, MotionError> {
     let held = modes.mode == HOLDS;
@@ -51,7 +51,7 @@ pub(super) fn change<'s, S: Scene + ?Sized>(
 
 /// What ends a mode.
 pub(super) fn function<S: Scene + ?Sized>(
-    info: &'static GripInfo,
+    info: &'static StickSlipInfo,
     mode: usize,
     stepper: &StepperState<'_, S>,
 ) -> (EventFunction, &'static [EventInfo]) {
@@ -65,11 +65,11 @@ pub(super) fn function<S: Scene + ?Sized>(
 }
 
 /// Force of the skate that holds, N.
-fn reaction<S: Scene + ?Sized>(info: &GripInfo, stepper: &StepperState<'_, S>) -> f64 {
+fn reaction<S: Scene + ?Sized>(info: &StickSlipInfo, stepper: &StepperState<'_, S>) -> f64 {
     stepper.now.lambda[info.row]
 }
 
-fn limit<S: Scene + ?Sized>(info: &GripInfo, stepper: &StepperState<'_, S>) -> Result<f64, MotionError> {
+fn limit<S: Scene + ?Sized>(info: &StickSlipInfo, stepper: &StepperState<'_, S>) -> Result<f64, MotionError> {
     let state = &stepper.now.state;
-    Ok(stepper.system.checked_grip(info, state.t, &state.q, &state.v)?[0])
+    Ok(stepper.system.checked_stick_slip(info, state.t, &state.q, &state.v)?[0])
 }

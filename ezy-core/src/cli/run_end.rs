@@ -6,7 +6,7 @@ use crate::model::SceneInfo;
 use crate::record::{EnergyState, Sample};
 use crate::report::table::{Table, fixed};
 use crate::scalar::{legible, rounded};
-use crate::simulate::{Cost, ExceededLimit, Outcome, RankSpell, Run, StopReason};
+use crate::simulate::{Cost, ExceededLimit, Outcome, RankDeficientInterval, Run, StopReason};
 
 use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
@@ -77,20 +77,20 @@ pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Ru
         ),
         ("outcome", Json::text(outcome)),
     ]);
-    if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.spells.is_empty()) {
-        members.push(("rank", Json::List(rank.spells.iter().map(spell_json).collect())));
+    if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.intervals.is_empty()) {
+        members.push(("rank", Json::List(rank.intervals.iter().map(spell_json).collect())));
     }
     Json::object(members)
 }
 
 /// An interval in which constraints were redundant.
-fn spell_json(spell: &RankSpell) -> Json {
+fn spell_json(interval: &RankDeficientInterval) -> Json {
     Json::object([
-        ("from", Json::Number(spell.from_s)),
-        ("to", Json::Number(spell.to_s)),
-        ("redundant", spell.loss.n_redundant.map_or(Json::Null, |n| Json::Count(n as u64))),
-        ("freedom", spell.loss.freedom().map_or(Json::Null, |n| Json::Count(n as u64))),
-        ("rows", Json::List(spell.loss.rows.iter().map(|row| Json::text(*row)).collect())),
+        ("from", Json::Number(interval.from_s)),
+        ("to", Json::Number(interval.to_s)),
+        ("redundant", interval.loss.n_redundant.map_or(Json::Null, |n| Json::Count(n as u64))),
+        ("freedom", interval.loss.freedom().map_or(Json::Null, |n| Json::Count(n as u64))),
+        ("rows", Json::List(interval.loss.rows.iter().map(|row| Json::text(*row)).collect())),
     ])
 }
 

@@ -6,7 +6,7 @@ use crate::model::Scene;
 
 /// A stretch of a run in which rows depended on each other: from the first state at which they did to the last.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RankSpell {
+pub struct RankDeficientInterval {
     /// Time of the first state, s.
     pub from_s: f64,
     /// Time of the last one, s.
@@ -19,14 +19,14 @@ pub struct RankSpell {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RankRecord {
     /// Stretches in which rows depended on each other, the first 16 of them.
-    pub spells: Vec<RankSpell>,
+    pub intervals: Vec<RankDeficientInterval>,
     /// How many came after those.
     pub n_more: u64,
     is_open: bool,
 }
 
 /// More intervals say nothing new: the mechanism passes a singular position at every turn.
-const MAX_SPELLS: usize = 16;
+const MAX_INTERVALS: usize = 16;
 
 impl RankRecord {
     /// Registers an accepted state.
@@ -35,12 +35,16 @@ impl RankRecord {
         if !at.solved.is_rank_deficient {
             return;
         }
-        let (t, n_known) = (at.state.t, self.spells.len());
-        match self.spells.last_mut() {
-            Some(spell) if was_open && self.n_more == 0 => spell.to_s = t,
+        let (t, n_known) = (at.state.t, self.intervals.len());
+        match self.intervals.last_mut() {
+            Some(interval) if was_open && self.n_more == 0 => interval.to_s = t,
             _ if was_open => {}
-            _ if n_known == MAX_SPELLS => self.n_more += 1,
-            _ => self.spells.push(RankSpell { from_s: t, to_s: t, loss: system.rank_loss(t, &at.state.q) }),
+            _ if n_known == MAX_INTERVALS => self.n_more += 1,
+            _ => self.intervals.push(RankDeficientInterval {
+                from_s: t,
+                to_s: t,
+                loss: system.rank_loss(t, &at.state.q),
+            }),
         }
     }
 }
@@ -48,7 +52,7 @@ impl RankRecord {
 /// `rows depended on each other from 0 s to 2 s: rank 17 of 20 (…)`, a line for each stretch; empty where there was none.
 impl std::fmt::Display for RankRecord {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for RankSpell { from_s, to_s, loss } in &self.spells {
+        for RankDeficientInterval { from_s, to_s, loss } in &self.intervals {
             if from_s == to_s {
                 write!(f, "rows depended on each other at t = {from_s} s: {loss}")?;
             } else {

@@ -26,8 +26,8 @@ fn wheels_at_the_hinge(scene: &dyn Scene, psi: f64, phi: f64, backend: Backend) 
 fn lost_at_start(result: Result<Run, SetupError>) -> RankLoss {
     let run = result.unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
-    assert_eq!(run.rank.spells[0].from_s, 0.0);
-    run.rank.spells[0].loss.clone()
+    assert_eq!(run.rank.intervals[0].from_s, 0.0);
+    run.rank.intervals[0].loss.clone()
 }
 
 #[test]
@@ -66,7 +66,7 @@ fn analytic_rank_is_full_away_from_alignment() {
         for backend in BACKENDS {
             let run = wheels_at_the_hinge(&*scene, 0.01, 0.0, backend);
             assert!(
-                run.is_ok_and(|run| run.outcome.reached_end() && run.rank.spells.is_empty()),
+                run.is_ok_and(|run| run.outcome.reached_end() && run.rank.intervals.is_empty()),
                 "{route} {backend:?}"
             );
         }

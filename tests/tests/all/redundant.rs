@@ -99,7 +99,7 @@ fn cross_two_wheels_on_one_axle_move_like_one() {
             assert!((shares[0] + shares[1] - whole).abs() <= MOTION, "{method:?} {backend:?}: {shares:?} of {whole}");
             // both wheels have the same diagonal entry of A
             assert!((shares[0] - shares[1]).abs() <= SHARES, "{method:?} {backend:?}: {shares:?}");
-            let loss = &two.rank.spells[0].loss;
+            let loss = &two.rank.intervals[0].loss;
             assert_eq!((loss.n_redundant, &loss.rows[..]), (Some(1), &["left", "right"][..]));
         }
     }
@@ -109,7 +109,7 @@ fn cross_two_wheels_on_one_axle_move_like_one() {
 fn analytic_wheels_beside_one_axle_are_independent() {
     let scene = axle::Two { right_x: 0.3, ..Default::default() };
     let run = Simulation::new(&scene).give("cart.omega", 0.0).run().unwrap();
-    assert!(run.rank.spells.is_empty());
+    assert!(run.rank.intervals.is_empty());
 }
 
 #[test]
@@ -136,7 +136,7 @@ fn reference_five_cranks_swing_like_one_and_three_rows_are_redundant() {
             let phi = std::f64::consts::FRAC_PI_2 - last.coordinates[2];
             assert!((phi - expected).abs() <= 1e-8, "{method:?}: {phi}");
             assert!((0..5).all(|i| (last.coordinates[3 * i + 2] - last.coordinates[2]).abs() <= 1e-12));
-            let loss = &run.rank.spells[0].loss;
+            let loss = &run.rank.intervals[0].loss;
             assert_eq!((loss.n_redundant, loss.freedom()), (Some(3), Some(1)), "{method:?}");
         }
     }

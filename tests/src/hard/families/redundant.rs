@@ -99,7 +99,8 @@ fn five_cranks(name: &str, bound: f64, naive: bool) -> Findings {
 /// How far the redundant rows that a run reports at its start are from the true ones.
 fn redundant_rows(subject: &Subject, expected: f64) -> Check {
     let run = Simulation::new(&*subject.scene).until(0.0).run();
-    let reported = run.ok().map(|run| run.rank.spells.first().and_then(|spell| spell.loss.n_redundant).unwrap_or(0));
+    let reported =
+        run.ok().map(|run| run.rank.intervals.first().and_then(|interval| interval.loss.n_redundant).unwrap_or(0));
     let away = reported.map_or(f64::NAN, |n| (n as f64 - expected).abs());
     Check::new("redundant rows, reported against true", 0.0, away)
 }

@@ -18,7 +18,7 @@ const MAX_HALVINGS: usize = 20;
 const MAX_NUDGES: usize = 10;
 
 /// Farthest that such a place is off in an angle, rad: well out of symmetry, without turning a body over.
-const NUDGE: f64 = 0.5;
+const PERTURBATION: f64 = 0.5;
 
 /// Another place replaces the one found first when it leaves less than this share of its residual.
 const NOTICEABLY_LESS: f64 = 0.9;
@@ -116,7 +116,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 break;
             }
             trial.copy_from_slice(q);
-            self.nudge(&mut trial, &start.q_given, left.share, n);
+            self.perturb(&mut trial, &start.q_given, left.share, n);
             let other = self.approach(start, &mut trial);
             if other.is_met() || left.length.is_nan() || other.length < NOTICEABLY_LESS * left.length {
                 q.copy_from_slice(&trial);
@@ -178,14 +178,14 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 
-    /// Moves what is not given: angles by up to [`NUDGE`], lengths by up to `share` of the mechanism's, the residual (all of it
+    /// Moves what is not given: angles by up to [`PERTURBATION`], lengths by up to `share` of the mechanism's, the residual (all of it
     /// where that is not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
-    fn nudge(&self, q: &mut [f64], given: &[bool], share: f64, n: usize) {
+    fn perturb(&self, q: &mut [f64], given: &[bool], share: f64, n: usize) {
         let length = self.geometry.length * if share.is_finite() { share } else { 1.0 };
         let n_q = q.len();
         for (i, x) in q.iter_mut().enumerate().filter(|(i, _)| !given[*i]) {
             let amount = 2.0 * ((n * n_q + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
-            *x += amount * if is_angle(i) { NUDGE } else { length };
+            *x += amount * if is_angle(i) { PERTURBATION } else { length };
         }
     }
 

@@ -18,7 +18,7 @@ const CONDITION_OF_ROWS: f64 = 100.0;
 const REGULAR: f64 = 1e4;
 
 /// Change of a coordinate that shows the condition: far above rounding, far below the size of a state.
-const NUDGE: f64 = 1e-9;
+const PERTURBATION: f64 = 1e-9;
 
 /// Multiplications of the dense oracle; a large scene is compared at fewer states. A second, without optimisation.
 const DENSE_WORK: usize = 40_000_000;
@@ -76,12 +76,13 @@ pub(super) fn is_redundant_anywhere<S: Scene + ?Sized>(system: &mut System<'_, S
 
 /// Whether K is far enough from rank loss at a state. A correction would not tell: its multipliers do not show.
 pub(super) fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &RandomState) -> bool {
-    let q = state.q.iter().enumerate().map(|(i, q)| if i % 2 == 0 { q + NUDGE } else { q - NUDGE }).collect();
-    let nudged = RandomState { t: state.t, q, v: state.v.clone() };
-    let (Some(x), Some(y)) = (solve_motion(dense, state), solve_motion(dense, &nudged)) else { return false };
+    let q =
+        state.q.iter().enumerate().map(|(i, q)| if i % 2 == 0 { q + PERTURBATION } else { q - PERTURBATION }).collect();
+    let perturbed = RandomState { t: state.t, q, v: state.v.clone() };
+    let (Some(x), Some(y)) = (solve_motion(dense, state), solve_motion(dense, &perturbed)) else { return false };
     let change = x.iter().zip(&y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
     let size = max_abs(&x);
-    change <= CONDITION_OF_ROWS * NUDGE * size && size <= REGULAR * scale(dense, state)
+    change <= CONDITION_OF_ROWS * PERTURBATION * size && size <= REGULAR * scale(dense, state)
 }
 
 /// Size of forces and convective terms at a state, at least one.

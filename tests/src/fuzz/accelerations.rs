@@ -54,10 +54,10 @@ impl Equations {
     }
 
     /// At a state that is rounded otherwise.
-    fn nudged(system: &System<'_, dyn Scene + '_>, state: &State, draw: &mut Draw) -> Self {
-        let mut nudge = |x: &f64| if draw.once_in(2) { x * (1.0 + f64::EPSILON) } else { x * (1.0 - f64::EPSILON) };
+    fn perturbed(system: &System<'_, dyn Scene + '_>, state: &State, draw: &mut Draw) -> Self {
+        let mut perturb = |x: &f64| if draw.once_in(2) { x * (1.0 + f64::EPSILON) } else { x * (1.0 - f64::EPSILON) };
         let (q, v): (Vec<f64>, Vec<f64>) =
-            (state.q.iter().map(&mut nudge).collect(), state.v.iter().map(&mut nudge).collect());
+            (state.q.iter().map(&mut perturb).collect(), state.v.iter().map(&mut perturb).collect());
         Self::at(system, state.t, &q, &v)
     }
 
@@ -103,13 +103,13 @@ pub fn check(system: &mut System<'_, dyn Scene + '_>, state: &State, draw: &mut 
     let Some(oracle) = Oracle::new(&here.matrix) else { return Ok(Verdict::AccelerationsNotCompared) };
     let units = info.coordinates.iter().map(|c| c.unit).chain(info.rows.iter().map(|row| row.multiplier_unit));
     let units: Vec<&str> = units.collect();
-    let (nudged, zeros): (Vec<Equations>, Vec<f64>) =
-        ((0..N_ROUNDINGS).map(|_| Equations::nudged(system, state, draw)).collect(), vec![0.0; x.len()]);
+    let (perturbed, zeros): (Vec<Equations>, Vec<f64>) =
+        ((0..N_ROUNDINGS).map(|_| Equations::perturbed(system, state, draw)).collect(), vec![0.0; x.len()]);
     let largest_of = |most: Vec<f64>, x: Vec<f64>| most.iter().zip(&x).map(|(most, x)| most.max(x.abs())).collect();
     if !oracle.is_regular {
         let residual = here.residual(&x);
-        let change = |nudged: &Equations| nudged.residual(&x).iter().zip(&residual).map(|(x, y)| x - y).collect();
-        let rounding = nudged.iter().map(change).fold(zeros, largest_of);
+        let change = |perturbed: &Equations| perturbed.residual(&x).iter().zip(&residual).map(|(x, y)| x - y).collect();
+        let rounding = perturbed.iter().map(change).fold(zeros, largest_of);
         let sizes = here.magnitude(&x);
         let largest = sizes.iter().fold(0.0, |m: f64, x| m.max(*x));
         let rounding: Vec<f64> = rounding.iter().map(|rounding| rounding + f64::EPSILON * largest).collect();
@@ -118,12 +118,13 @@ pub fn check(system: &mut System<'_, dyn Scene + '_>, state: &State, draw: &mut 
     let exact = oracle.solve(&here.right);
     let divides = system.uses_elimination() || !info.has_elimination();
     let magnitude = if divides { here.magnitude_over_mass(&exact) } else { here.magnitude(&exact) };
-    let moved = |nudged: &Equations| {
-        let change: Vec<f64> = nudged.residual(&exact).iter().zip(here.residual(&exact)).map(|(x, y)| x - y).collect();
+    let moved = |perturbed: &Equations| {
+        let change: Vec<f64> =
+            perturbed.residual(&exact).iter().zip(here.residual(&exact)).map(|(x, y)| x - y).collect();
         oracle.solve(&change)
     };
     let of_terms = oracle.at_most(&magnitude.iter().map(|size| SMALLEST.max(f64::EPSILON * size)).collect::<Vec<_>>());
-    let of_state = nudged.iter().map(moved).fold(zeros, largest_of);
+    let of_state = perturbed.iter().map(moved).fold(zeros, largest_of);
     let of_largest = oracle.rounding(&exact);
     let rounding: Vec<f64> = (0..x.len()).map(|i| of_terms[i] + of_state[i] + of_largest[i]).collect();
     if exact.iter().chain(&rounding).any(|x| !x.is_finite()) {

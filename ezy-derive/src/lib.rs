@@ -10,6 +10,7 @@ mod function;
 mod fuzz;
 #[cfg(test)]
 mod golden;
+mod grammar;
 #[cfg(test)]
 mod growth;
 mod mechanics;
@@ -20,7 +21,6 @@ mod pipeline;
 mod random;
 mod symbolic;
 mod units;
-mod words;
 mod work;
 
 /// Turns a model file into equations of motion.

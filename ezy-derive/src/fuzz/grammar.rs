@@ -1,10 +1,10 @@
-//! Random models: most are right, some nearly. Rows and forces are written by the table of words.
+//! Random models: most are right, some nearly. Rows and forces are written by the table of keywords.
 
 use std::fmt::Write;
 
 use super::values::{Depends, Names, Values};
+use crate::grammar::{Class, IfAbsent, Part, Setting, WORDS, Word};
 use crate::random::Random;
-use crate::words::{Class, Otherwise, Part, Setting, WORDS, Word};
 
 const MOST_BODIES: usize = 3;
 const MOST_FORCES: usize = 4;
@@ -307,7 +307,7 @@ impl Writer<'_> {
         let depends = if moves && self.random.once_in(3) { Depends::Velocities } else { Depends::Parameters };
         let mut given = Vec::new();
         for setting in settings {
-            if setting.otherwise == Otherwise::Required || self.random.once_in(2) {
+            if setting.if_absent == IfAbsent::Required || self.random.once_in(2) {
                 given.push(format!(" {} {}", setting.word, self.scalar(setting.unit, depends)));
             }
         }

@@ -1,7 +1,7 @@
 //! The assembled constraints: C, G, the velocity constraints and the convective terms, all derived from C and S v.
 
 use super::expression::Writer;
-use super::rows::{Demand, ScalarRow};
+use super::rows::{ResidualKind, ScalarRow};
 use super::symbols::Meaning;
 use crate::symbolic::{SumId, Symbol};
 
@@ -25,24 +25,24 @@ pub struct Constraints {
 impl Constraints {
     pub fn derive(writer: &mut Writer<'_>, rows: Vec<ScalarRow>) -> Self {
         let (position_rows, velocity_rows): (Vec<_>, Vec<_>) =
-            rows.into_iter().partition(|row| matches!(row.demand, Demand::Position(_)));
+            rows.into_iter().partition(|row| matches!(row.residual, ResidualKind::Position(_)));
         let n_position_rows = position_rows.len();
         let rows: Vec<ScalarRow> = position_rows.into_iter().chain(velocity_rows).collect();
 
         let (mut position, mut velocity, mut jacobian, mut convective) = (vec![], vec![], vec![], vec![]);
         let mut drift = vec![];
         for row in &rows {
-            let rate = match row.demand {
-                Demand::Position(c) => {
+            let rate = match row.residual {
+                ResidualKind::Position(c) => {
                     position.push(c);
                     writer.time_derivative(c)
                 }
-                Demand::Velocity(rate) => rate,
+                ResidualKind::Velocity(rate) => rate,
             };
             velocity.push(rate);
-            drift.push(match row.demand {
-                Demand::Position(c) => writer.algebra.diff(c, Symbol::TIME),
-                Demand::Velocity(rate) => {
+            drift.push(match row.residual {
+                ResidualKind::Position(c) => writer.algebra.diff(c, Symbol::TIME),
+                ResidualKind::Velocity(rate) => {
                     let is_velocity = |symbol| matches!(writer.symbols.meaning(symbol), Meaning::Velocity(_));
                     writer.algebra.at_zero(rate, &is_velocity)
                 }

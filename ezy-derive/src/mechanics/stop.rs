@@ -1,7 +1,7 @@
 //! A stop: the distances of its quantity from its bounds, and its constraint while the contact is closed.
 
 use super::expression::Writer;
-use super::rows::{Demand, ScalarRow};
+use super::rows::{ResidualKind, ScalarRow};
 use crate::model::{Bound, Expr, Mode, Model, Scene, Stop};
 use crate::symbolic::SumId;
 
@@ -42,7 +42,7 @@ pub fn row(writer: &mut Writer<'_>, model: &Model, scene: &Scene) -> Option<Scal
         name: stop.name.to_string(),
         kind: "stop",
         unit: stop.multiplier_unit.clone(),
-        demand: Demand::Position(excess(writer, stop, value)),
+        residual: ResidualKind::Position(excess(writer, stop, value)),
         // it is no row of the model
         family: model.rows.len(),
     })

@@ -35,7 +35,7 @@ pub use crate::parse::ast::Relation;
 pub use coordinate::{Component, Coordinate};
 pub use resolve::resolve;
 
-use crate::words::Word;
+use crate::grammar::Word;
 use proc_macro2::{Ident, TokenStream};
 use whole::{CountId, IndexId, Whole};
 

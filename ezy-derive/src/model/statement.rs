@@ -8,8 +8,8 @@ use super::unit::Unit;
 use super::value::Form;
 use super::{Arguments, Expr, Force, Row, RowId};
 use crate::diag::{rules, values};
+use crate::grammar::{Class, IfAbsent};
 use crate::parse::ast::{self, Phrase, Statement};
-use crate::words::{Class, Otherwise};
 use proc_macro2::Ident;
 
 impl Context<'_> {
@@ -168,7 +168,7 @@ impl Context<'_> {
                 let purpose = if statement.word.class == Class::VelocityRow { &limit } else { purpose };
                 for (setting, value) in known.iter().zip(given) {
                     let what = format!("`{}` of {subject}", setting.word);
-                    arguments.settings.push(match (value, setting.otherwise) {
+                    arguments.settings.push(match (value, setting.if_absent) {
                         (Some(value), _) => {
                             let resolved = self.scalar(value, purpose, &what, Some(dimension(setting.unit)));
                             let number = resolved.as_ref().and_then(|value| at_defaults(value, &[]));
@@ -177,7 +177,7 @@ impl Context<'_> {
                             }
                             resolved
                         }
-                        (None, Otherwise::Number(number)) => Some(Expr::Number(number)),
+                        (None, IfAbsent::Number(number)) => Some(Expr::Number(number)),
                         (None, _) => None,
                     });
                 }
@@ -186,7 +186,7 @@ impl Context<'_> {
     }
 }
 
-/// The dimension of a unit of the table of words.
+/// The dimension of a unit of the table of keywords.
 fn dimension(unit: &str) -> Dimension {
     Unit::of_text(unit).map_or(Dimension::NONE, |unit| unit.dimension)
 }

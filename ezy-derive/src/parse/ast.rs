@@ -2,7 +2,7 @@
 
 use crate::diag::Extent;
 use crate::function::Operator;
-use crate::words::{Asked, Setting, Word};
+use crate::grammar::{Expected, Setting, Word};
 use proc_macro2::{Ident, Span, TokenStream};
 use std::ops::Deref;
 
@@ -124,8 +124,8 @@ pub enum Phrase {
     Couple(Name, Name),
     Body(Name),
     Direction { across: bool, direction: OnBody },
-    Scalar(Asked, Expr),
-    Vector(Asked, Expr),
+    Scalar(Expected, Expr),
+    Vector(Expected, Expr),
     Equation { left: Expr, equals: Span, right: Expr },
     Settings(&'static [Setting], Vec<Option<Expr>>),
 }

@@ -5,7 +5,7 @@ use super::statement::statement;
 use super::token::{braced, expected, name, peek_word, skip};
 use super::{Log, body, event, let_value, output, parameter, point, release, repeat, scene, start, stop};
 use crate::diag::syntax;
-use crate::words::WORDS;
+use crate::grammar::WORDS;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;

@@ -1,11 +1,11 @@
-//! Rows and forces: read by the form that the table of words gives.
+//! Rows and forces: read by the form that the table of keywords gives.
 
 use super::ast::{ItemKind, Name, Phrase, Statement};
 use super::expression::{expression, indexed};
 use super::place::{on_body, place};
 use super::token::{expected, peek_word, sign, word};
 use crate::diag::syntax;
-use crate::words::{Otherwise, Part, Setting, Word};
+use crate::grammar::{IfAbsent, Part, Setting, Word};
 use proc_macro2::{Delimiter, Ident};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -166,7 +166,7 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
     let names: Vec<&str> = known.iter().map(|setting| setting.word).collect();
     while !input.peek(Token![;]) {
         let Some((found, _)) = input.cursor().ident() else {
-            let required = known.iter().any(|setting| setting.otherwise == Otherwise::Required);
+            let required = known.iter().any(|setting| setting.if_absent == IfAbsent::Required);
             let end = (!required).then(|| "`;`".to_owned());
             let words: Vec<String> = names.iter().map(|name| format!("`{name}`")).chain(end).collect();
             let error = expected(input, &alternatives(&words));
@@ -191,11 +191,10 @@ fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> 
     }
     // a row is one without settings, too
     let needs_one = !statement.is_row() && given.iter().all(Option::is_none);
-    if needs_one && known.iter().all(|setting| setting.otherwise == Otherwise::Absent) {
+    if needs_one && known.iter().all(|setting| setting.if_absent == IfAbsent::Absent) {
         return Err(syntax::no_setting(input.span(), &place(), &names));
     }
-    match known.iter().zip(&given).find(|(setting, value)| setting.otherwise == Otherwise::Required && value.is_none())
-    {
+    match known.iter().zip(&given).find(|(setting, value)| setting.if_absent == IfAbsent::Required && value.is_none()) {
         Some((missing, _)) => Err(syntax::setting_missing(input.span(), missing.word, &place())),
         None => Ok(Phrase::Settings(known, given)),
     }

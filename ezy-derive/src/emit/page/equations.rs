@@ -27,14 +27,14 @@ pub fn write(page: &mut Page, equations: &Equations, names: &Abbreviations<'_>) 
     }
     if n_h > 0 {
         page.heading("Position constraint");
-        page.paragraph(printer.demand(letter("C"), 0..n_h, &constraints.position));
+        page.paragraph(printer.residual(letter("C"), 0..n_h, &constraints.position));
         page.paragraph(printer.jacobian(&sub("C", "q"), 0..n_h));
         page.paragraph(display(&[letter("h"), printer.column(&constraints.convective[..n_h])]));
     }
     if n_c > n_h {
         page.heading("Velocity constraint");
         let rows = format!("{}{}<mo>+</mo>{}", letter("S"), letter("v"), sub("s", "t"));
-        page.paragraph(printer.demand(rows, n_h..n_c, &constraints.velocity[n_h..]));
+        page.paragraph(printer.residual(rows, n_h..n_c, &constraints.velocity[n_h..]));
         page.paragraph(printer.jacobian(&letter("S"), n_h..n_c));
         page.paragraph(display(&[letter("s"), printer.column(&constraints.convective[n_h..])]));
     }
@@ -78,7 +78,7 @@ impl Printer<'_> {
     }
 
     /// Rows that are zero, with their names behind.
-    fn demand(&self, symbol: String, rows: Range<usize>, sums: &[SumId]) -> String {
+    fn residual(&self, symbol: String, rows: Range<usize>, sums: &[SumId]) -> String {
         let names: Vec<&str> = self.equations.constraints.rows[rows].iter().map(|row| row.name.as_str()).collect();
         let entries: Vec<String> = sums.iter().map(|&sum| self.entry(sum)).collect();
         display(&[zero(), symbol, named_column(&entries, &names)])

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::basis::{Basis, Row, largest};
 use super::{DEPENDENT, RandomState, SAMPLES};
 use crate::diag::{Diagnostics, equations as message};
-use crate::mechanics::rows::Demand;
+use crate::mechanics::rows::ResidualKind;
 use crate::mechanics::scene::Equations;
 use crate::model::Model;
 use crate::symbolic::{SumId, Symbol};
@@ -58,7 +58,7 @@ impl Form {
             entries.push((time, drift));
         }
         let mut slopes = Vec::new();
-        if matches!(constraints.rows[row].demand, Demand::Velocity(_)) {
+        if matches!(constraints.rows[row].residual, ResidualKind::Velocity(_)) {
             for &(j, entry) in &entries {
                 for symbol in algebra.symbols_of(entry) {
                     let i = if symbol == Symbol::TIME { Some(time) } else { symbols.coordinate_of(symbol) };

@@ -44,7 +44,7 @@ impl Load {
             "drag" => drag::add(writer, of, self),
             "friction" => friction::add(writer, of, self),
             "tyre" => tyre::add(writer, of, self),
-            other => unreachable!("`{other}` is no force of the table of words"),
+            other => unreachable!("`{other}` is no force of the table of keywords"),
         }
     }
 

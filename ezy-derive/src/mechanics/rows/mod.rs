@@ -11,13 +11,13 @@ mod slot;
 mod weld;
 
 use super::expression::Writer;
+use crate::grammar::Class;
 use crate::model::{Row, RowId};
 use crate::symbolic::SumId;
-use crate::words::Class;
 
 /// The residual of a constraint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Demand {
+pub enum ResidualKind {
     /// C(q, t)
     Position(SumId),
     /// S(q, t) v + s_t(q, t)
@@ -32,7 +32,7 @@ pub struct ScalarRow {
     pub kind: &'static str,
     /// Unit of its multiplier.
     pub unit: String,
-    pub demand: Demand,
+    pub residual: ResidualKind,
     /// Rows with the same number were declared together and are eliminated together.
     pub family: usize,
 }
@@ -68,18 +68,18 @@ pub fn scalar_rows(writer: &mut Writer<'_>, row: &Row, id: RowId) -> Vec<ScalarR
         "skate" => skate::rows(writer, of),
         "roll" => roll::rows(writer, of),
         "drive" | "constraint" | "velocity constraint" => equation::rows(writer, of),
-        other => unreachable!("`{other}` is no row of the table of words"),
+        other => unreachable!("`{other}` is no row of the table of keywords"),
     };
     let name = |suffix: &str| if suffix.is_empty() { row.name.to_string() } else { format!("{}.{suffix}", row.name) };
-    let demand = |value| match row.word.class {
-        Class::VelocityRow => Demand::Velocity(value),
-        _ => Demand::Position(value),
+    let residual = |value| match row.word.class {
+        Class::VelocityRow => ResidualKind::Velocity(value),
+        _ => ResidualKind::Position(value),
     };
     let rows = components.into_iter().map(|component| ScalarRow {
         name: name(component.suffix),
         kind: row.word.word,
         unit: component.unit,
-        demand: demand(component.value),
+        residual: residual(component.value),
         family: id.0,
     });
     rows.collect()

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::{Trial, mechanism};
 use crate::golden;
-use crate::words::WORDS;
+use crate::grammar::WORDS;
 
 /// More bodies take longer to compile than to test.
 const MOST_BODIES: u64 = 4;

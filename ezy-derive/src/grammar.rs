@@ -37,13 +37,13 @@ pub enum Part {
     /// `across body(x, y)`
     Across,
     /// `: expression`
-    Scalar(Asked),
+    Scalar(Expected),
     /// `: expression`
-    Vector(Asked),
+    Vector(Expected),
     /// An expression without a sign before it.
-    BareVector(Asked),
+    BareVector(Expected),
     /// `= expression`
-    Equals(Asked),
+    Equals(Expected),
     /// `expression = expression`, of one dimension.
     Equation,
     /// `word expression, word expression`
@@ -56,7 +56,7 @@ pub enum Part {
 
 /// The quantity that an expression gives.
 #[derive(Debug, Clone, Copy)]
-pub struct Asked {
+pub struct Expected {
     /// In a sentence: "a torque".
     pub what: &'static str,
     /// In the units of the language.
@@ -68,14 +68,14 @@ pub struct Asked {
 pub struct Setting {
     pub word: &'static str,
     pub unit: &'static str,
-    pub otherwise: Otherwise,
+    pub if_absent: IfAbsent,
     /// Whether it must be positive.
     pub positive: bool,
 }
 
 /// The value when none is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Otherwise {
+pub enum IfAbsent {
     /// It must be given.
     Required,
     /// This number.
@@ -85,26 +85,26 @@ pub enum Otherwise {
 }
 
 use Class::{Force, PositionRow, VelocityRow};
-use Otherwise::{Absent, Number, Required};
+use IfAbsent::{Absent, Number, Required};
 use Part::{
     Across, Along, At, BareVector, BodyOrCouple, Choice, Colon, Couple, Equals, Equation, Pair, Scalar, Settings,
     Vector,
 };
 
-const fn setting(word: &'static str, unit: &'static str, otherwise: Otherwise) -> Setting {
-    Setting { word, unit, otherwise, positive: false }
+const fn setting(word: &'static str, unit: &'static str, if_absent: IfAbsent) -> Setting {
+    Setting { word, unit, if_absent, positive: false }
 }
 
 /// A setting that must be given and positive.
 const fn positive(word: &'static str, unit: &'static str) -> Setting {
-    Setting { word, unit, otherwise: Required, positive: true }
+    Setting { word, unit, if_absent: Required, positive: true }
 }
 
-const FORCE: Asked = Asked { what: "a force", unit: "N" };
-const FORCE_ALONG: Asked = Asked { what: "a force along a direction", unit: "N" };
-const TORQUE: Asked = Asked { what: "a torque", unit: "N*m" };
-const SPEED: Asked = Asked { what: "a rolling speed", unit: "m/s" };
-const GRAVITY: Asked = Asked { what: "gravity", unit: "m/s^2" };
+const FORCE: Expected = Expected { what: "a force", unit: "N" };
+const FORCE_ALONG: Expected = Expected { what: "a force along a direction", unit: "N" };
+const TORQUE: Expected = Expected { what: "a torque", unit: "N*m" };
+const SPEED: Expected = Expected { what: "a rolling speed", unit: "m/s" };
+const GRAVITY: Expected = Expected { what: "gravity", unit: "m/s^2" };
 
 /// Every word, in the order of the manual.
 pub static WORDS: &[Word] = &[
@@ -144,7 +144,7 @@ pub static WORDS: &[Word] = &[
     Word {
         word: "skate",
         class: VelocityRow,
-        form: &[At, Along, Settings(&[Setting { word: "limit", unit: "N", otherwise: Absent, positive: true }])],
+        form: &[At, Along, Settings(&[Setting { word: "limit", unit: "N", if_absent: Absent, positive: true }])],
         example: "skate rear: at A along seat(1, 0);",
     },
     Word {

@@ -4,7 +4,7 @@
 //! fields, and everything that depends on parameters alone is computed once ([`Equations::constants`]). Kernels read a
 //! vector `c` of numbers that do not change within a step: the `n_i` *inputs*, which the caller sets, then the *constants*.
 //!
-//! Shapes: `n_q` coordinates, `n_h` position rows, `n_c` rows in all (position rows first), `n_e` effects,
+//! Shapes: `n_q` coordinates, `n_h` position constraints, `n_c` rows in all (position constraints first), `n_e` effects,
 //! `n_p` points, `n_i` inputs, `n_o` outputs, `n_s` events. Kernels panic when a slice has another length; the layers above always
 //! pass the right ones.
 
@@ -67,9 +67,9 @@ pub struct RowInfo {
     pub kind: &'static str,
     /// Unit of the row's multiplier: `N` or `N*m`.
     pub multiplier_unit: &'static str,
-    /// Position rows: C, with C = 0. Velocity rows: S v + s_t, with S v + s_t = 0.
+    /// Position constraints: C, with C = 0. Velocity constraints: S v + s_t, with S v + s_t = 0.
     pub constraint: Formula,
-    /// h of a position row, s of a velocity row.
+    /// h of a position constraint, s of a velocity constraint.
     pub convective_term: Formula,
 }
 
@@ -227,9 +227,9 @@ pub struct SceneInfo {
     pub coordinates: &'static [CoordinateInfo],
     /// `n_p` named points; a hinge is listed by its point on the first body.
     pub points: &'static [PointInfo],
-    /// `n_c` rows, position rows first.
+    /// `n_c` rows, position constraints first.
     pub rows: &'static [RowInfo],
-    /// `n_h`, the number of position rows.
+    /// `n_h`, the number of position constraints.
     pub n_position_rows: usize,
     /// Parameters of the model and of the scene's effects.
     pub parameters: &'static [ParameterInfo],
@@ -245,7 +245,7 @@ pub struct SceneInfo {
     /// The stop (unilateral contact), if there is one.
     pub stop: Option<StopInfo>,
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
-    /// some; then the effects; then the rows that move with time, under the name `drives`, when there are some; last
+    /// some; then the effects; then the constraints that move with time, under the name `drives`, when there are some; last
     /// the impacts on the stop, under the name `stops`, where there is one.
     pub effects: &'static [EffectInfo],
     /// End of the run that the scene declares, s.

@@ -44,9 +44,9 @@ mod tests {
     #[test]
     fn analytic_row_that_repeats_others_is_named() {
         let found = messages("skate left: at one(a, b) along one(1, 0); skate right: at one(a, -b) along one(1, 0);");
-        assert!(found.contains("row `right` repeats what `left` already demands"), "{found}");
+        assert!(found.contains("constraint `right` repeats what `left` already demands"), "{found}");
         let found = messages("hinge P: one(a, 0) ~ two(0, 0); hinge Q: one(a, 0) ~ two(0, 0);");
-        assert!(found.contains("row `Q.x` repeats what `P.x` already demands"), "{found}");
+        assert!(found.contains("constraint `Q.x` repeats what `P.x` already demands"), "{found}");
     }
 
     #[test]
@@ -55,7 +55,7 @@ mod tests {
             "point P = one(a, b); point Q = two(b, a);
              constraint g: norm(P.r) / (2 + smooth_step(norm(P.r), 1, norm(Q.r))) = a;",
         );
-        assert!(found.contains("row `g` is too long to be differentiated twice"), "{found}");
+        assert!(found.contains("constraint `g` is too long to be differentiated twice"), "{found}");
         let found = messages(
             "point P = one(a, b); point Q = two(b, a);
              stop g: norm(P.r) / (2 + smooth_step(norm(P.r), 1, norm(Q.r))) to a;",
@@ -74,13 +74,13 @@ mod tests {
         let found = messages(&format!(
             "{array} weld first: one(0, 0) ~ link[n-1](0, 0); gear second: one ~ link[n-1] ratio 1;"
         ));
-        assert!(found.contains("row `second` repeats what `first.angle` already demands"), "{found}");
+        assert!(found.contains("constraint `second` repeats what `first.angle` already demands"), "{found}");
     }
 
     #[test]
     fn analytic_row_that_repeats_others_once_assembled_is_a_warning() {
         let found = messages("hinge P: one(0, 0) ~ two(0, 0); hinge Q: one(a, 0) ~ two(a, 0);");
-        assert!(found.contains("with the declared parameters row `Q.y` repeats what"));
+        assert!(found.contains("with the declared parameters constraint `Q.y` repeats what"));
         assert!(!found.contains("compile_error"));
         let found = messages("rod P: one(0, 0) ~ two(0, 0) length b; rod Q: one(a, 0) ~ two(a, 0) length b;");
         assert!(!found.contains("repeats what"));
@@ -91,7 +91,8 @@ mod tests {
         let rows = "hinge P: ground(0, 0) ~ one(a, 0); hinge Q: ground(b, 0) ~ one(0, a); hinge R: one(0, 0) ~ two(a, 0); \
                     hinge S: two(b, 0) ~ ground(0, 1);";
         assert!(
-            messages(rows).contains("constraint rows but only 6 coordinates") || messages(rows).contains("repeats")
+            messages(rows).contains("constraint equations but only 6 coordinates")
+                || messages(rows).contains("repeats")
         );
     }
 

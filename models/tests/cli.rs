@@ -69,7 +69,7 @@ fn invariant_list_json_tells_effects_sizes_and_freedom() {
 fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
     let show = output(&["show", "ezyroller/driven"]);
     let parts = [
-        "freedom: 4 of positions, 2 of velocities",
+        "degrees of freedom: 4 in position, 2 in velocity",
         "A = (seat.x - a*cos(seat.phi), seat.y - a*sin(seat.phi))",
         "C_q = [",
         "S v + s_t = [",
@@ -240,7 +240,7 @@ fn invariant_run_from_a_singular_position_says_which_rows_depend_on_each_other()
     let still = [&aligned[..], &["--start", "seat.vx=0", "--until", "0.01"]].concat();
     let as_text = output(&still);
     assert!(
-        as_text.contains("rank 3 of 4, which leaves a freedom of 3; these depend on each other: B.y, rear, front"),
+        as_text.contains("rank 3 of 4, degrees of freedom: 3; these depend on each other: B.y, rear, front"),
         "{as_text}"
     );
     let object: Value = serde_json::from_str(&output(&[&still[..], &["--json"]].concat())).unwrap();
@@ -453,7 +453,7 @@ fn invariant_count_that_is_no_count_is_refused() {
 #[test]
 fn invariant_show_of_a_scene_with_counts_tells_its_equations_by_item() {
     let show = output(&["show", "chain/swing"]);
-    for part in ["n         10", "hinge pin, i in 1..n", "link[i-1].x", "20 position rows", "G^T = ["] {
+    for part in ["n         10", "hinge pin, i in 1..n", "link[i-1].x", "20 position constraints", "G^T = ["] {
         assert!(show.contains(part), "{part} in {show}");
     }
 }

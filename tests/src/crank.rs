@@ -1,4 +1,4 @@
-//! A crank on the ground whose angle is prescribed in time: rows with C_t and C_tt, and no freedom left.
+//! A crank on the ground whose angle is prescribed in time: rows with C_t and C_tt, and no degree of freedom left.
 
 use crate::leaked::{Description, info};
 use ezy_core::__private::Pivots;

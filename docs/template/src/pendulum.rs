@@ -4,7 +4,7 @@
 //!   ground ──o═════════(rod)═════════    o hinge `pivot`, drawn at angle 0
 //! ```
 //!
-//! Coordinates: `rod.x rod.y rod.phi`; rows: `pivot.x pivot.y`. Freedom: 1.
+//! Coordinates: `rod.x rod.y rod.phi`; rows: `pivot.x pivot.y`. Degrees of freedom: 1.
 //! Without friction the sum of kinetic and potential energy is constant.
 
 use ezy_core::model;

@@ -98,8 +98,8 @@ impl WorkPrecision {
     pub(super) fn drift(&self) -> Option<Figure> {
         let (pick, label): (fn(&Measured) -> f64, _) = match (self.info.n_rows(), self.info.n_position_rows) {
             (0, _) => return None,
-            (_, 0) => (|m| m.velocity_residual, "largest residual of a velocity row"),
-            _ => (|m| m.position_residual, "largest residual of a position row, |C|"),
+            (_, 0) => (|m| m.velocity_residual, "largest residual of a velocity constraint"),
+            _ => (|m| m.position_residual, "largest residual of a position constraint, |C|"),
         };
         let title = format!("{}/{}: drift off the constraints", self.info.model, self.info.name);
         let shown = [Projection::None, Projection::Positions, Projection::Velocities, Projection::Both];

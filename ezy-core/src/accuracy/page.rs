@@ -68,7 +68,7 @@ impl WorkPrecision {
     fn write_projections(&self, page: &mut Page, pictures: &Pictures) {
         page.section("projection", "What projections do");
         if self.info.n_rows() == 0 {
-            page.paragraph("The scene has no rows, so there is nothing to drift off.");
+            page.paragraph("The scene has no constraints, so there is nothing to drift off.");
             return;
         }
         let drift = "Drift off the constraints, the largest over the grid, for each projection.";

@@ -22,7 +22,7 @@ impl WorkPrecision {
             "reaction",
             "scaled",
             "|C|",
-            "velocity rows",
+            "velocity constraints",
             "energy [J]",
         ]);
         for (method, m) in self.main_curves() {
@@ -71,7 +71,7 @@ impl WorkPrecision {
             "projection",
             "largest error",
             "|C|",
-            "velocity rows",
+            "velocity constraints",
             "energy [J]",
             "time [ms]",
             "of none",

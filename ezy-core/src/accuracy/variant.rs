@@ -16,7 +16,7 @@ impl Variant {
     /// Nothing is projected.
     pub const NONE: Self = Self { projection: Projection::None, metric: Metric::Mass };
 
-    /// Every variant that makes a difference in a scene, the default one first: a scene without position rows has no
+    /// Every variant that makes a difference in a scene, the default one first: a scene without position constraints has no
     /// positions to project, one without rows nothing at all.
     pub fn all(info: &SceneInfo) -> Vec<Self> {
         let projections: &[Projection] = match (info.n_rows(), info.n_position_rows) {
@@ -30,7 +30,7 @@ impl Variant {
         }
         all.push(Self::NONE);
         let of = |metric: Metric| projections.iter().map(move |&projection| Self { projection, metric });
-        // without position rows `both` is `velocities`
+        // without position constraints `both` is `velocities`
         let besides = |v: &Self| info.n_position_rows > 0 || v.metric == Metric::Euclidean;
         all.extend(of(Metric::Mass).filter(besides));
         if info.n_position_rows > 0 {

@@ -10,7 +10,7 @@ use super::value::{Assignment, parse_assignment, parse_count, parse_number};
 // what a command does is said at its arguments
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
-    /// Lists models and scenes with their effects, sizes and freedom
+    /// Lists models and scenes with their effects, sizes and degrees of freedom
     List(ListArguments),
     Show(ShowArguments),
     Run(RunArguments),

@@ -24,8 +24,15 @@ fn freedom(info: &SceneInfo) -> usize {
 }
 
 fn model_text(model: &ModelInfo) -> String {
-    let mut table =
-        Table::new(["scene", "effects", "bodies", "position rows", "velocity rows", "freedom", "until [s]"]);
+    let mut table = Table::new([
+        "scene",
+        "effects",
+        "bodies",
+        "position constraints",
+        "velocity constraints",
+        "degrees of freedom",
+        "until [s]",
+    ]);
     for scene in model.scenes {
         let info = (scene.info)();
         let effects = info.effects.iter().map(|effect| effect.name).collect::<Vec<_>>().join(", ");

@@ -145,7 +145,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         Ok(solved)
     }
 
-    /// As [`System::accelerations`] within a run, not verified: where rows nearly depend on each other, what they differ by is
+    /// As [`System::accelerations`] within a run, not verified: where constraints nearly depend on each other, what they differ by is
     /// rounding of a state that was projected onto them. [`System::check_accelerations`] tells when it is more than that.
     ///
     /// # Errors

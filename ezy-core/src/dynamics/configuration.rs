@@ -12,9 +12,9 @@ use crate::model::Scene;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Solved {
     /// Smallest pivot of an independent row, relative to what it started from: falls with the square of the distance to a
-    /// position in which rows depend on each other. What a pivot is differs between backends.
+    /// position in which constraints depend on each other. What a pivot is differs between backends.
     pub smallest_pivot: f64,
-    /// Whether rows depend on each other.
+    /// Whether constraints depend on each other.
     pub is_rank_deficient: bool,
     /// What redundant rows leave.
     pub(super) left: Left,

@@ -89,9 +89,9 @@ pub enum SystemError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MotionError {
-    /// Rows depend on each other and ask for different things.
+    /// Constraints depend on each other and ask for different things.
     #[error(
-        "constraint rows contradict each other at t = {t} s: {}; nothing leaves less than {residual:.3e} of {level} (tolerance \
+        "constraints contradict each other at t = {t} s: {}; nothing leaves less than {residual:.3e} of {level} (tolerance \
          {tolerance:.1e}). Remove one of them, or make them agree", rows_or_unknown(.rows)
     )]
     ContradictoryRows {
@@ -107,10 +107,10 @@ pub enum MotionError {
         /// What may be left.
         tolerance: f64,
     },
-    /// Rows nearly depend on each other, or numbers are so far apart that they seem to.
+    /// Constraints nearly depend on each other, or numbers are so far apart that they seem to.
     #[error(
         "what the equations decide at t = {t} s is lost in rounding{}: the nearest accelerations leave {residual:.1e} of one of \
-         them. Bring masses and lengths nearer to each other, or move away from a position where rows depend on each other",
+         them. Bring masses and lengths nearer to each other, or move away from a position where constraints depend on each other",
         nearly_dependent(.rows, *.smallest_pivot)
     )]
     LostInRounding {
@@ -123,9 +123,9 @@ pub enum MotionError {
         /// The largest share of the terms of an equation that is left.
         residual: f64,
     },
-    /// Next to a position where rows depend on each other, no step leads on.
+    /// Next to a position where constraints depend on each other, no step leads on.
     #[error(
-        "the motion does not get past the position at t = {t} s, where rows nearly depend on each other: {}; smallest pivot \
+        "the motion does not get past the position at t = {t} s, where constraints nearly depend on each other: {}; smallest pivot \
          {smallest_pivot:.1e}. {cause}. If the mechanism locks there, it is the geometry or a drive that has to change", rows_or_unknown(.rows)
     )]
     LockedUp {
@@ -140,7 +140,7 @@ pub enum MotionError {
     },
     /// In lanes and with derivatives only the generated elimination solves, and a pivot of it vanishes.
     #[error(
-        "the pivot of constraint row `{row}` vanishes at t = {t} s in the generated elimination, which alone solves in lanes \
+        "the pivot of constraint `{row}` vanishes at t = {t} s in the generated elimination, which alone solves in lanes \
          and with derivatives; run the scene in single numbers, where a pivoted solver decides"
     )]
     LostPivot {
@@ -151,7 +151,7 @@ pub enum MotionError {
     },
     /// A coordinate has neither mass nor a row that determines its acceleration.
     #[error(
-        "the acceleration of {} is undetermined at t = {t} s: no mass and no constraint row moves it; \
+        "the acceleration of {} is undetermined at t = {t} s: no mass and no constraint moves it; \
          give its body a mass or an inertia, or constrain it", list(.coordinates)
     )]
     UndeterminedMotion {
@@ -242,7 +242,7 @@ pub enum MotionError {
     /// Gauss–Newton does not come closer to C = 0.
     #[error(
         "position projection stalled at t = {t} s: |C| = {residual:.3e} after {passes} passes (tolerance \
-         {tolerance:.1e}); largest row: {row}. Take a smaller step or tolerance"
+         {tolerance:.1e}); largest constraint: {row}. Take a smaller step or tolerance"
     )]
     ProjectionStalled {
         /// Time, s.
@@ -282,7 +282,7 @@ pub enum StartError {
     },
     /// A row has no value.
     #[error(
-        "row `{row}` is not a number at the start: a length or a direction in it is zero; change the parameters or the \
+        "constraint `{row}` is not a number at the start: a length or a direction in it is zero; change the parameters or the \
          start values"
     )]
     UndefinedRow {
@@ -314,7 +314,7 @@ pub(super) fn rows_or_unknown(names: &[&str]) -> String {
 
 fn nearly_dependent(rows: &[&str], smallest_pivot: Option<f64>) -> String {
     let pivot =
-        |pivot| format!(", where rows nearly depend on each other ({}; smallest pivot {pivot:.1e})", list(rows));
+        |pivot| format!(", where constraints nearly depend on each other ({}; smallest pivot {pivot:.1e})", list(rows));
     smallest_pivot.map(pivot).unwrap_or_default()
 }
 

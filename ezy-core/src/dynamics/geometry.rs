@@ -59,7 +59,7 @@ impl Geometry {
         largest(x.iter().enumerate().map(|(i, x)| if is_angle(i) { x.abs() } else { x.abs() / self.length }))
     }
 
-    /// Largest residual of a position row, in units of what counts as zero at `q`; NaN when there is one.
+    /// Largest residual of a position constraint, in units of what counts as zero at `q`; NaN when there is one.
     pub(super) fn position_excess(&self, residual: &[f64], q: &[f64]) -> f64 {
         let extent = self.extent(q);
         let rows = residual.iter().enumerate();
@@ -89,7 +89,7 @@ impl Geometry {
         (TOLERANCE * size.min(1.0)).max(ROUNDING_OF_ROWS * size)
     }
 
-    /// Whether position rows are met without regard to rounding.
+    /// Whether position constraints are met without regard to rounding.
     pub(super) fn is_met(&self, residual: &[f64]) -> bool {
         residual.iter().zip(&self.sizes).all(|(c, size)| c.abs() <= TOLERANCE * size.min(1.0))
     }

@@ -6,7 +6,7 @@ use crate::model::Scene;
 
 /// A system whose accelerations do not depend on how far a state is off the rows.
 ///
-/// Of states on the rows they are the same. Off them, next to a position in which rows depend on each other, those of the
+/// Of states on the rows they are the same. Off them, next to a position in which constraints depend on each other, those of the
 /// state itself have a pole, those of the projected state have none.
 pub(crate) struct OnRows<'m, 's, S: Scene + ?Sized> {
     system: &'m mut System<'s, S>,

@@ -37,11 +37,11 @@ impl Projection {
 #[non_exhaustive]
 pub enum Metric {
     /// δᵀ M δ. A velocity projection then never adds kinetic energy when the constraints do not depend on time, and
-    /// a position correction [C; 0] violates no velocity row to first order.
+    /// a position correction [C; 0] violates no velocity constraint to first order.
     #[default]
     Mass,
     /// δᵀ δ, which adds metres to radians: the least-squares projection of the report (`docs/notation.md`), for comparison.
-    /// Positions are corrected along the position rows only, as there.
+    /// Positions are corrected along the position constraints only, as there.
     Euclidean,
 }
 
@@ -55,7 +55,7 @@ const PASSES_TO_ROUNDING: usize = 3;
 /// The first one converges quadratically, the second one removes its rounding.
 const PASSES_NEAR_RANK_LOSS: usize = 2;
 
-/// |C| that may stay where rows nearly depend on each other: there its square root is a displacement, and the next step,
+/// |C| that may stay where constraints nearly depend on each other: there its square root is a displacement, and the next step,
 /// farther away, removes both.
 const TOLERANCE_AT_RANK_LOSS: f64 = 1e-10;
 
@@ -69,7 +69,7 @@ const NOTICEABLE: f64 = 1e-10;
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Brings `q` and `v` back onto the rows: positions, then velocities at the projected positions.
     ///
-    /// Near rank loss, at the distance σ, what a position row leaves is a displacement 1/σ times as large along a motion
+    /// Near rank loss, at the distance σ, what a position constraint leaves is a displacement 1/σ times as large along a motion
     /// that the rows hardly hold, and the velocities follow with 1/σ². There the positions are corrected to their last
     /// digits, beyond the tolerance, and the velocities again.
     ///
@@ -119,7 +119,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         Ok(projected)
     }
 
-    /// Largest |C(q, t)| over the position rows; zero without any.
+    /// Largest |C(q, t)| over the position constraints; zero without any.
     pub fn position_residual(&mut self, t: f64, q: &[f64]) -> f64 {
         self.worst_position(t, q).value
     }
@@ -129,7 +129,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.worst_velocity(t, q, v).value
     }
 
-    /// The position row that is farthest from being met, m or rad.
+    /// The position constraint that is farthest from being met, m or rad.
     pub(crate) fn worst_position(&mut self, t: f64, q: &[f64]) -> Worst {
         let residual = &mut self.buffers.residual[..self.info.n_position_rows];
         self.scene.position_constraint(&self.fixed, t, q, residual);
@@ -199,7 +199,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         rows.iter().all(|&row| self.buffers.residual[row].abs() <= self.geometry.position_tolerance(row, extent))
     }
 
-    /// Rounding that coordinates leave in the position rows: of each one, by its slope. A rate of 1e4 rad/s makes large
+    /// Rounding that coordinates leave in the position constraints: of each one, by its slope. A rate of 1e4 rad/s makes large
     /// angles, but on short levers.
     fn rounding(&mut self, t: f64, q: &[f64]) -> f64 {
         self.scene.velocity_jacobian(&self.fixed, t, q, &mut self.buffers.jacobian);
@@ -221,7 +221,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.correct_positions(t, q, metric).map(|_| ())
     }
 
-    /// One pass, for the residual of the position rows in the buffer.
+    /// One pass, for the residual of the position constraints in the buffer.
     fn correct_positions(&mut self, t: f64, q: &mut [f64], metric: Metric) -> Result<Solved, MotionError> {
         let n_h = self.info.n_position_rows;
         self.buffers.residual[n_h..].fill(0.0);
@@ -297,7 +297,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         outcome
     }
 
-    /// For the residual of the position rows, or of all.
+    /// For the residual of the position constraints, or of all.
     pub(super) fn euclidean_correction(
         &mut self,
         t: f64,
@@ -314,7 +314,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 }
 
-/// `δ = −Gᵀ (G Gᵀ)⁻¹ r`, from K with M = 1: over the position rows for positions, over all rows for velocities.
+/// `δ = −Gᵀ (G Gᵀ)⁻¹ r`, from K with M = 1: over the position constraints for positions, over all rows for velocities.
 pub(super) struct Euclidean {
     ones: Vec<f64>,
     positions: NullSpaceKkt,
@@ -340,7 +340,7 @@ impl Euclidean {
         }))
     }
 
-    /// For a residual of the position rows, or of all; `None` when a number is not finite.
+    /// For a residual of the position constraints, or of all; `None` when a number is not finite.
     fn correction(&mut self, jacobian: &[f64], residual: &[f64], delta: &mut [f64]) -> Option<Solved> {
         let Self { ones, positions, velocities, right_side } = self;
         let n_q = ones.len();

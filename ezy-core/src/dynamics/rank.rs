@@ -6,7 +6,7 @@ use super::{MotionError, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED, Left};
 use crate::model::Scene;
 
-/// Which rows depend on each other at one state.
+/// Which constraints depend on each other at one state.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RankLoss {
     /// Number of coordinates.
@@ -31,17 +31,14 @@ impl RankLoss {
     }
 }
 
-/// `rank 17 of 20, which leaves a freedom of 1; these depend on each other: …`
+/// `rank 17 of 20, degrees of freedom: 1; these depend on each other: …`
 impl std::fmt::Display for RankLoss {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let rows = rows_or_unknown(&self.rows);
         match (self.n_redundant, self.freedom()) {
             (Some(n), Some(freedom)) => {
                 let (rank, of) = (self.n_rows - n, self.n_rows);
-                write!(
-                    f,
-                    "rank {rank} of {of}, which leaves a freedom of {freedom}; these depend on each other: {rows}"
-                )
+                write!(f, "rank {rank} of {of}, degrees of freedom: {freedom}; these depend on each other: {rows}")
             }
             _ => write!(f, "of {} rows these, and others, depend on each other: {rows}", self.n_rows),
         }
@@ -66,7 +63,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.pivot_of_rows(t, q)
     }
 
-    /// What to say when a motion cannot be continued from a state: where rows nearly depend on each other, that they do.
+    /// What to say when a motion cannot be continued from a state: where constraints nearly depend on each other, that they do.
     #[cold]
     pub(crate) fn locked_up(&mut self, t: f64, q: &[f64], cause: MotionError) -> MotionError {
         let may_lock = matches!(cause, MotionError::StepCollapsed { .. } | MotionError::ProjectionStalled { .. });

@@ -3,7 +3,7 @@
 use super::System;
 use crate::model::Scene;
 
-/// A position row of a system, and a state.
+/// A position constraint of a system, and a state.
 pub(crate) struct SystemRow<'a> {
     /// Its place among the rows.
     pub row: usize,

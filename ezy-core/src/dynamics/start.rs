@@ -26,14 +26,14 @@ const NOTICEABLY_LESS: f64 = 0.9;
 /// Beyond this a coordinate keeps less than a micrometre, and the geometry of a body drowns in its rounding.
 const LARGEST_VALUE: f64 = 1e9;
 
-/// Passes over the velocity rows, which are linear: one solve and one that removes its rounding; with damping, some
+/// Passes over the velocity constraints, which are linear: one solve and one that removes its rounding; with damping, some
 /// more for directions of small singular values.
 const VELOCITY_PASSES: usize = 2;
 const DAMPED_VELOCITY_PASSES: usize = 10;
 
 const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 
-/// What a place leaves of the position rows.
+/// What a place leaves of the position constraints.
 struct Residual {
     /// The largest, in units of what counts as zero.
     excess: f64,

@@ -46,7 +46,7 @@ impl std::fmt::Display for Strain {
         let Self { coordinate, acceleration, unit, source } = self;
         write!(f, "the largest acceleration then is that of {coordinate}, {acceleration:.3e} {unit}/s^2, by ")?;
         match source {
-            StrainSource::Reaction { row, force } => write!(f, "the reaction of row `{row}`, {force:.3e}"),
+            StrainSource::Reaction { row, force } => write!(f, "the reaction of constraint `{row}`, {force:.3e}"),
             StrainSource::Applied { coordinate, force, effect } => {
                 write!(f, "the force on {coordinate}, {force:.3e}")?;
                 effect.map_or(Ok(()), |effect| write!(f, "; of the effects `{effect}` has the largest power"))

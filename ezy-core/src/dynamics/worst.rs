@@ -27,9 +27,9 @@ impl Worst {
 /// What a projection found, and what it left.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Projected {
-    /// Position rows before.
+    /// Position constraints before.
     pub positions_before: Worst,
-    /// Position rows after.
+    /// Position constraints after.
     pub positions_after: Worst,
     /// All rows at velocity level before, at the projected positions.
     pub velocities_before: Worst,

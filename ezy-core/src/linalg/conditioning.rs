@@ -10,7 +10,7 @@ pub(crate) struct Conditioning {
     pub(crate) condition: f64,
     /// Smallest pivot of G, of rows scaled to one.
     pub(crate) pivot: f64,
-    /// The row that it belongs to; none where rows depend on each other.
+    /// The row that it belongs to; none where constraints depend on each other.
     pub(crate) row: Option<usize>,
 }
 

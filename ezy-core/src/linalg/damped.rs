@@ -1,4 +1,4 @@
-//! K where rows depend on each other: a solution that leaves what they cannot tell apart alone.
+//! K where constraints depend on each other: a solution that leaves what they cannot tell apart alone.
 
 use super::equation_residual::EquationResidual;
 use super::{KktFactorization, Left, VanishedPivot};
@@ -8,7 +8,7 @@ use crate::model::SparsityPattern;
 /// diagonal of `G M⁻¹ Gᵀ`, with substitutes for massless coordinates.
 ///
 /// Let σ be the singular values of `D^(−1/2) G M^(−1/2)`. After `p` passes the part of a direction is the share
-/// `1 − (ε/(σ² + ε))^p` of what it ought to be: all of it where `σ² ≫ ε`, none where the rows depend on each other.
+/// `1 − (ε/(σ² + ε))^p` of what it ought to be: all of it where `σ² ≫ ε`, none where the constraints depend on each other.
 /// So x is unique, y is the smallest `Σ D_kk y_k²` among those that belong to it, and nearly dependent rows below
 /// `σ = √(ε/p)`, whose part rounding decides, are passed over.
 ///

@@ -6,7 +6,7 @@
 //! | dense | the motion determined | null-space method after full pivoting of G ([`NullSpaceKkt`]) |
 //! | sparse | M > 0, G of full rank | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
 //!
-//! Which rows depend on each other is asked of [`RankRevealing`] alone. Where they do, generated and sparse scenes go on by the
+//! Which constraints depend on each other is asked of [`RankRevealing`] alone. Where they do, generated and sparse scenes go on by the
 //! dense solver, and those of more than [`LARGEST_DIAGNOSED`] equations with rows damped ([`DampedKkt`]).
 
 // matrices keep the capital letters of the notation

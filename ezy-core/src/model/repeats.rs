@@ -31,7 +31,7 @@ pub struct RowTemplate {
     pub suffix: &'static str,
     /// What every member shares; its name is that of the template.
     pub row: RowInfo,
-    /// Whether it is a position row.
+    /// Whether it is a position constraint.
     pub position: bool,
     /// Coordinates and entries of the row of G, in the order in which the kernel writes them.
     pub entries: &'static [(SlotCoordinate, Formula)],

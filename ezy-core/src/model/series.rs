@@ -2,7 +2,7 @@
 //!
 //! With coefficients `x_k` of `x(t₀ + s) = Σ x_k s^k`, the equations of motion are at every order k
 //! `[M G₀ᵀ; G₀ 0] [a_k; λ_k] = [f_k; r_k]`: one matrix for all orders, and a right side of lower coefficients. Rows say it
-//! with coefficients of their own: k + 2 of C(q(t), t) for a position row, k + 1 of S v + s_t for a velocity row. So
+//! with coefficients of their own: k + 2 of C(q(t), t) for a position constraint, k + 1 of S v + s_t for a velocity constraint. So
 //! q_{k+2} = a_k / ((k + 1)(k + 2)).
 //!
 //! Nearly all work is in sums `Σ x_j y_{n−j}`. A scene states them as *products*: two factors each, whose coefficients it

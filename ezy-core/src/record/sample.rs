@@ -28,7 +28,7 @@ pub struct Sample<'r> {
     pub work: &'r [f64],
     /// Energies, J.
     pub energy: EnergyState,
-    /// Largest |C| over the position rows.
+    /// Largest |C| over the position constraints.
     pub position_residual: f64,
     /// Largest residual over all rows at velocity level.
     pub velocity_residual: f64,

@@ -54,7 +54,7 @@ const MINUS_H: Formula = Formula { text: "-h", latex: "-h", mathml: "<mrow><mo>â
 const MINUS_S: Formula = Formula { text: "-s", latex: "-s", mathml: "<mrow><mo>âˆ’</mo><mi>s</mi></mrow>" };
 
 /// Every equation of a scene, from the coordinates to the equations of motion in matrix form; what a scene
-/// does not have (position rows, velocity rows) is left out. Of a scene with counts only the equations of motion:
+/// does not have (position constraints, velocity constraints) is left out. Of a scene with counts only the equations of motion:
 /// the others are those of [`super::templates::templates`].
 pub fn equations(info: &SceneInfo) -> Vec<Equation> {
     let n_h = info.n_position_rows;

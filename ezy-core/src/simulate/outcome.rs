@@ -18,7 +18,7 @@ pub struct Run {
     /// Time since which stability and not accuracy limited the steps of dop853, s. An implicit method, such as radau, takes longer
     /// steps then. Other methods do not detect it.
     pub stiff_since_s: Option<f64>,
-    /// Where rows depended on each other.
+    /// Where constraints depended on each other.
     pub rank: RankRecord,
     pub(super) info: &'static SceneInfo,
     pub(super) events: Vec<Occurrence>,

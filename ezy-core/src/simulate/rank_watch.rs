@@ -4,7 +4,7 @@ use super::snapshot::Snapshot;
 use crate::dynamics::{RankLoss, System};
 use crate::model::Scene;
 
-/// A stretch of a run in which rows depended on each other: from the first state at which they did to the last.
+/// A stretch of a run in which constraints depended on each other: from the first state at which they did to the last.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RankDeficientInterval {
     /// Time of the first state, s.
@@ -18,7 +18,7 @@ pub struct RankDeficientInterval {
 /// Rank of the rows along a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RankRecord {
-    /// Stretches in which rows depended on each other, the first 16 of them.
+    /// Stretches in which constraints depended on each other, the first 16 of them.
     pub intervals: Vec<RankDeficientInterval>,
     /// How many came after those.
     pub n_more: u64,
@@ -49,14 +49,14 @@ impl RankRecord {
     }
 }
 
-/// `rows depended on each other from 0 s to 2 s: rank 17 of 20 (…)`, a line for each stretch; empty where there was none.
+/// `constraints depended on each other from 0 s to 2 s: rank 17 of 20 (…)`, a line for each stretch; empty where there was none.
 impl std::fmt::Display for RankRecord {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for RankDeficientInterval { from_s, to_s, loss } in &self.intervals {
             if from_s == to_s {
-                write!(f, "rows depended on each other at t = {from_s} s: {loss}")?;
+                write!(f, "constraints depended on each other at t = {from_s} s: {loss}")?;
             } else {
-                write!(f, "rows depended on each other from t = {from_s} s to {to_s} s: {loss}")?;
+                write!(f, "constraints depended on each other from t = {from_s} s to {to_s} s: {loss}")?;
             }
             writeln!(f)?;
         }

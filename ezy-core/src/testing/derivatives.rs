@@ -61,7 +61,7 @@ pub(super) fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     check("C_q v + C_t against differences of C", worst, TOLERANCE, REASON)
 }
 
-/// [h; s] against differences of all velocity rows along the motion at constant velocity.
+/// [h; s] against differences of all velocity constraints along the motion at constant velocity.
 pub(super) fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let n_c = probe.info.n_rows();
     let mut worst = Worst::default();
@@ -77,10 +77,10 @@ pub(super) fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check 
         let size = (max_abs(&h) * t.max(1.0)).max(max_abs(&entries) * max_abs(v)).max(difference.size);
         difference.compare(&h, size, &mut worst);
     }
-    check("h, s against differences of the velocity rows", worst, TOLERANCE, REASON)
+    check("h, s against differences of the velocity constraints", worst, TOLERANCE, REASON)
 }
 
-/// G against differences of the velocity rows in each velocity, which are linear in them.
+/// G against differences of the velocity constraints in each velocity, which are linear in them.
 pub(super) fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let (info, n_c) = (probe.info, probe.info.n_rows());
     let mut worst = Worst::default();
@@ -98,11 +98,11 @@ pub(super) fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) ->
             }
         }
     }
-    check("G against the velocity rows", worst, LINEAR_TOLERANCE, LINEAR_REASON)
+    check("G against the velocity constraints", worst, LINEAR_TOLERANCE, LINEAR_REASON)
 }
 
 /// Sum of the powers of all effects, less the growth of the potential energy, against F·v and λ·g_t, where g_t is what
-/// the velocity rows are at rest: both are what the kinetic energy gains. Any λ will do.
+/// the velocity constraints are at rest: both are what the kinetic energy gains. Any λ will do.
 pub(super) fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
     let info = probe.info;
     let mut worst = Worst::default();

@@ -26,8 +26,8 @@ use probe::Probe;
 
 /// Checks the equations of a scene by independent routes.
 ///
-/// At 1,000 random states, the same ones each time: C_q and the velocity rows against central differences of C;
-/// [h; s] against central differences of the velocity rows along the motion; G against the velocity rows; powers and
+/// At 1,000 random states, the same ones each time: C_q and the velocity constraints against central differences of C;
+/// [h; s] against central differences of the velocity constraints along the motion; G against the velocity constraints; powers and
 /// the growth of the potential energy against F·v and λ·g_t; the Jacobians of the equations of motion against central
 /// differences of their residual; accelerations, multipliers and mass-weighted corrections
 /// of the generated elimination and the sparse backend against the dense one, at fewer states in large scenes; the Taylor

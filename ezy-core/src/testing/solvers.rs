@@ -30,12 +30,12 @@ pub(super) fn agreement_at_start<S: Scene + ?Sized>(system: &mut System<'_, S>, 
     let solved = system.accelerations(start.t, &start.q, &start.v, &mut a, &mut lambda);
     let agree = solved.and_then(|solved| system.check_accelerations(start.t, &start.q, solved));
     Check {
-        name: "agreement of the rows at the start",
+        name: "agreement of the constraints at the start",
         n_compared: 1,
         n_left_out: 0,
         largest_error: f64::from(u8::from(agree.is_err())),
         tolerance: 0.0,
-        reason: "zero when accelerations meet all rows, one when not",
+        reason: "zero when accelerations satisfy all constraints, one when not",
     }
 }
 
@@ -69,7 +69,7 @@ pub(super) fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Ch
     Ok(checks)
 }
 
-/// Whether rows depend on each other even at states that do not meet them.
+/// Whether constraints depend on each other even at states that do not meet them.
 pub(super) fn is_redundant_anywhere<S: Scene + ?Sized>(system: &mut System<'_, S>, states: &[RandomState]) -> bool {
     states.last().is_some_and(|state| system.rank_loss(state.t, &state.q).is_lost())
 }
@@ -95,7 +95,7 @@ fn scale<S: Scene + ?Sized>(system: &System<'_, S>, state: &RandomState) -> f64 
     max_abs(&F).max(max_abs(&h)).max(1.0)
 }
 
-/// A solution vector at a state; `None` where rows depend on each other.
+/// A solution vector at a state; `None` where constraints depend on each other.
 type Solve<S> = fn(&mut System<'_, S>, &RandomState) -> Option<Vec<f64>>;
 
 fn check<S: Scene + ?Sized>(
@@ -128,7 +128,7 @@ pub(super) fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state:
     (!solved.is_rank_deficient).then_some(x)
 }
 
-/// Correction for the residual that the velocity rows happen to have.
+/// Correction for the residual that the velocity constraints happen to have.
 fn solve_correction<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
     let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
     let (mut residual, mut delta) = (vec![0.0; n_c], vec![0.0; n_q]);

@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 pub fn restricts_nothing(at: &Ident, row: &str) -> syn::Error {
     fault_with_help(
         at,
-        format_args!("row `{row}` restricts no motion: no velocity appears in it"),
+        format_args!("constraint `{row}` restricts no motion: no velocity appears in it"),
         "remove it, or attach it to a body that moves",
     )
 }
@@ -32,11 +32,11 @@ pub fn dependent(at: &Ident, row: &str, others: &[&str]) -> syn::Error {
     fault_with_help(
         at,
         format_args!(
-            "row `{row}` repeats what {} already demand{}",
+            "constraint `{row}` repeats what {} already demand{}",
             quoted(others),
             if others.len() == 1 { "s" } else { "" }
         ),
-        "remove one of these rows: for any parameters they restrict the same motion",
+        "remove one of these constraints: for any parameters they restrict the same motion",
     )
 }
 
@@ -50,7 +50,7 @@ pub fn dependent_as_declared(at: &Ident, row: &str, others: &[&str]) -> Warning 
         span: at.span(),
         name: "row_that_repeats_others",
         text: format!(
-            "with the declared parameters row `{row}` {fault}; runs share the forces between them and say so, \
+            "with the declared parameters constraint `{row}` {fault}; runs share the forces between them and say so, \
              remove it if that is not meant"
         ),
     }
@@ -69,7 +69,7 @@ pub fn integrates(at: &Ident, kind: &str, row: &str) -> Warning {
         span: at.span(),
         name: "row_of_velocities_that_restricts_positions",
         text: format!(
-            "{kind} `{row}` integrates to a row of positions, which would hold without drift; \
+            "{kind} `{row}` integrates to a position constraint, which would hold without drift; \
              write it as `constraint`, `gear` or `drive`, unless its constant is not known"
         ),
     }
@@ -80,7 +80,7 @@ pub fn more_rows_than_coordinates(at: &Ident, n_rows: usize, n_coordinates: usiz
         span: at.span(),
         name: "more_rows_than_coordinates",
         text: format!(
-            "`{at}` has {n_rows} constraint rows but only {n_coordinates} coordinates: it moves only where rows repeat \
+            "`{at}` has {n_rows} constraint equations but only {n_coordinates} coordinates: it moves only where constraints repeat \
              each other; runs then share the forces between them and say so"
         ),
     }

@@ -90,7 +90,7 @@ pub fn not_a_place(name: &Ident, what: &str, carries: bool) -> syn::Error {
     } else {
         "write the name of a point, or `body(x, y)`".to_owned()
     };
-    fault_with_help(name, format_args!("`{name}` is {what}, not a place"), help)
+    fault_with_help(name, format_args!("`{name}` is {what}, not a point"), help)
 }
 
 pub fn not_a_body(name: &Ident, what: &str) -> syn::Error {

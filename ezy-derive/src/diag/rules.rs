@@ -34,7 +34,7 @@ pub fn no_restitution(at: Extent, what: &str, value: f64) -> syn::Error {
 pub fn massless_and_free(at: Extent, body: &Ident, word: &str) -> syn::Error {
     fault_with_help(
         at,
-        format_args!("the {word} of body `{body}` is zero, and no row holds the body"),
+        format_args!("the {word} of body `{body}` is zero, and no constraint holds the body"),
         format_args!("write a positive {word}, or hold `{body}` by a hinge"),
     )
 }
@@ -45,12 +45,12 @@ pub fn within_body(at: &Ident, subject: &str, ground: bool) -> syn::Error {
     fault_with_help(
         at,
         format_args!("{subject} joins {body} to itself"),
-        "its places need to be on two bodies, or on a body and the ground",
+        "its points need to be on two bodies, or on a body and the ground",
     )
 }
 
 pub fn on_ground(at: &Ident, subject: &str) -> syn::Error {
-    fault_with_help(at, format_args!("{subject} is on the ground, which does not move"), "write a place on a body")
+    fault_with_help(at, format_args!("{subject} is on the ground, which does not move"), "write a point on a body")
 }
 
 pub fn ground_is_no_body(at: &Ident) -> syn::Error {
@@ -76,8 +76,8 @@ pub fn direction_without_length(at: Extent, body: &Ident) -> syn::Error {
 pub fn cyclic_place(at: &Ident) -> syn::Error {
     fault_with_help(
         at,
-        format_args!("the place of hinge `{at}` is its own place"),
-        "write `body(x, y)` for the first place of one hinge of this circle",
+        format_args!("the point of hinge `{at}` is its own point"),
+        "write `body(x, y)` for the first point of one hinge of this circle",
     )
 }
 

@@ -27,8 +27,10 @@ pub fn moves_at_rest(rest: &Ident, start: &Ident, name: &str, word: &Ident) -> s
 pub fn start_breaks_row(start: &Ident, row: &str, level: &str, value: f64) -> syn::Error {
     fault_with_help(
         start,
-        format_args!("start `{start}` fixes too much: its values leave {value:.3} in row `{row}` at {level} level"),
-        "leave one of the values of its bodies out: what is not given is assembled from the rows",
+        format_args!(
+            "start `{start}` fixes too much: its values leave {value:.3} in constraint `{row}` at {level} level"
+        ),
+        "leave one of the values of its bodies out: what is not given is assembled from the constraints",
     )
 }
 
@@ -106,20 +108,20 @@ pub fn shared_parameter(name: &Ident, scene: &Ident, first: &Ident, second: &Ide
 
 pub fn releases_no_row(name: &Ident, what: Option<&str>, rows: &[&str]) -> syn::Error {
     let text = match what {
-        Some(what) => format!("`{name}` is {what}, not a row"),
-        None => format!("row `{name}` is not declared"),
+        Some(what) => format!("`{name}` is {what}, not a constraint"),
+        None => format!("constraint `{name}` is not declared"),
     };
     if what == Some("a stop") {
         return fault_with_help(name, text, "declare the stop in an effect, and leave that out of scenes without it");
     }
-    fault_with_help(name, text, suggestion(&name.to_string(), rows, "declared rows"))
+    fault_with_help(name, text, suggestion(&name.to_string(), rows, "declared constraints"))
 }
 
 pub fn releases_own_row(name: &Ident, effect: &Ident) -> syn::Error {
     fault_with_help(
         name,
         format_args!("effect `{effect}` releases `{name}`, which it declares itself"),
-        "remove both, or name a row of the model",
+        "remove both, or name a constraint of the model",
     )
 }
 
@@ -127,13 +129,13 @@ pub fn release_outside_effect(row: &Ident) -> syn::Error {
     fault_with_help(
         row,
         format_args!("`{row}` is released outside of an effect, so that no scene could keep it"),
-        "move this into an effect, or remove the row",
+        "move this into an effect, or remove the constraint",
     )
 }
 
 pub fn released_twice(name: &Ident, first: &Ident) -> syn::Error {
     fault_at_two_places(
-        fault_with_help(name, format_args!("row `{name}` is released twice"), "remove one of them"),
+        fault_with_help(name, format_args!("constraint `{name}` is released twice"), "remove one of them"),
         first,
         "first released here",
     )
@@ -143,7 +145,7 @@ pub fn released_by_two(scene: &Ident, row: &Ident, first: &Ident, second: &Ident
     fault_with_help(
         scene,
         format_args!("scene `{scene}` calls for effects `{first}` and `{second}`, which both release `{row}`"),
-        "two laws would replace one row; call for one of these effects",
+        "two laws would replace one constraint; call for one of these effects",
     )
 }
 
@@ -189,7 +191,7 @@ pub fn effect_with_name_of_a_group(name: &Ident) -> syn::Error {
     let meaning = match name.to_string().as_str() {
         "model" => "the forces outside of effects",
         "stops" => "the impacts on a stop",
-        _ => "the rows that move with time",
+        _ => "the constraints that move with time",
     };
     fault_with_help(
         name,

@@ -72,7 +72,7 @@ pub fn expected_name(at: Extent, function: &str, example: &str) -> syn::Error {
 pub fn place_as_value(at: Extent, body: &Ident) -> syn::Error {
     fault_with_help(
         at,
-        format_args!("`{body}(…)` is a place, not a value"),
+        format_args!("`{body}(…)` is a point, not a value"),
         format_args!("name it with `point P = {body}(…);` and write `P.x`, `P.y` or `P.v`"),
     )
 }

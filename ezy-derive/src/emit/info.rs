@@ -239,7 +239,7 @@ fn stick_slip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbre
 fn stop(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviations<'_>) -> Option<TokenStream> {
     let (contact, stop) = (equations.contact.as_ref()?, model.stop_of(scene)?);
     let name = stop.name.to_string();
-    // behind the position rows that there are without it
+    // behind the position constraints that there are without it
     let rows = equations.constraints.rows.iter().take(equations.constraints.n_position_rows);
     let i_row = rows.filter(|row| row.name != name).count();
     let restitution = formula_of(names, contact.restitution);

@@ -38,7 +38,7 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
     if rows.is_empty() {
         return TokenStream::new();
     }
-    let heads = ["scene", "effects", "freedom of positions", "of velocities", "operations"];
+    let heads = ["scene", "effects", "degrees of freedom in position", "in velocity", "operations"];
     let mut page = Page::default();
     page.section("Scenes", tables::markdown(&heads, rows));
     page.paragraph(
@@ -58,7 +58,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let equations = &of.equations;
     let [positions, velocities] = freedom(equations);
     let mut page = Page::default();
-    page.paragraph(format!("Freedom: {positions} of positions, {velocities} of velocities."));
+    page.paragraph(format!("Degrees of freedom: {positions} in position, {velocities} in velocity."));
     page.section("Parameters", tables::parameters(model, &equations.parameters, &equations.symbols));
     page.section("Inputs", tables::inputs(model, &equations.inputs, &equations.symbols));
     page.section("Rows", tables::rows(equations));
@@ -87,7 +87,7 @@ pub fn repeated(model: &Model, templates: &Templates<'_>) -> TokenStream {
     page.attribute()
 }
 
-/// Coordinates less position rows, velocities less all rows.
+/// Coordinates less position constraints, velocities less all rows.
 fn freedom(equations: &Equations) -> [usize; 2] {
     let n_q = equations.force.len();
     [equations.constraints.n_position_rows, equations.constraints.rows.len()].map(|n| n_q.saturating_sub(n))

@@ -84,7 +84,7 @@ fn rows_of_scene(model: &Model, equations: &mut Equations, reported: &mut Vec<us
         let name = &model.rows[row.family].name;
         let n_terms = equations.algebra.terms(constraints.convective[i]).len();
         if n_terms > LONGEST_SUM {
-            diag.error(message::too_long(name, &format!("row `{}`", row.name), n_terms, LONGEST_SUM));
+            diag.error(message::too_long(name, &format!("constraint `{}`", row.name), n_terms, LONGEST_SUM));
             reported.push(row.family);
             continue;
         }

@@ -5,12 +5,12 @@ use super::rows::{ResidualKind, ScalarRow};
 use super::symbols::Meaning;
 use crate::symbolic::{SumId, Symbol};
 
-/// The constraint equations of a scene, position rows first.
+/// The constraint equations of a scene, position constraints first.
 #[derive(Debug)]
 pub struct Constraints {
     pub rows: Vec<ScalarRow>,
     pub n_position_rows: usize,
-    /// C, one for each position row.
+    /// C, one for each position constraint.
     pub position: Vec<SumId>,
     /// C_q v + C_t, then S v + s_t.
     pub velocity: Vec<SumId>,

@@ -180,7 +180,7 @@ fn laws(writer: &mut Writer<'_>, scene: &Scene, force: &[SumId], stick_slip: Opt
     laws
 }
 
-/// Adds the power Σ λ_i g_t,i of the rows that move with time, a `stop` in a group of its own, which it has in every mode;
+/// Adds the power Σ λ_i g_t,i of the constraints that move with time, a `stop` in a group of its own, which it has in every mode;
 /// returns the symbols of these λ_i with their rows.
 ///
 /// From M a + Gᵀ λ = F and G v = −g_t: d/dt ½ vᵀ M v = F·v − λ·G v = F·v + λ·g_t.

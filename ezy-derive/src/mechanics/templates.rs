@@ -29,7 +29,7 @@ pub struct Templates<'m> {
     pub inputs: Vec<InputId>,
     /// Mass, mass and inertia by [`Model::arrays`].
     pub masses: Vec<[SumId; 3]>,
-    /// Position rows first.
+    /// Position constraints first.
     pub rows: Vec<RowTemplate<'m>>,
     pub forces: Vec<ForceTemplate<'m>>,
     /// The groups whose work is counted, in order.

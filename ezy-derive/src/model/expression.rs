@@ -224,16 +224,16 @@ const fn remedy(motion: Motion, limit: Motion) -> &'static str {
     match (motion, limit) {
         (_, Motion::Parameters) => "write an expression of numbers, `pi` and parameters",
         (Motion::Input, _) => {
-            "a row needs its rate; write a stiff force law, or prescribe the motion by a `drive` in `t`"
+            "a constraint needs its rate; write a stiff force law, or prescribe the motion by a `drive` in `t`"
         }
-        _ => "a position row knows positions and `t`; write `velocity constraint` for a row of velocities",
+        _ => "a position constraint knows positions and `t`; write `velocity constraint` for a velocity constraint",
     }
 }
 
 /// What to write in place of something that a stop cannot follow.
 const fn remedy_in_stop(motion: Motion) -> &'static str {
     match motion {
-        Motion::Input => "the row of a stop needs its rate; write parameters, positions and `t`",
+        Motion::Input => "the constraint of a stop needs its rate; write parameters, positions and `t`",
         _ => "a stop bounds positions; an `event` tells when a velocity passes a value",
     }
 }

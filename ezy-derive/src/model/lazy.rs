@@ -107,11 +107,11 @@ impl Context<'_> {
     }
 
     fn on_body(&mut self, place: &ast::OnBody, scope: Scope) -> Option<Place> {
-        let purpose = Purpose::fixed(scope, "a place on a body".into());
+        let purpose = Purpose::fixed(scope, "a point on a body".into());
         let length = Some(super::dimension::Dimension::LENGTH);
         let body = self.body_or_ground(&place.body);
-        let x = self.scalar(&place.x, &purpose, "a place", length);
-        let y = self.scalar(&place.y, &purpose, "a place", length);
+        let x = self.scalar(&place.x, &purpose, "a point", length);
+        let y = self.scalar(&place.y, &purpose, "a point", length);
         Some(Place { body: body?, x: x?, y: y? })
     }
 

@@ -69,7 +69,7 @@ const fn a_row(word: &str) -> &'static str {
     match word.as_bytes() {
         b"skate" => "a skate",
         b"rod" => "a rod",
-        _ => "a row",
+        _ => "a constraint",
     }
 }
 

@@ -8,7 +8,7 @@ use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 pub fn place(input: ParseStream) -> Result<Place> {
-    let owner = indexed(input, "a place: the name of a point, or `body(x, y)`")?;
+    let owner = indexed(input, "a point: its name, or `body(x, y)`")?;
     if !input.peek(syn::token::Paren) {
         return Ok(Place::Named(owner));
     }

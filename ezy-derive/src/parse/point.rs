@@ -11,7 +11,7 @@ use syn::{Result, Token};
 pub fn point(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
     let name = indexed(input, "the name of the point")?;
     sign::<Token![=]>(input)?;
-    let place = on_body(input, "a place `body(x, y)`")?;
+    let place = on_body(input, "a point `body(x, y)`")?;
     sign::<Token![;]>(input)?;
     Ok(ItemKind::Point(Point { name, place }))
 }

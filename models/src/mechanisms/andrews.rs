@@ -13,7 +13,7 @@
 //! ```
 //!
 //! Coordinates: x, y, φ of `K1` … `K7`; rows: `O F E3 E4 E6 B G A5 H A7` with two components each.
-//! Freedom: 1 at position level, 1 at velocity level. Kinetic and potential energy less the work of the motor are constant.
+//! Degrees of freedom: 1 at position level, 1 at velocity level. Kinetic and potential energy less the work of the motor are constant.
 //! The angles of the literature are K1: β, K2: β + Θ, K3: γ, K4: Φ + δ, K5: δ, K6: Ω + ε, K7: ε. The first pair of
 //! multipliers there is that of `E3`, the second of `E4`, the third of `E6`: the force of K2 on the other body.
 //! Source: Schiehlen (ed.), "Multibody Systems Handbook" (1990); Hairer and Wanner, "Solving Ordinary Differential

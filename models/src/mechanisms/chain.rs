@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Coordinates: x, y, φ of each of the n rods; rows: two for each of the n hinges.
-//! Freedom: n at position level, n at velocity level. Kinetic and potential energy together are constant without friction.
+//! Degrees of freedom: n at position level, n at velocity level. Kinetic and potential energy together are constant without friction.
 //! A tree: the solver's cost grows with n.
 //! Source: a standard problem of multibody codes, e.g. Featherstone, "Rigid Body Dynamics Algorithms" (2008), ch. 10.
 

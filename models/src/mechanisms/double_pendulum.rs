@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Coordinates: `upper.x upper.y upper.phi lower.x lower.y lower.phi`; rows: `top.x top.y elbow.x elbow.y`.
-//! Freedom: 2 at position level, 2 at velocity level. Kinetic and potential energy together are constant.
+//! Degrees of freedom: 2 at position level, 2 at velocity level. Kinetic and potential energy together are constant.
 //! Released level, two equal rods begin with angular accelerations of −9g/(7l) and +3g/(7l).
 //! The motion is chaotic: a change of the first angle has grown 12,000 times after 10 s.
 //! Source: a standard problem, e.g. Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I" (1993), with rods.

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Coordinates: x, y, φ of `crank`, `coupler`, `rocker`; rows: `A B C D` with two components each.
-//! Freedom: 1 at position level, 1 at velocity level; driven: none. Undriven: kinetic and potential energy are constant.
+//! Degrees of freedom: 1 at position level, 1 at velocity level; driven: none. Undriven: kinetic and potential energy are constant.
 //! The default bars are a parallelogram. Whenever it lies flat the rows lose a rank and the motion could branch off; on the
 //! branch that stays a parallelogram it is one pendulum with moment of inertia 5/3 kg·m² and m g l = 19.62 N·m.
 //! Runs lead over flat positions by steps that begin and end well away from them.

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Coordinates: x, y, φ of each knot; rows: two for each pin, one for each thread.
-//! Freedom of `rows = 3`, `columns = 3`: 27 − 6 − 6 − 4 = 11, of which 9 are angles of knots, which nothing turns.
+//! Degrees of freedom of `rows = 3`, `columns = 3`: 27 − 6 − 6 − 4 = 11, of which 9 are angles of knots, which nothing turns.
 //! Every mesh is a closed loop. Kinetic and potential energy together are constant.
 //! Source: none; made to have two indices and many loops.
 

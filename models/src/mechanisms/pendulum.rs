@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Coordinates: `bob.x bob.y bob.phi`; rows: `pin.x pin.y`.
-//! Freedom: 1 at position level, 1 at velocity level. Kinetic and potential energy together are constant, zero in the scenes
+//! Degrees of freedom: 1 at position level, 1 at velocity level. Kinetic and potential energy together are constant, zero in the scenes
 //! without a post.
 //! The default bob is a point: without moment of inertia the mass matrix is singular, while the motion is not.
 //! Source: A01 of the multibody benchmark of A Coruña (2005), later in the IFToMM library; closed form by the elliptic

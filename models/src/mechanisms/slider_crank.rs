@@ -10,7 +10,7 @@
 //! ```
 //!
 //! Coordinates: `crank.x crank.y crank.phi rod.x rod.y rod.phi`; rows: `bearing.x bearing.y pin.x pin.y guide`.
-//! Freedom: 1 at position level, 1 at velocity level. Slider at x = r cos φ1 + l cos φ2 with r sin φ1 + l sin φ2 = 0.
+//! Degrees of freedom: 1 at position level, 1 at velocity level. Slider at x = r cos φ1 + l cos φ2 with r sin φ1 + l sin φ2 = 0.
 //! The default centres of mass lie on the bearing and on the slider; a slider that does not turn is a point mass, part of
 //! the rod. Where crank and rod are equally long the rows lose a rank when both stand upright.
 //! Source: example idaSlCrank of SUNDIALS 7.5 (spring with damper between the middles, force on the rod's tip).

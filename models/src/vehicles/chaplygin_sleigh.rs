@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Coordinates: `sleigh.x sleigh.y sleigh.phi`; row: `blade`.
-//! Freedom: 3 at position level, 2 at velocity level. On a level plane the kinetic energy is constant, and yet each motion
+//! Degrees of freedom: 3 at position level, 2 at velocity level. On a level plane the kinetic energy is constant, and yet each motion
 //! ends straight, with the centre of mass ahead of the blade: running backwards is unstable.
 //! Closed form, with k² = (j + m a²)/m, c² = v0² + k² ω0², r = a c/k², τ = r t + artanh(v0/c): speed of the blade
 //! v = c tanh τ, rate ω = ±(c/k) sech τ; the blade takes the force m (v ω + a ω̇).

@@ -11,7 +11,7 @@
 //! Coordinates: x, y, φ of `chassis`, `left`, `right`, where φ of a wheel is the angle by which it has rolled forwards;
 //! rows: `left_end`, `right_end` with two components each, `axle`, `left_rolling`, `right_rolling`; at prescribed speeds:
 //! `left_motor`, `right_motor`.
-//! Freedom: 5 at position level, 2 at velocity level; at prescribed speeds 3 and 0. A wheel's inertia about its axle counts
+//! Degrees of freedom: 5 at position level, 2 at velocity level; at prescribed speeds 3 and 0. A wheel's inertia about its axle counts
 //! for rolling; that about the vertical is part of the chassis. The speed of A is r (ω1 + ω2)/2 and the rate of the chassis
 //! r (ω2 − ω1)/(2w) with ω1, ω2 of the left and right wheel. With a = 0, steady torques from rest lead round a circle of
 //! radius w (τ2 + τ1)/(τ2 − τ1) · J/(w² M) with M = m + 2 m_w + 2 I_w/r², J = j + 2 w² (m_w + I_w/r²).

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Coordinates: `seat.x seat.y seat.phi bar.x bar.y bar.phi`; rows: `B.x B.y rear front`.
-//! Freedom: 4 at position level, 2 at velocity level. Without a drive the kinetic energy is constant.
+//! Degrees of freedom: 4 at position level, 2 at velocity level. Without a drive the kinetic energy is constant.
 //! Source: "Multibody Dynamics B, Assignment 8" (2019), the report this model grew from; the driven roller racer is that
 //! of Krishnaprasad and Tsakiris, Dynamical Systems 16 (2001).
 

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Coordinates: `blade.x blade.y blade.phi`; row: `edge`.
-//! Freedom: 3 at position level, 2 at velocity level. Kinetic and potential energy together are constant.
+//! Degrees of freedom: 3 at position level, 2 at velocity level. Kinetic and potential energy together are constant.
 //! The rate Ω is constant, and the blade does not run downhill: it goes sideways on a cycloid. Closed form, with
 //! s = g sin α: v = v0 + (s/Ω)(sin φ − sin φ0), ẋ = v cos φ, ẏ = v sin φ; the edge takes the force m (v Ω + s sin φ).
 //! Source: Neimark and Fufaev, "Dynamics of Nonholonomic Systems" (1972); Bloch, "Nonholonomic Mechanics and Control",

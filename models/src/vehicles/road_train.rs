@@ -7,7 +7,7 @@
 //!
 //! Coordinates: x, y, φ of `steer`, `tractor` and the n trailers; rows: two for each of the n + 1 joints, one for each of the
 //! n + 2 axles, `steering`.
-//! Freedom: n + 3 at position level, 1 at velocity level. With the steering locked the kinetic energy is constant, and the
+//! Degrees of freedom: n + 3 at position level, 1 at velocity level. With the steering locked the kinetic energy is constant, and the
 //! axles settle on circles about one centre: R0 = L/tan δ, then R² + c² − l² from axle to axle, with c from an axle back to
 //! the hitch and l from the hitch back to the next axle. In reverse the train jack-knifes.
 //! Source: Laumond, IROS 1986; Rouchon, Fliess, Lévine, Martin, ECC 1993. The numbers are our own.

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Coordinates: `seat.x seat.y seat.phi handle.x handle.y handle.phi`; rows: `B.x B.y rear front`.
-//! Freedom: 4 at position level, 2 at velocity level. Without actuation and losses the kinetic energy is constant.
+//! Degrees of freedom: 4 at position level, 2 at velocity level. Without actuation and losses the kinetic energy is constant.
 //! With h = 0 and c < 0 the front axle trails the hinge, as a caster does; with c > 0 it is the twistcar, whose rider
 //! works against a spring.
 //! Source: Krishnaprasad and Tsakiris, Dynamical Systems 16 (2001); Chakon and Or, J. Nonlinear Science 27 (2017), for the

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Coordinates: `car.x car.y car.phi`; row: `cruise`, where the speed is held.
-//! Freedom: 3 at position level, 3 at velocity level; at held speed 2.
+//! Degrees of freedom: 3 at position level, 3 at velocity level; at held speed 2.
 //! Steady cornering at small slip: rate ω = v δ/(L + K v²) with L = lf + lr and K = (m/L)(lr/cf − lf/cr); K > 0 is
 //! understeer, and for K < 0 the car is unstable beyond the speed √(−L/K).
 //! Source: Riekert and Schunck, Ingenieur-Archiv 11 (1940); Pacejka, "Tyre and Vehicle Dynamics", chapter 1.

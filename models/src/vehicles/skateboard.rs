@@ -8,7 +8,7 @@
 //!
 //! Coordinates: x, y, φ of `deck`, `rider`, `front`, `rear`; rows: `feet`, `front_pin`, `rear_pin` with two components each,
 //! `lean`, `front_wheels`, `rear_wheels`; steered: `steering`.
-//! Freedom: 5 at position level, 3 at velocity level; steered: 4 and 2. Lean turns the trucks by equal and opposite angles,
+//! Degrees of freedom: 5 at position level, 3 at velocity level; steered: 4 and 2. Lean turns the trucks by equal and opposite angles,
 //! δ and −δ, so the middle of the deck never moves sideways: θ̇ = U tan δ/r, and at a steady δ it runs on a circle of radius
 //! r/tan δ. While the rider stands still on the deck, U² (m + J tan²δ/r²) is constant, however the steering moves, with
 //! m the mass and J the moment of inertia of everything, the trucks' masses at ±r.

@@ -8,7 +8,7 @@
 //!
 //! Coordinates: x, y, φ of `board`, `rotor`, `front`, `back`; rows: `pivot`, `front_pin`, `back_pin` with two components
 //! each, `front_wheels`, `back_wheels`; driven: `twist`, `front_steering`, `back_steering`.
-//! Freedom: 6 at position level, 4 at velocity level; driven: 3 and 1. By default the trucks have no mass, only inertia.
+//! Degrees of freedom: 6 at position level, 4 at velocity level; driven: 3 and 1. By default the trucks have no mass, only inertia.
 //! With φ the steering angle of the front truck and −φ that of the back truck, forward speed U, J the sum of all moments
 //! of inertia: θ̇ = U tan φ/r, and p = m U + J U tan²φ/r² + Jr ψ̇ tan φ/r is constant while the steering is locked; the
 //! board then runs on a circle of radius r/tan φ. Where both trucks stand across the board their rows coincide.

@@ -7,7 +7,7 @@
 //!
 //! Coordinates: x, y, φ of `steer`, `tractor`, `first`, `second`; rows: `kingpin`, `hitch`, `coupling` with two components
 //! each, `steered_axle`, `rear_axle`, `first_axle`, `second_axle`; steered: `steering`.
-//! Freedom: 6 at position level, 2 at velocity level; steered: 5 and 1. With the steering locked the kinetic energy is
+//! Degrees of freedom: 6 at position level, 2 at velocity level; steered: 5 and 1. With the steering locked the kinetic energy is
 //! constant, and the axles settle on circles: R0 = L/tan δ, R²(i+1) = R²(i) + c² − l² with c the hitch's distance from the
 //! axle ahead of it and l the hitch's distance from the axle behind it. In reverse the trailers jack-knife.
 //! Source: Laumond, IROS 1986; Rouchon, Fliess, Lévine, Martin, ECC 1993. The numbers are our own.

@@ -6,7 +6,7 @@
 //!
 //! Coordinates: x, y, φ of `link1` (the head) … `link10`; rows: `joint1` … `joint9` with two components each; on wheels:
 //! `wheel1` … `wheel10`; with the wave prescribed: `bend1` … `bend9`.
-//! Freedom: 12 at position level; 2 at velocity level on wheels, 3 with the wave prescribed.
+//! Degrees of freedom: 12 at position level; 2 at velocity level on wheels, 3 with the wave prescribed.
 //! With the wave prescribed and nothing to push against, linear and angular momentum stay zero.
 //! Source: Hirose, "Biologically Inspired Robots" (1993), the active cord mechanism and its serpenoid wave; Liljebäck,
 //! Pettersen, Stavdahl, Gravdahl, "Snake Robots" (2013), for the viscous friction. The numbers are our own.

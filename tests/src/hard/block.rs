@@ -47,7 +47,7 @@ impl At<'_> {
         self.body(body).map_or([0.0; 2], |i| [self.q[3 * i + 2], self.v[3 * i + 2]])
     }
 
-    /// Position rows and their rates, then skates: the magnitudes of what must vanish, as signs and order are free.
+    /// Position constraints and their rates, then skates: the magnitudes of what must vanish, as signs and order are free.
     fn rows(&self, model: &Value) -> (Vec<f64>, Vec<f64>) {
         let (mut positions, mut rates) = (Vec::new(), Vec::new());
         for hinge in list(&model["hinges"]) {

@@ -15,7 +15,7 @@ fn cross_random_parameters_are_refused_or_confirmed() {
     assert!(tally.of(Verdict::RunEnded) > N_TRIALS / 8, "too few runs:\n{tally}");
 }
 
-/// Lengths and masses so far apart that pivots are small although rows are independent, or that rows depend on each other
+/// Lengths and masses so far apart that pivots are small although rows are independent, or that constraints depend on each other
 /// within rounding although they are not; found by random trials.
 const FAR_APART: [(&str, &[(&str, f64)]); 22] = [
     (

@@ -147,7 +147,7 @@ fn analytic_check_of_a_wheel_pair_tells_its_freedom_and_its_redundant_row() {
     let report = ezy_core::testing::check_scene(&axle::Two::default()).unwrap();
     let loss = report.rank.clone().unwrap();
     assert_eq!((loss.n_redundant, loss.freedom(), &loss.rows[..]), (Some(1), Some(2), &["left", "right"][..]));
-    assert!(report.to_string().contains("rank 1 of 2, which leaves a freedom of 2"), "{report}");
+    assert!(report.to_string().contains("rank 1 of 2, degrees of freedom: 2"), "{report}");
 }
 
 const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Sparse];

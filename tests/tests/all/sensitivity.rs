@@ -76,7 +76,7 @@ fn invariant_tangents_keep_to_the_rows() {
     let mut run = Sensitivities::new(&scene, &start(&scene), REDUCED, METHOD).unwrap();
     run.advance(10.0).unwrap();
     let (system, state) = (System::new(&scene, Backend::Auto).unwrap(), run.state());
-    // position rows do not move with time, so that C_q δq is what they say of δq as a velocity
+    // position constraints do not move with time, so that C_q δq is what they say of δq as a velocity
     for tangent in run.tangents() {
         let mut rows = [0.0; 4];
         scene.velocity_constraint(system.fixed(), state.t, &state.q, &tangent.q, &mut rows);

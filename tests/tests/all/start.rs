@@ -168,11 +168,11 @@ fn invariant_row_without_a_value_is_named() {
     crate::scenes::set(&mut scene, &[("l", 0.0)]);
     let error = Simulation::new(&scene).give("bob.x", 0.0).give("bob.y", 0.0).run().unwrap_err().to_string();
     assert!(
-        error.starts_with("row `R` is not a number at the start: a length or a direction in it is zero"),
+        error.starts_with("constraint `R` is not a number at the start: a length or a direction in it is zero"),
         "{error}"
     );
     let error = Simulation::new(&scene).run().unwrap_err().to_string();
-    assert!(error.starts_with("row `R` is not a number at the start"), "{error}");
+    assert!(error.starts_with("constraint `R` is not a number at the start"), "{error}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     let mut text = format!("% {}/{}; \\usepackage{{amsmath}}\n", info.model, info.name);
     text += &format!("\\section*{{{}/{}}}\n\n", plain(info.model), plain(info.name));
     text += &format!("{}\n\n", plain(info.documentation.trim()));
-    text += &format!("Freedom: {positions} of positions, {velocities} of velocities.\n");
+    text += &format!("Degrees of freedom: {positions} in position, {velocities} in velocity.\n");
     text += &declared(info);
     for item in info.repeats.iter().flat_map(templates) {
         text += &format!("\n\\subsection*{{{}}}\n", plain(&item.title));

@@ -76,7 +76,7 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     /// From a state that meets the rows in f64, with the present parameters and the declared inputs.
     ///
     /// # Errors
-    /// [`PreciseError`] when the scene has no series, cannot be set up, or its rows depend on each other at the start.
+    /// [`PreciseError`] when the scene has no series, cannot be set up, or its constraints depend on each other at the start.
     pub fn new(scene: &'s S, start: &State) -> Result<Self, PreciseError> {
         let parameters = (0..scene.info().parameters.len()).map(|i| scene.parameter(i).into());
         let parameters: Vec<DoubleDouble> = parameters.collect();

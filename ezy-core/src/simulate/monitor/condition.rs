@@ -14,7 +14,7 @@ pub struct ConditionPeak {
     pub largest: f64,
     /// Smallest pivot of the rows at that state, scaled to one.
     pub pivot: f64,
-    /// Name of the row whose pivot it is; none where rows depend on each other.
+    /// Name of the row whose pivot it is; none where constraints depend on each other.
     pub unknown: Option<&'static str>,
     /// Time of that state, s.
     pub t: f64,

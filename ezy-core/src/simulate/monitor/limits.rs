@@ -46,7 +46,7 @@ impl Limits {
 pub enum ExceededLimit {
     /// A row is not met.
     #[error(
-        "at t = {t} s the {level} residual of row `{row}` is {value:.3e}, above the limit of {limit:e} (max-drift); \
+        "at t = {t} s the {level} residual of constraint `{row}` is {value:.3e}, above the limit of {limit:e} (max-drift); \
          project positions and velocities, or take a smaller step or tolerance"
     )]
     Drift {

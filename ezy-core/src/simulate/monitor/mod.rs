@@ -14,13 +14,13 @@ pub(super) use watch::Watch;
 /// The monitors of a run, over all of its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Monitors {
-    /// Largest residual of a position row in the states that the run went through, m or rad; none without such rows. A stop
+    /// Largest residual of a position constraint in the states that the run went through, m or rad; none without such rows. A stop
     /// that holds is one.
     pub position_residual: Option<Peak>,
     /// Largest residual of a row at velocity level in these states, m/s or rad/s; none without rows. Looked at where the
     /// run starts and ends and after every sixteenth step; after every step when `max_drift` was ordered.
     pub velocity_residual: Option<Peak>,
-    /// Largest residual of a position row that a projection removed after a step; none when positions are not projected.
+    /// Largest residual of a position constraint that a projection removed after a step; none when positions are not projected.
     pub position_drift: Option<Peak>,
     /// Largest residual of a row at velocity level that a projection removed; none when velocities are not projected.
     pub velocity_drift: Option<Peak>,
@@ -38,7 +38,7 @@ pub struct Monitors {
 /// A smallest pivot, with its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LeastPivot {
-    /// The pivot, relative to what it started from; zero where rows depended on each other.
+    /// The pivot, relative to what it started from; zero where constraints depended on each other.
     pub value: f64,
     /// Its time, s.
     pub t: f64,

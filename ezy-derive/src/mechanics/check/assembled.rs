@@ -37,7 +37,7 @@ pub fn rows(model: &Model, equations: &Equations, reported: &mut Vec<usize>, dia
     }
 }
 
-/// The declared parameters, and coordinates that meet the position rows.
+/// The declared parameters, and coordinates that meet the position constraints.
 struct Assembled<'a> {
     symbols: &'a Symbols,
     defaults: &'a [f64],

@@ -38,7 +38,7 @@ pub fn rows(model: &Model, equations: &mut Equations, reported: &mut Vec<usize>,
 /// A row as a form on coordinates and time, with its slopes; zeros are left out.
 struct Form {
     entries: Vec<(usize, SumId)>,
-    /// (j, i, ∂ω_j/∂q_i); empty for position rows, which are closed.
+    /// (j, i, ∂ω_j/∂q_i); empty for position constraints, which are closed.
     slopes: Vec<(usize, usize, SumId)>,
 }
 
@@ -74,7 +74,7 @@ impl Form {
     }
 }
 
-/// The motions that the position rows allow at a random state.
+/// The motions that the position constraints allow at a random state.
 struct Sample {
     seed: u64,
     /// Each coordinate, and time, as a combination of free ones.

@@ -22,9 +22,9 @@ pub struct Term {
 
 /// What an order of the equations of motion is made of.
 pub struct Lowered {
-    /// C of each position row.
+    /// C of each position constraint.
     pub position: Vec<Value>,
-    /// s_t of each velocity row, and S v.
+    /// s_t of each velocity constraint, and S v.
     pub velocity: Vec<(Value, Vec<Term>)>,
     /// By coordinate: F and Gᵀ λ.
     pub force: Vec<(usize, Value, Vec<Term>)>,

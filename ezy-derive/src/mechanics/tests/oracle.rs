@@ -68,7 +68,7 @@ fn angle(body: Option<usize>, of: &[f64]) -> f64 {
     body.map_or(0.0, |body| of[3 * body + 2])
 }
 
-/// C of all position rows, in declared order.
+/// C of all position constraints, in declared order.
 pub fn position_rows(made: &Mechanism, q: &[f64], t: f64) -> Vec<f64> {
     let mut rows = Vec::new();
     for row in &made.rows {
@@ -102,7 +102,7 @@ pub fn position_rows(made: &Mechanism, q: &[f64], t: f64) -> Vec<f64> {
     rows
 }
 
-/// S v + s_t of all velocity rows, in declared order.
+/// S v + s_t of all velocity constraints, in declared order.
 pub fn velocity_rows(made: &Mechanism, at: &State) -> Vec<f64> {
     let rows = made.rows.iter().filter_map(|row| match row {
         Row::Skate(place, along) => Some(dot(across(unit(along, &at.q)), velocity(place, at))),

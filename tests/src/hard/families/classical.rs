@@ -25,7 +25,7 @@ pub fn cases() -> Vec<Case> {
         case("slider_crank_ida", "a spring with a damper across a closed loop, 10 s", true, slider_crank),
         case(
             "driven_four_bar",
-            "the crank turns at exactly 10 rad/s: its row moves with time, and no freedom is left",
+            "the crank turns at exactly 10 rad/s: its row moves with time, and no degree of freedom is left",
             true,
             driven,
         ),

@@ -3,7 +3,6 @@
 use std::fmt;
 
 use super::command::{command, setting};
-use super::tables::duration;
 use crate::integrate::Method;
 
 /// Errors that advice is given for: largest error of a position over the run, m or rad.
@@ -90,6 +89,25 @@ impl fmt::Display for Advice {
         }
         f.write_str(".")
     }
+}
+
+/// A length of time with three digits: `0.312 ms`, `31.0 µs`, `1.25 s`.
+pub(super) fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 1e-4 => format!("{} µs", three_digits(1e6 * s)),
+        s if s < 1.0 => format!("{} ms", three_digits(1e3 * s)),
+        s => format!("{} s", three_digits(s)),
+    }
+}
+
+pub(super) fn three_digits(x: f64) -> String {
+    let decimals = match x {
+        x if x < 1.0 => 3,
+        x if x < 10.0 => 2,
+        x if x < 100.0 => 1,
+        _ => 0,
+    };
+    format!("{x:.decimals$}")
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! The tables of the page.
 
+use super::advice::three_digits;
 use super::command::command;
 use super::errors::Errors;
 use super::measured::WorkPrecision;
-use super::tables::three_digits;
 use super::variant::Variant;
 use crate::integrate::Method;
 use crate::report::table::Table;

@@ -1,5 +1,6 @@
 //! The measurement as tables and sentences.
 
+use super::advice::three_digits;
 use super::command::command;
 use super::errors::{Comparison, Size};
 use super::measured::{Missing, WorkPrecision};
@@ -7,25 +8,6 @@ use super::point::Measured;
 use super::variant::Variant;
 use crate::integrate::Method;
 use crate::report::table::Table;
-
-/// A length of time with three digits: `0.312 ms`, `31.0 µs`, `1.25 s`.
-pub(super) fn duration(seconds: f64) -> String {
-    match seconds {
-        s if s < 1e-4 => format!("{} µs", three_digits(1e6 * s)),
-        s if s < 1.0 => format!("{} ms", three_digits(1e3 * s)),
-        s => format!("{} s", three_digits(s)),
-    }
-}
-
-pub(super) fn three_digits(x: f64) -> String {
-    let decimals = match x {
-        x if x < 1.0 => 3,
-        x if x < 10.0 => 2,
-        x if x < 100.0 => 1,
-        _ => 0,
-    };
-    format!("{x:.decimals$}")
-}
 
 impl WorkPrecision {
     /// Errors of positions and their cost, with the default projection; errors below the uncertainty of the reference are

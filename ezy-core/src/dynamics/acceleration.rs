@@ -1,7 +1,8 @@
 //! Accelerations and multipliers; corrections with the same matrix.
 
-use super::configuration::{Configuration, Rows, Solved};
-use super::system::Solver;
+use super::configuration::Configuration;
+use super::factors::Solver;
+use super::solved::{Rows, Solved};
 use super::{Metric, MotionError, System};
 use crate::linalg::{
     ConditionEstimator, Conditioning, EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, weights,

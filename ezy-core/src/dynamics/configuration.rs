@@ -1,103 +1,13 @@
 //! One configuration: G, the factors of K and what they say of its rows.
 
-use super::system::Solver;
+use super::factors::{Factors, Made, Solver};
+use super::solved::{Rows, Solved};
 use super::{MotionError, System};
 use crate::linalg::{
     DampedKkt, INDEPENDENT, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, Left, NullSpaceKkt, RankRevealing,
     undetermined_coordinates,
 };
 use crate::model::Scene;
-
-/// How a linear system at one configuration was solved.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Solved {
-    /// Smallest pivot of an independent row, relative to what it started from: falls with the square of the distance to a
-    /// position in which constraints depend on each other. What a pivot is differs between backends.
-    pub smallest_pivot: f64,
-    /// Whether constraints depend on each other.
-    pub is_rank_deficient: bool,
-    /// What redundant rows leave.
-    pub(super) left: Left,
-}
-
-impl Solved {
-    /// By an elimination whose pivots were all found.
-    pub(super) fn regular(smallest_pivot: f64) -> Self {
-        Self { smallest_pivot, is_rank_deficient: false, left: Left::default() }
-    }
-}
-
-/// Which rows a system takes for independent.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Rows {
-    /// Those that are so at the configuration, which is taken as exact.
-    Exact,
-    /// Those that are so at the configuration, which was projected and carries rounding.
-    Projected,
-    /// Where rows were redundant at the start of a step, those that were independent there: beside the constraints, redundant rows
-    /// contradict the others, by as much as a stage leaves the constraints.
-    Held,
-}
-
-/// The factors of one configuration, kept until another one is asked for.
-pub(super) struct Factors {
-    /// Where they were made; NaN where they are not good.
-    t: f64,
-    q: Vec<f64>,
-    rows: Rows,
-    made: Made,
-    /// Entries of G there.
-    pub jacobian: Vec<f64>,
-    /// Made when it is first needed.
-    dense: Option<Box<NullSpaceKkt>>,
-    damped: Option<Box<DampedKkt>>,
-    /// The independent rows at the start of a step, where others were redundant.
-    held: Vec<usize>,
-    /// Answers questions of rank beside the factors; made when it is first needed.
-    rank: Option<Box<RankRevealing>>,
-    /// `n_q + n_c`.
-    pub right_side: Vec<f64>,
-}
-
-/// By which method.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Made {
-    Dense,
-    Sparse,
-    /// With the row at which the factorisation without damping failed, where that is known.
-    Damped(Option<usize>),
-}
-
-impl Factors {
-    pub(super) fn new(n_q: usize, n_rows: usize, jacobian: Vec<f64>) -> Self {
-        Self {
-            t: f64::NAN,
-            q: vec![0.0; n_q],
-            rows: Rows::Exact,
-            made: Made::Dense,
-            jacobian,
-            dense: None,
-            damped: None,
-            held: Vec::with_capacity(n_rows),
-            rank: None,
-            right_side: vec![0.0; n_q + n_rows],
-        }
-    }
-
-    /// What was computed with other inputs is not good.
-    pub(super) fn forget(&mut self) {
-        self.t = f64::NAN;
-    }
-
-    pub(super) fn holds_no_rows(&self) -> bool {
-        self.held.is_empty()
-    }
-
-    #[inline]
-    fn are_of(&self, t: f64, q: &[f64], rows: Rows) -> bool {
-        self.t == t && self.rows == rows && self.q == q
-    }
-}
 
 /// A system at one configuration: the factors of K, made once for all that is asked there.
 pub struct Configuration<'c, 's, S: Scene + ?Sized> {

@@ -1,6 +1,6 @@
 //! Accelerations of states near the rows: those of the projected states.
 
-use super::configuration::Rows;
+use super::solved::Rows;
 use super::{Dynamics, Metric, MotionError, Projection, State, System};
 use crate::model::Scene;
 

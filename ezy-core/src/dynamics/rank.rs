@@ -1,7 +1,7 @@
 //! What there is to tell about rows that depend on each other.
 
-use super::configuration::{Rows, Solved};
 use super::error::rows_or_unknown;
+use super::solved::{Rows, Solved};
 use super::{MotionError, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED, Left};
 use crate::model::Scene;

@@ -1,10 +1,10 @@
 //! A scene with its constants, solver and buffers.
 
 use super::SystemError;
-use super::configuration::Factors;
+use super::euclidean::Euclidean;
+use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
-use super::projection::Euclidean;
-use crate::linalg::{Backend, KktFactorization, LARGEST_DENSE, SparseKkt};
+use crate::linalg::{Backend, LARGEST_DENSE, SparseKkt};
 use crate::model::{Scene, SceneInfo, Start};
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
@@ -29,13 +29,6 @@ pub struct System<'s, S: Scene + ?Sized> {
     pub(super) euclidean: Option<Box<Euclidean>>,
     pub(super) buffers: Buffers,
     pub(super) counters: Counters,
-}
-
-/// How K is solved.
-pub(super) enum Solver {
-    Generated,
-    Dense,
-    Sparse(Box<dyn KktFactorization>),
 }
 
 /// Work done since construction.

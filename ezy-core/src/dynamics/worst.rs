@@ -1,6 +1,6 @@
 //! Which row is farthest from being met.
 
-use super::configuration::Solved;
+use super::solved::Solved;
 
 /// A residual and the row that has it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

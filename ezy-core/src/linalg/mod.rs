@@ -29,10 +29,12 @@ pub(crate) use damped::{DampedKkt, weights, write_diagonal};
 pub(crate) use equation_residual::EquationResidual;
 pub(crate) use lu::Lu;
 pub(crate) use null_space::NullSpaceKkt;
+#[doc(hidden)]
+pub use order::SparseKktError;
 pub(crate) use rank::{INDEPENDENT, INDEPENDENT_EXACTLY, Independent, RankRevealing, undetermined_coordinates};
 pub(crate) use singular::singular_values;
 #[doc(hidden)]
-pub use sparse::{SparseKkt, SparseKktError};
+pub use sparse::SparseKkt;
 pub(crate) use sparse_lu::SparseLu;
 
 /// Largest n_q + n_c for which a dense K is made: 70 MB and some seconds a factorisation.

@@ -1,7 +1,7 @@
 //! Sparse LDLᵀ of K in an order known beforehand.
 
 use super::lower::LowerTriangle;
-use super::order::{Order, bodies_before_rows};
+use super::order::{Order, SparseKktError, bodies_before_rows};
 use super::{KktFactorization, VanishedPivot};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
@@ -48,16 +48,6 @@ struct Analysis {
     pivot_places: Vec<usize>,
     factors: Vec<f64>,
     scratch: MemBuffer,
-}
-
-/// The symbolic factorisation failed.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("the sparse factorisation of a system of {n} equations could not be prepared: {cause}; use the dense backend")]
-pub struct SparseKktError {
-    /// Size of K.
-    pub n: usize,
-    /// What faer answered.
-    pub cause: String,
 }
 
 impl SparseKkt {

@@ -1,6 +1,7 @@
 //! From a [`Simulation`] to a run or a stepper: its settings are checked, then the start is assembled.
 
 use super::control::Control;
+use super::given::give;
 use super::modes::Modes;
 use super::monitor::Watch;
 use super::run_loop::{Plan, RunLoop};
@@ -9,8 +10,8 @@ use super::stepper_state::StepperState;
 use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
-use crate::model::{Scene, SceneInfo, Start};
-use crate::record::{Recorder, UnknownName, find_name, input_index};
+use crate::model::{Scene, Start};
+use crate::record::{Recorder, input_index};
 
 /// A quarter of an hour at 100 ns a step; more is a typing error.
 const MAX_STEPS: f64 = 1e10;
@@ -187,16 +188,4 @@ pub(super) fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {
         return Ok(());
     }
     Err(SetupError::Tolerance { relative, absolute, smallest, largest: LARGEST_TOLERANCE })
-}
-
-/// Holds a start value by its name.
-pub(super) fn give(info: &SceneInfo, start: &mut Start, name: &str, value: f64) -> Result<(), UnknownName> {
-    let positions = info.coordinates.iter().map(|c| c.name);
-    let velocities = info.coordinates.iter().map(|c| c.velocity_name);
-    let i = find_name("start value", name, positions.chain(velocities))?;
-    match i.checked_sub(info.n_coordinates()) {
-        None => start.give_position(i, value),
-        Some(i) => start.give_velocity(i, value),
-    }
-    Ok(())
 }

@@ -1,6 +1,6 @@
 //! Radau IIA with its step control.
 
-use super::events::{Cut, Discontinuities};
+use super::discontinuities::{Cut, Discontinuities};
 use super::step_limit::{StepLimit, is_too_short, limited_step};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Attempt, Node, Radau, RadauControl, Tolerance, tolerance_of_estimate};

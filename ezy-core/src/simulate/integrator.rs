@@ -2,7 +2,7 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
-use super::events::{Cut, Discontinuities};
+use super::discontinuities::{Cut, Discontinuities};
 use super::implicit::Implicit;
 use super::series::AlongSeries;
 use super::snapshot::Snapshot;

@@ -1,8 +1,8 @@
 //! A scene that the caller steps: for controllers, learning programs and animation.
 
 use super::SetupError;
-use super::build::give;
 use super::control::{Control, check_inputs};
+use super::given::give;
 use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::model::{Scene, SceneInfo, Start};

@@ -1,7 +1,7 @@
 //! A scene with the state of its integration: one step, projected. Shared by runs and steppers.
 
 use super::SetupError;
-use super::events::Discontinuities;
+use super::discontinuities::Discontinuities;
 use super::integrator::Integrator;
 use super::singular::Approach;
 use super::singularity_crossing::SingularityCrossing;

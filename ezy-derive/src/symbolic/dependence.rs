@@ -1,13 +1,9 @@
 //! Which symbols a sum depends on, and through which of its terms.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::sum::{Algebra, Atom, SumId, Symbol};
+use super::sum::{Algebra, Atom, Dependence, SumId, Symbol};
 use crate::work;
-
-/// For each symbol of a sum, the places of the terms that hold it, ascending.
-pub type Dependence = BTreeMap<Symbol, Vec<usize>>;
 
 impl Algebra {
     /// Found once for each sum: a derivative looks at the terms that hold its symbol alone.

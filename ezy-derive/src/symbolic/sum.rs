@@ -1,11 +1,11 @@
 //! Sums of products of atoms in normal form.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 
 use super::coefficient::{Coefficient, Coefficients};
-use super::dependence::Dependence;
 use super::interner::Interner;
 use crate::function::Function;
 use crate::work;
@@ -18,6 +18,9 @@ impl Symbol {
     /// Time is always the first symbol.
     pub const TIME: Self = Self(0);
 }
+
+/// For each symbol of a sum, the places of the terms that hold it, ascending.
+pub type Dependence = BTreeMap<Symbol, Vec<usize>>;
 
 /// Index of a sum: equal sums have equal ids.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -3,24 +3,18 @@
 //! After each step the event functions are sampled on its interpolant, at the ends of [`N_PARTS`] parts. A change of sign
 //! between two samples is located. Where a parabola through three samples predicts a double root, it is searched for.
 
-mod discontinuities;
 mod double_root;
 mod event_function;
-mod root;
 
+use super::root::{resolution_at, root, side_of};
 use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::model::{EventInfo, EventKind, Scene};
-pub(super) use discontinuities::{Cut, Discontinuities};
 use double_root::double_root;
 pub(super) use event_function::EventFunction;
-use root::root;
 
 /// Parts of a step at whose ends event functions are sampled.
 const N_PARTS: usize = 4;
-
-/// Events are located to this accuracy, s, or to the resolution of the time.
-const RESOLUTION_S: f64 = 1e-12;
 
 /// An initial value below this part of the largest one in the first step is rounding: its sign is taken as zero.
 const NOTHING: f64 = 1e-10;
@@ -246,19 +240,5 @@ impl EventDetector {
         };
         self.passages.push(Passage { t, event });
         Ok(())
-    }
-}
-
-/// Resolution of an event time near `t`, s.
-pub(super) fn resolution_at(t: f64) -> f64 {
-    RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs())
-}
-
-/// -1, 0 or 1; 0 for a value that is not a number.
-fn side_of(x: f64) -> f64 {
-    match x.partial_cmp(&0.0) {
-        Some(std::cmp::Ordering::Greater) => 1.0,
-        Some(std::cmp::Ordering::Less) => -1.0,
-        _ => 0.0,
     }
 }

@@ -8,7 +8,8 @@ use super::Modes;
 use crate::dynamics::{MotionError, SystemRow};
 use crate::model::{EventInfo, Scene, StopInfo};
 use crate::simulate::SetupError;
-use crate::simulate::events::{EventFunction, resolution_at};
+use crate::simulate::events::EventFunction;
+use crate::simulate::root::resolution_at;
 use crate::simulate::stepper_state::StepperState;
 
 const FREE: usize = 0;

@@ -4,7 +4,8 @@ mod contact;
 mod stick_slip;
 
 use super::SetupError;
-use super::events::{EventDetector, Occurrence, resolution_at};
+use super::events::{EventDetector, Occurrence};
+use super::root::resolution_at;
 use super::stepper_state::StepperState;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, Scene, SceneInfo, StickSlipInfo, StopInfo};

@@ -1,5 +1,8 @@
 //! Where a function passes zero.
 
+/// Events are located to this accuracy, s, or to the resolution of the time.
+const RESOLUTION_S: f64 = 1e-12;
+
 /// More evaluations are never needed: each second one halves the bracket at least, from an hour to 1e-12 s in 52.
 const MAX_EVALUATIONS: usize = 200;
 
@@ -48,6 +51,20 @@ fn next_part([x1, x2, x3]: [f64; 3], [f1, f2, f3]: [f64; 3]) -> f64 {
         f1 / (f2 - f1) * f3 / (f2 - f3) + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
     } else {
         0.5
+    }
+}
+
+/// Resolution of an event time near `t`, s.
+pub(super) fn resolution_at(t: f64) -> f64 {
+    RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs())
+}
+
+/// -1, 0 or 1; 0 for a value that is not a number.
+pub(super) fn side_of(x: f64) -> f64 {
+    match x.partial_cmp(&0.0) {
+        Some(std::cmp::Ordering::Greater) => 1.0,
+        Some(std::cmp::Ordering::Less) => -1.0,
+        _ => 0.0,
     }
 }
 

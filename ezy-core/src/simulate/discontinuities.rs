@@ -8,8 +8,7 @@
 //! distance above the uncertainty of its predicted time. That uncertainty shrinks with each step; the last step is a
 //! very short one across the discontinuity.
 
-use super::root::root;
-use super::{resolution_at, side_of};
+use super::root::{resolution_at, root, side_of};
 use crate::dynamics::{Rows, State, System};
 use crate::integrate::{Node, interpolate};
 use crate::model::{EventKind, Scene, SceneInfo};

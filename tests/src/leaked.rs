@@ -1,7 +1,8 @@
 //! Scene descriptions made at run time, for scenes whose size is a number.
 
 use ezy_core::model::{
-    CoordinateInfo, EffectInfo, Formula, Operations, ParameterInfo, RowInfo, SceneInfo, SparsityPattern,
+    CoordinateInfo, EffectInfo, EliminationStep, Formula, Operations, ParameterInfo, RowInfo, SceneInfo,
+    SparsityPattern,
 };
 
 /// What differs between the scenes made here.
@@ -58,6 +59,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         effect: None,
         symbol: NO_FORMULA,
     };
+    let n_rows = description.rows.len();
     let mut starts = vec![0];
     starts.extend(description.columns.iter().scan(0, |n, columns| {
         *n += columns.len();
@@ -87,7 +89,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         force_entries: &[],
         potential_energy: Formula { text: "0", latex: "0", mathml: "" },
         abbreviations: &[],
-        elimination: &[],
+        elimination: leak(vec![EliminationStep { rows: leak((0..n_rows).collect()), constant_pivot: false }]),
         acceleration_operations: Operations::default(),
         correction_operations: Operations::default(),
         series: ezy_core::model::SeriesInfo::Absent,

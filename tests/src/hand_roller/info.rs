@@ -1,7 +1,8 @@
 //! Names and patterns of the hand-written EzyRoller.
 
 use ezy_core::model::{
-    CoordinateInfo, EffectInfo, Formula, Operations, ParameterInfo, PointInfo, RowInfo, SceneInfo, SparsityPattern,
+    CoordinateInfo, EffectInfo, EliminationStep, Formula, Operations, ParameterInfo, PointInfo, RowInfo, SceneInfo,
+    SparsityPattern,
 };
 
 const fn f(text: &'static str) -> Formula {
@@ -140,7 +141,7 @@ const fn scene(
         force_entries,
         potential_energy: f("0"),
         abbreviations: &[],
-        elimination: &[],
+        elimination: &[EliminationStep { rows: &[0, 1, 2, 3], constant_pivot: false }],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         series: ezy_core::model::SeriesInfo::Absent,

@@ -11,7 +11,7 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     let mut text = format!("{}/{}\n{}\n", info.model, info.name, info.documentation.trim());
     let [positions, velocities] = freedom(info);
     text += &format!(
-        "\nfreedom: {positions} of positions, {velocities} of velocities; {} bodies, {} position constraints, {} velocity constraints, \
+        "\ndegrees of freedom: {positions} in position, {velocities} in velocity; {} bodies, {} position constraints, {} velocity constraints, \
          {} entries of the Jacobian\n",
         info.bodies.len(),
         info.n_position_rows,

@@ -101,8 +101,8 @@ pub enum MotionError {
         rows: Vec<&'static str>,
         /// `the positions`, `the velocities` or `the accelerations`.
         level: &'static str,
-        /// What is left of the rows: the largest |C|, or of velocities and accelerations a share of their length in the mass
-        /// matrix.
+        /// What is left of the rows: the largest |C|; of velocities and accelerations the largest residual of a redundant row, scaled to
+        /// one, as a share of the largest velocity or acceleration.
         residual: f64,
         /// What may be left.
         tolerance: f64,
@@ -116,9 +116,9 @@ pub enum MotionError {
     LostInRounding {
         /// Time, s.
         t: f64,
-        /// Names of the rows that nearly depend on each other, in the metric of the masses.
+        /// Names of the rows that nearly depend on each other.
         rows: Vec<&'static str>,
-        /// The smallest pivot of rows scaled to one, where they do.
+        /// Square of the smallest pivot of G, rows scaled to one, where they do.
         smallest_pivot: Option<f64>,
         /// The largest share of the terms of an equation that is left.
         residual: f64,
@@ -133,7 +133,7 @@ pub enum MotionError {
         t: f64,
         /// Names of the rows that nearly depend on each other.
         rows: Vec<&'static str>,
-        /// The smallest pivot of rows scaled to one.
+        /// Square of the smallest pivot of G, rows scaled to one.
         smallest_pivot: f64,
         /// What no step could do.
         cause: Box<MotionError>,

@@ -1,4 +1,4 @@
-//! K where constraints depend on each other: a solution that leaves what they cannot tell apart alone.
+//! K of large systems where constraints depend on each other: a solution that leaves alone what they cannot tell apart.
 
 use super::equation_residual::EquationResidual;
 use super::{KktFactorization, Left, VanishedPivot};

@@ -6,8 +6,8 @@
 //! | dense | the motion determined | null-space method after full pivoting of G ([`NullSpaceKkt`]) |
 //! | sparse | M > 0, G of full rank | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
 //!
-//! Which constraints depend on each other is asked of [`RankRevealing`] alone. Where they do, generated and sparse scenes go on by the
-//! dense solver, and those of more than [`LARGEST_DIAGNOSED`] equations with rows damped ([`DampedKkt`]).
+//! Which constraints depend on each other is asked of [`RankRevealing`] alone. Where they do, the dense solver takes the place of
+//! generated and sparse ones, and in systems of more than [`LARGEST_DIAGNOSED`] equations rows are damped ([`DampedKkt`]).
 
 // matrices keep the capital letters of the notation
 #![allow(non_snake_case)]
@@ -40,19 +40,19 @@ pub(crate) use sparse_lu::SparseLu;
 /// Largest n_q + n_c for which a dense K is made: 70 MB and some seconds a factorisation.
 pub(crate) const LARGEST_DENSE: usize = 3_000;
 
-/// Largest n_q + n_c of a scene with counts whose rank is asked: full pivoting of larger ones takes longer than anyone waits.
+/// Largest n_q + n_c of a scene whose rank is asked: full pivoting of larger ones takes longer than anyone waits.
 pub(crate) const LARGEST_DIAGNOSED: usize = 500;
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Backend {
-    /// [`Backend::Generated`], in scenes with counts [`Backend::Sparse`]; [`Backend::Dense`] when a mass or inertia is
-    /// zero or, in a scene without counts or with at most 100 equations, less than 1e-4 of the largest; inertias count by
-    /// the mass that their longest lever feels.
+    /// [`Backend::Generated`], in scenes without an elimination (with counts, or with a body in more than 36 rows)
+    /// [`Backend::Sparse`]; [`Backend::Dense`] when a mass or inertia is zero or, in a scene with an elimination or with at most
+    /// 100 equations, less than 1e-4 of the largest; inertias count by the mass that their longest lever feels.
     #[default]
     Auto,
-    /// Straight-line elimination of the scene; needs positive masses and inertias, and a scene without counts.
+    /// Straight-line elimination of the scene; needs positive masses and inertias, and a scene that has one.
     Generated,
     /// Null-space method; the only one for massless bodies. Up to [`LARGEST_DENSE`] equations.
     Dense,

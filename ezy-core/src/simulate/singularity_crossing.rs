@@ -37,10 +37,10 @@ pub(super) struct SingularityCrossing {
 /// Place of the singular position in the crossing step, from 0 to 1: 0.13 of the step from the nearest node of DOP853.
 const MIDDLE: f64 = 0.46;
 
-/// Where it may lie where the leap would end next to another one, 0.07 from the nearest node.
+/// Its place where the crossing step would otherwise end next to another singular position: 0.07 of the step from the nearest node.
 const BESIDE: [f64; 2] = [0.40, 0.53];
 
-/// A leap whose end has a smaller part of the pivot at its start ends next to a singular position.
+/// A crossing step ends next to a singular position when the pivot at its end is below this part of the pivot at its start.
 const TOO_NEAR: f64 = 0.1;
 
 /// The crossing step may begin this factor too far from its ideal start.

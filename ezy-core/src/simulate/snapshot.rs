@@ -13,7 +13,7 @@ pub(super) struct Snapshot {
     pub power: Vec<f64>,
     /// How the accelerations were solved for.
     pub solved: Solved,
-    /// How the projection was solved for that led there.
+    /// How the projection that led there was solved.
     pub end: Solved,
 }
 

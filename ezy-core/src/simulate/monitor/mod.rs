@@ -26,7 +26,7 @@ pub struct Monitors {
     pub velocity_drift: Option<Peak>,
     /// Largest energy balance; none where effects do work that the run does not integrate.
     pub energy: Option<EnergyError>,
-    /// Smallest relative pivot at ends and stages of all steps ([`System::smallest_pivot`](crate::dynamics::System::smallest_pivot));
+    /// Smallest relative pivot at ends and stages of all steps ([`Solved::smallest_pivot`](crate::dynamics::Solved::smallest_pivot));
     /// none without rows.
     pub pivot: Option<LeastPivot>,
     /// Condition of the equations of motion; none without rows, and in scenes of more than 200 unknowns.

@@ -6,8 +6,8 @@ use crate::model::Scene;
 
 /// A system whose accelerations do not depend on how far a state is off the rows.
 ///
-/// Of states on the rows they are the same. Off them, next to a position in which constraints depend on each other, those of the
-/// state itself have a pole, those of the projected state have none.
+/// On the rows they are those of the state itself. Off the rows, next to a position in which constraints depend on each other,
+/// accelerations of the state itself have a pole; those of the projected state have none.
 pub(crate) struct OnRows<'m, 's, S: Scene + ?Sized> {
     system: &'m mut System<'s, S>,
     /// The last projected state; without works.

@@ -1,4 +1,4 @@
-//! Discontinuities of laws, discontinuities of a force or of its slope: a step that crosses one is repeated up to it.
+//! Discontinuities of a force or of its slope: a step that crosses one is repeated up to it.
 //!
 //! Across a discontinuity a method loses its order. Its error estimate may miss that, or shorten steps again and again. The scene
 //! says by event functions whether a step crossed a discontinuity; the interpolant says where.

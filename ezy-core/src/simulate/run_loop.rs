@@ -53,7 +53,7 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
 }
 
 impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
-    /// Evaluates and records the start, where `motion` is.
+    /// Evaluates and records the start, where the stepper is.
     pub(super) fn new(
         mut stepper: StepperState<'s, S>,
         mut modes: Option<Box<Modes<'s, S>>>,

@@ -17,12 +17,12 @@ const NEAR: f64 = 1.6;
 /// A pivot vanishes where it falls below this part of its present value on the predicted path.
 const VANISHES: f64 = 0.02;
 
-/// The way that is searched, in distances as they are expected.
+/// The part of the path that is searched, in predicted distances.
 const SEARCHED: std::ops::Range<f64> = 0.0..1.6;
 
-/// Places ahead at which pivots are looked at where rows are redundant, each twice as far as the one before: the smallest pivot of
-/// independent rows stands still until the last quarter of a radian before a singular position, so that two states tell nothing. A
-/// position between two places is at most half as far from one of them as from here.
+/// Where rows are redundant, pivots are evaluated at this many points ahead, each twice as far as the one before. The smallest pivot of
+/// independent rows hardly changes until the last quarter of a radian before a singular position, so that its trend predicts nothing. A
+/// position between two points is at most half as far from one of them as from the present state.
 const N_AHEAD: i32 = 7;
 
 /// Golden sections: they reduce the path to 1/2000.
@@ -59,7 +59,7 @@ impl Approach<'_> {
         (distance < NEAR * usual_s).then(|| about(distance))
     }
 
-    /// Round the smallest pivot on the way that is foreseen, up to `far` from now, s.
+    /// Times around the smallest pivot on the predicted path, up to `far` from now, s; none where it does not fall.
     fn dip_ahead<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, far: f64, q: &mut [f64]) -> Option<Range<f64>> {
         let mut lowest = (None, self.now.end.smallest_pivot);
         for i in 1..=N_AHEAD {
@@ -73,7 +73,7 @@ impl Approach<'_> {
         lowest.0.map(|s| 0.5 * s..2.0 * s)
     }
 
-    /// Time to where the smallest pivot vanishes on the way that is foreseen, within times from now, s; `q` is a buffer.
+    /// Time to where the smallest pivot vanishes on the predicted path, within times from now, s; `q` is a buffer.
     pub(super) fn find<S: Scene + ?Sized>(
         &self,
         system: &mut System<'_, S>,
@@ -112,7 +112,7 @@ impl Approach<'_> {
         is_singular.then_some(way)
     }
 
-    /// Positions at `s` from now, with accelerations extrapolated linearly.
+    /// Predicted positions at `s` from now, with accelerations extrapolated linearly.
     fn foresee(&self, s: f64, q: &mut [f64]) {
         let Self { now, before } = self;
         let passed = now.state.t - before.state.t;

@@ -17,7 +17,7 @@ const SHORTENED: f64 = 0.9;
 /// A step ends next to a singular position when the smallest pivot falls below this part of its value at the start.
 const TOO_NEAR: f64 = 0.03;
 
-/// A step whose end the projection does not bring back ends earlier by this factor, as in CVODE (Hindmarsh and others, ACM Trans. Math.
+/// A step whose end cannot be projected is taken again, shorter by this factor, as in CVODE (Hindmarsh and others, ACM Trans. Math.
 /// Softw. 31, 2005).
 const QUARTERED: f64 = 0.25;
 
@@ -25,7 +25,7 @@ const QUARTERED: f64 = 0.25;
 /// 29.7 rad/s take 3,566 steps of dop853 at 1e-13 there, and leave their branch (`level_cranks.rs`).
 const CREEPING: f64 = 1e-4;
 
-/// Tries of one step.
+/// Repetitions of one step.
 const MAX_SHORTENED: usize = 3;
 
 /// The state `now`, and the end `next` of the step under way.

@@ -49,7 +49,7 @@ pub(super) struct EventDetector {
     times: [f64; N_PARTS + 1],
     /// Values there.
     values: [Vec<f64>; N_PARTS + 1],
-    /// Values at a place that is tried.
+    /// Values at a time that is tried.
     tried: Vec<f64>,
     place: State,
     /// Of the present step.
@@ -79,7 +79,7 @@ impl EventDetector {
         self.n_told == 0
     }
 
-    /// Locates the events of the step that `motion` has made, both ends evaluated; returns the event that ends the run.
+    /// Locates the events of a step, both ends evaluated; returns the event that ends the run.
     pub(super) fn look<S: Scene + ?Sized>(
         &mut self,
         stepper: &mut StepperState<'_, S>,

@@ -30,7 +30,7 @@ enum Law {
 /// The inactive modes, and the event that ends the active one.
 pub(super) struct Modes<'s, S: Scene + ?Sized> {
     law: Law,
-    /// The one under way, a place in `Derived::modes`.
+    /// Index of the active one in `Derived::modes`.
     mode: usize,
     parked: Vec<(usize, StepperState<'s, S>)>,
     detector: EventDetector,

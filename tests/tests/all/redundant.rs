@@ -97,7 +97,7 @@ fn cross_two_wheels_on_one_axle_move_like_one() {
             }
             let (whole, shares) = (one.last().multipliers[0], two.last().multipliers);
             assert!((shares[0] + shares[1] - whole).abs() <= MOTION, "{method:?} {backend:?}: {shares:?} of {whole}");
-            // both wheels have the same diagonal entry of A
+            // both wheels have the same row
             assert!((shares[0] - shares[1]).abs() <= SHARES, "{method:?} {backend:?}: {shares:?}");
             let loss = &two.rank.intervals[0].loss;
             assert_eq!((loss.n_redundant, &loss.rows[..]), (Some(1), &["left", "right"][..]));

@@ -176,9 +176,11 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     /// A step that ends next to a singular position, or cannot be projected, is taken again shorter where the method chooses steps.
     fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let mut outcome = self.step(h, t_next);
+        if !self.integrator.chooses_steps() {
+            return outcome;
+        }
         for _ in 0..MAX_SHORTENED {
             let shorter = match &outcome {
-                _ if !self.integrator.chooses_steps() => break,
                 Ok(()) if self.ends_near_singular_position() => SHORTENED,
                 Err(MotionError::ProjectionStalled { .. } | MotionError::ContradictoryRows { .. }) => QUARTERED,
                 _ => break,
@@ -199,7 +201,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     fn creeps(&mut self, t_next: f64) -> bool {
         let (now, next) = (&self.now.state, &self.next.state);
         let is_short = next.t < t_next && next.t - now.t < CREEPING * self.usual_s;
-        self.crosses && is_short && self.integrator.chooses_steps() && self.system.is_nearly_singular(now.t, &now.q)
+        self.crosses && is_short && self.system.is_nearly_singular(now.t, &now.q)
     }
 
     /// Whether rows that were independent at the start of the step nearly depend on each other at its end.

@@ -26,7 +26,9 @@ pub use jacobians::JacobianPlaces;
 pub(crate) use pivots::{PIVOT_TOLERANCE, Pivots};
 pub(crate) use repeats::LARGEST_N_MEMBERS;
 pub use repeats::{CountInfo, LayoutFault};
-pub(crate) use repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
+pub(crate) use repeats::{Repeats, TemplateInfo};
+#[cfg(feature = "cli")]
+pub(crate) use repeats::{RowTemplate, SlotCoordinate};
 pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
 pub use stick_slip::StickSlipInfo;

@@ -9,7 +9,9 @@ mod plain;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
-pub(crate) use legible::{legible, rounded};
+pub(crate) use legible::legible;
+#[cfg(feature = "cli")]
+pub(crate) use legible::rounded;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

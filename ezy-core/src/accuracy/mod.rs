@@ -44,6 +44,7 @@ mod trajectory;
 mod variant;
 
 pub use advice::{Advice, Candidate};
+#[cfg(feature = "cli")]
 pub(crate) use command::setting;
 pub use error::AccuracyError;
 pub use errors::{Comparison, Errors, Size};

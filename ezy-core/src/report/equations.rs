@@ -55,7 +55,7 @@ const MINUS_S: Formula = Formula { text: "-s", latex: "-s", mathml: "<mrow><mo>â
 
 /// Every equation of a scene, from the coordinates to the equations of motion in matrix form; what a scene
 /// does not have (position constraints, velocity constraints) is left out. Of a scene with counts only the equations of motion:
-/// the others are those of [`super::templates::templates`].
+/// the others are those of `report::templates`.
 pub fn equations(info: &SceneInfo) -> Vec<Equation> {
     let n_h = info.n_position_rows;
     if info.repeats.is_some() {

@@ -6,4 +6,5 @@ pub mod figure;
 mod matrix;
 pub mod page;
 pub mod table;
+#[cfg(feature = "cli")]
 pub(crate) mod templates;

@@ -163,4 +163,12 @@ mod tests {
         assert!(advice.to_string().contains("only known to 1.0e-9"), "{advice}");
         assert!(advise(1e-3, 0.0, &[]).to_string().contains("nothing was measured"));
     }
+
+    #[test]
+    fn analytic_durations_have_three_digits() {
+        assert_eq!(
+            [3.3e-8, 4.2e-5, 3.12e-4, 0.0331, 0.5, 2.0].map(duration),
+            ["0.033 µs", "42.0 µs", "0.312 ms", "33.1 ms", "500 ms", "2.00 s"]
+        );
+    }
 }

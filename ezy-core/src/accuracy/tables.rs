@@ -95,16 +95,3 @@ fn missing_line(missing: &Missing) -> String {
     let reason = missing.reason.as_deref().unwrap_or("not run within the budget");
     format!("{method} {settings}, projection {projections}: {reason}")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn analytic_durations_have_three_digits() {
-        assert_eq!(
-            [3.3e-8, 4.2e-5, 3.12e-4, 0.0331, 0.5, 2.0].map(duration),
-            ["0.033 µs", "42.0 µs", "0.312 ms", "33.1 ms", "500 ms", "2.00 s"]
-        );
-    }
-}

@@ -72,7 +72,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     #[cold]
     pub(crate) fn locked_up(&mut self, t: f64, q: &[f64], cause: MotionError) -> MotionError {
         let may_lock = matches!(cause, MotionError::StepCollapsed { .. } | MotionError::ProjectionStalled { .. });
-        if !may_lock {
+        if !may_lock || !self.is_nearly_singular(t, q) {
             return cause;
         }
         let smallest_pivot = self.independence(t, q);

@@ -15,11 +15,10 @@ pub const STEPS: [f64; 3] = [0.1, 0.03, 0.01];
 /// Every method with every setting; `pace` is Ω of the motion, rad/s.
 pub fn settings(pace: f64) -> Vec<(String, Method)> {
     let fixed = STEPS.iter().map(|part| (format!("rk4 {part}"), Method::rk4(part / pace)));
-    let methods: [(&str, fn(f64) -> Method); 3] =
-        [("dop853", Method::dop853), ("taylor", Method::taylor), ("radau", Method::radau)];
-    let chosen = methods.into_iter().flat_map(|(name, method)| {
+    let by = |name: &'static str, method: fn(f64) -> Method| {
         TOLERANCES.iter().map(move |&tolerance| (format!("{name} {tolerance:.0e}"), method(tolerance)))
-    });
+    };
+    let chosen = by("dop853", Method::dop853).chain(by("taylor", Method::taylor)).chain(by("radau", Method::radau));
     fixed.chain(chosen).collect()
 }
 

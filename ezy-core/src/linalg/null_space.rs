@@ -60,7 +60,8 @@ impl NullSpaceKkt {
         Self {
             unit: unit.to_vec(),
             rank: RankRevealing::new(n_rows, n_q, pattern),
-            reduced: empty(),
+            // of the size for rows that are all independent
+            reduced: Cholesky::pack_dirty(DMatrix::zeros(n_q.saturating_sub(n_rows), n_q.saturating_sub(n_rows))),
             scale: zeros(n_q),
             redundant: empty(),
             mass: zeros(n_q),
@@ -126,7 +127,7 @@ impl NullSpaceKkt {
         }
         let rounding = n as f64 * f64::EPSILON;
         self.reduced = Cholesky::new(H)
-            .filter(|factor| factor.l_dirty().diagonal().iter().all(|pivot| pivot * pivot > rounding))
+            .filter(|factor| (0..n).all(|i| factor.l_dirty()[(i, i)].powi(2) > rounding))
             .ok_or(SingularKkt)?;
         Ok(())
     }

@@ -31,6 +31,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     }
 
     /// Where rows are redundant at the start of a step, its stages keep to those that are independent there.
+    #[inline]
     pub(crate) fn hold_rows(&mut self, t: f64, q: &[f64], are_redundant: bool) {
         if !are_redundant && self.factors.holds_no_rows() {
             return;

@@ -174,11 +174,12 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     }
 
     /// A step that ends next to a singular position, or cannot be projected, is taken again shorter where the method chooses steps.
+    #[inline]
     fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        let mut outcome = self.step(h, t_next);
         if !self.integrator.chooses_steps() {
-            return outcome;
+            return self.step(h, t_next);
         }
+        let mut outcome = self.step(h, t_next);
         for _ in 0..MAX_SHORTENED {
             let shorter = match &outcome {
                 Ok(()) if self.ends_near_singular_position() => SHORTENED,
@@ -212,6 +213,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         is && !was || self.crosses && pivot < TOO_NEAR * self.now.end.smallest_pivot
     }
 
+    #[inline]
     fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
         self.integrator.step(system, now.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
@@ -219,6 +221,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         self.project_next()
     }
 
+    #[inline]
     fn project_next(&mut self) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &mut self.next.state;
         self.projected = self.system.project(*t, q, v, self.projection, self.metric)?;

@@ -19,7 +19,7 @@ pub trait Dynamics<T: Scalar> {
 
     /// Takes from `x` (`n_q`) what a projection at `q` would take from an error of positions or velocities; `false` where
     /// that is not known.
-    fn project_onto_row_space(&mut self, _t: f64, _q: &[T], _x: &mut [T]) -> bool {
+    fn project_onto_null_space(&mut self, _t: f64, _q: &[T], _x: &mut [T]) -> bool {
         false
     }
 }
@@ -42,7 +42,7 @@ impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
         self.power(t, q, v, lambda, out);
     }
 
-    fn project_onto_row_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
+    fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
         self.project_onto_null_space(t, q, x).is_ok()
     }
 }

@@ -42,7 +42,7 @@ impl<S: Scene + ?Sized> Dynamics<f64> for OnRows<'_, '_, S> {
         self.system.power(t, &self.projected.q, &self.projected.v, lambda, out);
     }
 
-    fn project_onto_row_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
+    fn project_onto_null_space(&mut self, t: f64, q: &[f64], x: &mut [f64]) -> bool {
         self.system.project_onto_null_space(t, q, x).is_ok()
     }
 }

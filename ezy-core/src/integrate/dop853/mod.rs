@@ -200,7 +200,7 @@ impl<T: Scalar> Dop853<T> {
         for errors in &mut self.errors {
             let (positions, rest) = errors.as_flattened_mut().split_at_mut(self.n_q);
             for part in [positions, &mut rest[..self.n_q]] {
-                if !system.project_onto_row_space(to.t, &to.q, part) {
+                if !system.project_onto_null_space(to.t, &to.q, part) {
                     return None;
                 }
             }

@@ -50,6 +50,10 @@ impl<S: Scene> Equations<f64> for Counted<S> {
     fn correction(&self, c: &[f64], t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> Pivots {
         self.scene.correction(c, t, q, residual, delta)
     }
+
+    fn projected_accelerations(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) -> Pivots {
+        self.scene.projected_accelerations(c, t, q, v, out)
+    }
 }
 
 impl<S: Scene> Derived for Counted<S> {

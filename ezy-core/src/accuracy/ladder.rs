@@ -98,7 +98,7 @@ mod tests {
     fn invariant_rungs_get_finer() {
         for family in FAMILIES {
             let rungs = (family.rungs)(&Ladder::default(), 0.07);
-            let settings: Vec<f64> = rungs.into_iter().map(super::super::setting).collect();
+            let settings: Vec<f64> = rungs.into_iter().map(crate::accuracy::command::setting).collect();
             assert!(settings.windows(2).all(|pair| pair[1] < pair[0]), "{}: {settings:?}", family.name);
         }
     }

@@ -20,10 +20,20 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
     /// [`MotionError`] when a number is not finite or nothing moves a coordinate; `a` and `lambda` are then unspecified.
     #[inline]
     pub fn accelerations(&mut self, v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Result<Solved, MotionError> {
-        if self.may_eliminate()
-            && let Some(smallest) = self.system.eliminate_accelerations(self.t, self.q, v, a, lambda)
-        {
-            return Ok(Solved::regular(smallest));
+        if self.may_eliminate() {
+            let found = match self.system.factors.ahead.accelerations(self.t, self.q, v) {
+                Some((smallest, solution)) => {
+                    let (of_coordinates, of_rows) = solution.split_at(a.len());
+                    a.copy_from_slice(of_coordinates);
+                    lambda.copy_from_slice(of_rows);
+                    self.system.counters.evaluations += 1;
+                    Some(smallest)
+                }
+                None => self.system.eliminate_accelerations(self.t, self.q, v, a, lambda),
+            };
+            if let Some(smallest) = found {
+                return Ok(Solved::regular(smallest));
+            }
         }
         self.solve_accelerations(v, a, lambda)
     }
@@ -199,6 +209,16 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.eliminated(pivots)
     }
 
+    /// As [`System::eliminate_accelerations`] at the projected velocities, which are found first; what is found is kept.
+    #[inline]
+    pub(super) fn eliminate_ahead(&mut self, t: f64, q: &[f64], v: &[f64]) -> Option<f64> {
+        let Self { scene, fixed, factors, .. } = self;
+        let pivots = scene.projected_accelerations(fixed, t, q, v, factors.ahead.begin());
+        let smallest = self.eliminated(pivots)?;
+        self.factors.ahead.keep(t, q, smallest);
+        Some(smallest)
+    }
+
     #[inline]
     fn eliminate_correction(&mut self, t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> Option<f64> {
         let pivots = self.scene.correction(&self.fixed, t, q, residual, delta);
@@ -236,7 +256,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Begins a series from orders 0 and 1 of q in `store` ([`Series::begin`]). Where the scene's own elimination can solve for
-    /// it, tells so; else K is factored, for [`System::solve_factored`].
+    /// it, returns the smallest pivot; else K is factored, for [`System::solve_factored`].
     ///
     /// # Errors
     /// As [`System::accelerations`].
@@ -246,16 +266,17 @@ impl<S: Scene + ?Sized> System<'_, S> {
         series: &dyn Series<f64>,
         t: f64,
         store: &mut SeriesStore<f64>,
-    ) -> Result<Option<Solved>, MotionError> {
+    ) -> Result<Option<f64>, MotionError> {
         self.counters.evaluations += 1;
         let (pivots, n_q) = (series.begin(&self.fixed, t, store), self.info.n_coordinates());
-        let mut at = self.at_with(t, &store.q[..n_q], Rows::Projected);
-        if at.may_eliminate()
-            && let Some(smallest) = at.system.eliminated(pivots)
+        let (q, rows) = (&store.q[..n_q], Rows::Projected);
+        if self.uses_elimination()
+            && !self.factors.are_of(t, q, rows)
+            && let Some(smallest) = self.eliminated(pivots)
         {
-            return Ok(Some(Solved::regular(smallest)));
+            return Ok(Some(smallest));
         }
-        at.factor().map(|()| None)
+        self.at_with(t, q, rows).factor().map(|()| None)
     }
 
     /// Factors K at one state, for [`System::solve_factored`].

@@ -24,6 +24,8 @@ pub(super) struct Factors {
     pub(super) damped: Option<Box<DampedKkt>>,
     /// The independent rows at the start of a step, where others were redundant.
     pub(super) held: Vec<usize>,
+    /// What one elimination gave besides, for who asks next.
+    pub ahead: Ahead,
     /// Answers questions of rank beside the factors; made when it is first needed.
     pub(super) rank: Option<Box<RankRevealing>>,
     /// `n_q + n_c`.
@@ -50,6 +52,7 @@ impl Factors {
             dense: None,
             damped: None,
             held: Vec::with_capacity(n_rows),
+            ahead: Ahead::new(n_q, n_rows),
             rank: None,
             right_side: vec![0.0; n_q + n_rows],
         }
@@ -58,6 +61,7 @@ impl Factors {
     /// What was computed with other inputs is not good.
     pub(super) fn forget(&mut self) {
         self.t = f64::NAN;
+        self.ahead.t = f64::NAN;
     }
 
     pub(super) fn holds_no_rows(&self) -> bool {
@@ -67,5 +71,46 @@ impl Factors {
     #[inline]
     pub(super) fn are_of(&self, t: f64, q: &[f64], rows: Rows) -> bool {
         self.t == t && self.rows == rows && self.q == q
+    }
+}
+
+/// Projected velocities and the accelerations there, from one elimination.
+pub(super) struct Ahead {
+    /// Where they were found; NaN where they are not good.
+    t: f64,
+    q: Vec<f64>,
+    smallest_pivot: f64,
+    /// As [`Equations::projected_accelerations`](crate::model::Equations::projected_accelerations) wrote them.
+    out: Vec<f64>,
+}
+
+impl Ahead {
+    fn new(n_q: usize, n_rows: usize) -> Self {
+        Self { t: f64::NAN, q: vec![0.0; n_q], smallest_pivot: 0.0, out: vec![0.0; 2 * (n_q + n_rows)] }
+    }
+
+    /// Where to write what is found next; what was found before is not good.
+    pub(super) fn begin(&mut self) -> &mut [f64] {
+        self.t = f64::NAN;
+        &mut self.out
+    }
+
+    pub(super) fn keep(&mut self, t: f64, q: &[f64], smallest_pivot: f64) {
+        (self.t, self.smallest_pivot) = (t, smallest_pivot);
+        self.q.copy_from_slice(q);
+    }
+
+    /// Residuals of the velocity constraints before, and the velocities after the projection.
+    pub(super) fn velocities(&self) -> (&[f64], &[f64]) {
+        let n_q = self.q.len();
+        let (residual, solution) = self.out.split_at(self.out.len() / 2 - n_q);
+        (residual, &solution[..n_q])
+    }
+
+    /// Smallest pivot, and a and λ one behind the other, where they were found at this state.
+    #[inline]
+    pub(super) fn accelerations(&self, t: f64, q: &[f64], v: &[f64]) -> Option<(f64, &[f64])> {
+        let is_here = self.t == t && self.q == q && self.velocities().1 == v;
+        is_here.then(|| (self.smallest_pivot, &self.out[self.out.len() / 2..]))
     }
 }

@@ -1,5 +1,6 @@
 //! Accelerations of states near the rows: those of the projected states.
 
+use super::projection::Next;
 use super::solved::Rows;
 use super::{Dynamics, Metric, MotionError, Projection, State, System};
 use crate::model::Scene;
@@ -33,7 +34,8 @@ impl<S: Scene + ?Sized> Dynamics<f64> for OnRows<'_, '_, S> {
         let State { q: on_q, v: on_v, .. } = &mut *self.projected;
         on_q.copy_from_slice(q);
         on_v.copy_from_slice(v);
-        self.system.project_with(t, on_q, on_v, Projection::Both, Metric::Mass, Rows::Held)?;
+        let next = Next { rows: Rows::Held, accelerates: true };
+        self.system.project_with(t, on_q, on_v, Projection::Both, Metric::Mass, next)?;
         self.system.accelerations_unchecked(t, on_q, on_v, a, lambda, Rows::Held).map(|_| ())
     }
 

@@ -67,6 +67,15 @@ const NEAR_RANK_LOSS: f64 = 1e3;
 /// Velocity corrections below this fraction of the velocities are rounding, or harmless.
 const NOTICEABLE: f64 = 1e-10;
 
+/// What a projection of velocities is followed by.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Next {
+    /// The rows of both.
+    pub rows: Rows,
+    /// Whether accelerations at the projected state are asked for.
+    pub accelerates: bool,
+}
+
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Brings `q` and `v` back onto the rows: positions, then velocities at the projected positions.
     ///
@@ -84,7 +93,20 @@ impl<S: Scene + ?Sized> System<'_, S> {
         projection: Projection,
         metric: Metric,
     ) -> Result<Projected, MotionError> {
-        self.project_with(t, q, v, projection, metric, Rows::Projected)
+        self.project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: false })
+    }
+
+    /// As [`System::project`], for the end of a step whose accelerations are asked for next.
+    #[inline]
+    pub(crate) fn project_end(
+        &mut self,
+        t: f64,
+        q: &mut [f64],
+        v: &mut [f64],
+        projection: Projection,
+        metric: Metric,
+    ) -> Result<Projected, MotionError> {
+        self.project_with(t, q, v, projection, metric, Next { rows: Rows::Projected, accelerates: true })
     }
 
     /// As [`System::project`], with these rows at the projected positions.
@@ -96,15 +118,15 @@ impl<S: Scene + ?Sized> System<'_, S> {
         v: &mut [f64],
         projection: Projection,
         metric: Metric,
-        rows: Rows,
+        next: Next,
     ) -> Result<Projected, MotionError> {
         let mut projected = Projected::default();
         if projection.positions() {
             [projected.positions_before, projected.positions_after] = self.move_onto_rows(t, q, metric)?.0;
         }
         if projection.velocities() {
-            projected.velocities_before = self.worst_velocity(t, q, v);
-            let mut solved = self.move_velocities(t, q, v, metric, rows)?;
+            let mut solved;
+            (projected.velocities_before, solved) = self.move_velocities(t, q, v, metric, next)?;
             let (removed, correction) = (projected.velocities_before.value, max_abs(&self.buffers.delta));
             let near_rank_loss = correction > NEAR_RANK_LOSS * removed && correction > NOTICEABLE * max_abs(v);
             if near_rank_loss && projection.positions() {
@@ -112,8 +134,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 for _ in 0..PASSES_NEAR_RANK_LOSS {
                     self.polish_positions_in(t, q, metric)?;
                 }
-                self.worst_velocity(t, q, v);
-                solved = self.move_velocities(t, q, v, metric, rows)?;
+                (_, solved) = self.move_velocities(t, q, v, metric, next)?;
             }
             projected.solved = Some(solved);
         }
@@ -245,11 +266,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
         v: &mut [f64],
         metric: Metric,
     ) -> Result<Solved, MotionError> {
-        self.worst_velocity(t, q, v);
-        self.move_velocities(t, q, v, metric, Rows::Projected)
+        let next = Next { rows: Rows::Projected, accelerates: false };
+        self.move_velocities(t, q, v, metric, next).map(|(_, solved)| solved)
     }
 
-    /// [`System::project_velocities`] for the residual in the buffer.
+    /// [`System::project_velocities`], with the worst row before; leaves the correction in the buffer.
     #[inline]
     fn move_velocities(
         &mut self,
@@ -257,12 +278,26 @@ impl<S: Scene + ?Sized> System<'_, S> {
         q: &[f64],
         v: &mut [f64],
         metric: Metric,
-        rows: Rows,
-    ) -> Result<Solved, MotionError> {
-        let solved = self.correct(t, q, metric, rows)?;
+        next: Next,
+    ) -> Result<(Worst, Solved), MotionError> {
+        let accelerates = next.accelerates && metric == Metric::Mass && self.at_with(t, q, next.rows).may_eliminate();
+        if accelerates && let Some(smallest) = self.eliminate_ahead(t, q, v) {
+            let (residual, projected) = self.factors.ahead.velocities();
+            self.buffers.delta.iter_mut().zip(v).zip(projected).for_each(|((delta, v), projected)| {
+                *delta = projected - *v;
+                *v = *projected;
+            });
+            return Ok((Worst::of(residual), Solved::regular(smallest)));
+        }
+        let worst = self.worst_velocity(t, q, v);
+        let solved = if accelerates {
+            self.correct_by_factors(t, q, metric, next.rows)?
+        } else {
+            self.correct(t, q, metric, next.rows)?
+        };
         self.check_velocities(t, q, v, solved)?;
         v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v += delta);
-        Ok(solved)
+        Ok((worst, solved))
     }
 
     /// Correction for the residual in the buffer, into the buffer.

@@ -16,7 +16,7 @@ pub struct Solved {
 
 impl Solved {
     /// By an elimination whose pivots were all found.
-    pub(super) fn regular(smallest_pivot: f64) -> Self {
+    pub(crate) fn regular(smallest_pivot: f64) -> Self {
         Self { smallest_pivot, is_rank_deficient: false, left: Left::default() }
     }
 }

@@ -224,7 +224,12 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     #[inline]
     fn project_next(&mut self) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &mut self.next.state;
-        self.projected = self.system.project(*t, q, v, self.projection, self.metric)?;
+        // a series finds its own accelerations, and inputs may change before the next step
+        let is_final = !matches!(self.integrator, Integrator::Taylor(_)) && self.system.inputs().is_empty();
+        self.projected = match is_final {
+            true => self.system.project_end(*t, q, v, self.projection, self.metric)?,
+            false => self.system.project(*t, q, v, self.projection, self.metric)?,
+        };
         self.next.end = self.projected.solved.unwrap_or_default();
         Ok(())
     }

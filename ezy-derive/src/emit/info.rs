@@ -6,7 +6,7 @@ use quote::quote;
 use super::abbreviations::Abbreviations;
 use crate::function::Function;
 use crate::mechanics::derived::Straight;
-use crate::mechanics::kernels::Quantity;
+use crate::mechanics::kernels::{Kernel, Quantity};
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Derived, Equations, EventKind, Group, SceneEvent};
 use crate::model::{Bound, Coordinate, InputId, Model, Parameter, ParameterId, Relation, Scene};
@@ -56,8 +56,9 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let elimination = of.elimination.iter().map(
         |(rows, constant_pivot)| quote!(ezy::EliminationStep { rows: &[#(#rows),*], constant_pivot: #constant_pivot }),
     );
+    let count_of = |quantity| derived.kernels.get(&quantity).map(Kernel::count).unwrap_or_default();
     let [acceleration_operations, correction_operations] =
-        [Quantity::Accelerations, Quantity::Correction].map(|quantity| operations(derived.kernels[&quantity].count()));
+        [Quantity::Accelerations, Quantity::Correction].map(|quantity| operations(count_of(quantity)));
     let series = series(of.series_cost());
     quote! {
         ezy::SceneInfo {

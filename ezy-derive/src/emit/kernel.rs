@@ -408,9 +408,8 @@ const LONGEST_NAME: usize = 24;
 /// Arguments of kernels, which temporaries must not shadow.
 const RESERVED: [&str; 11] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed"];
 
-/// The value that takes note of each pivot, from pivots and thresholds in turns; without an elimination all have vanished.
-pub fn pivots(rows: Option<&[Vec<usize>]>, pivots: &[TokenStream]) -> TokenStream {
-    let Some(rows) = rows else { return quote!(ezy::Pivots::ALL_VANISHED) };
+/// The value that takes note of each pivot, from pivots and thresholds in turns.
+pub fn pivots(rows: &[Vec<usize>], pivots: &[TokenStream]) -> TokenStream {
     let seen = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
         let (pivot, threshold) = (&pair[0], &pair[1]);
         quote!(.see(&[#(#rows),*], T::least_ratio(#pivot, #threshold)))

@@ -14,7 +14,7 @@ use quote::quote;
 use super::abbreviations::Abbreviations;
 use super::type_names::scene_type;
 use crate::mechanics::derived::{Form, Straight};
-use crate::mechanics::kernels::Quantity;
+use crate::mechanics::kernels::{Kernel, Quantity};
 use crate::mechanics::{Derived, Equations, Templates};
 use crate::model::Model;
 
@@ -23,12 +23,8 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
     let row = |derived: &Derived<'_>| {
         let Form::Straight(of) = &derived.form else { return None };
         let [positions, velocities] = freedom(&of.equations);
-        let kernel = &derived.kernels[&Quantity::Accelerations];
-        let count = kernel.count();
-        let operations = match kernel.pivots {
-            Some(_) => (count.add + count.mul + count.div).to_string(),
-            None => "sparse solver".to_owned(),
-        };
+        let count = derived.kernels.get(&Quantity::Accelerations).map(Kernel::count);
+        let operations = count.map_or("sparse solver".to_owned(), |of| (of.add + of.mul + of.div).to_string());
         let effects = derived.scene.effects.iter().map(|effect| format!("`{}`", model.effects[effect.0].name));
         let effects = effects.collect::<Vec<_>>().join(", ");
         let name = format!("[`{}`]({})", derived.scene.name, scene_type(&derived.scene));
@@ -65,7 +61,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     equations::write(&mut page, equations, names);
     page.section("Outputs", tables::outputs(model, equations, names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
-    if derived.kernels[&Quantity::Accelerations].pivots.is_some() {
+    if derived.kernels.contains_key(&Quantity::Accelerations) {
         page.section("Order of elimination", tables::elimination(equations, &of.elimination));
         page.section("Operations", tables::operations(&derived.kernels));
     } else {

@@ -10,7 +10,7 @@ use super::type_names::{module_of_modes, scene_type};
 use super::{info, page, repeated, series, straight};
 use crate::mechanics::Derived;
 use crate::mechanics::derived::Form;
-use crate::mechanics::kernels::Quantity;
+use crate::mechanics::kernels::{Kernel, Quantity};
 use crate::model::{Model, Parameter, Scene};
 
 /// The struct, its defaults and its equations.
@@ -182,15 +182,14 @@ fn access_to_modes(derived: &Derived<'_>, parameters: &[&Ident]) -> Option<Token
 
 fn structure(model: &Model, derived: &Derived<'_>, type_name: &Ident, page: &TokenStream) -> TokenStream {
     let title = title(model, &derived.scene);
-    let cost = derived.kernels.get(&Quantity::Accelerations).map(|kernel| {
-        let count = kernel.count();
-        let cost = match kernel.pivots {
-            Some(_) => format!(
+    let cost = matches!(derived.form, Form::Straight(_)).then(|| {
+        let count = derived.kernels.get(&Quantity::Accelerations).map(Kernel::count);
+        let cost = count.map_or(page::SOLVED_SPARSE.to_owned(), |count| {
+            format!(
                 "Cost of the accelerations and multipliers: {} mul, {} add, {} div, {} sin–cos.",
                 count.mul, count.add, count.div, count.trig
-            ),
-            None => page::SOLVED_SPARSE.to_owned(),
-        };
+            )
+        });
         quote!(#[doc = #cost])
     });
     let parameters: Vec<_> = derived.parameters().iter().map(|id| &model.parameters[id.0]).collect();

@@ -161,7 +161,10 @@ impl Writer<'_> {
             kernel::body(Numbers::Any, &kernel.program, &self.equations.symbols, &|symbol| self.read(symbol));
         let (written, pivots) = outputs.split_at(kernel.targets.len());
         let written = self.written(&kernel.targets, written, &order);
-        let seen = kernel::pivots(self.series.solution.as_ref().map(|solution| &solution.pivots[..]), pivots);
+        let seen = match &self.series.solution {
+            Some(solution) => kernel::pivots(&solution.pivots, pivots),
+            None => quote!(ezy::Pivots::ALL_VANISHED),
+        };
         let c = self.constants(kernel);
         quote! {
             #c

@@ -50,7 +50,7 @@ impl Writes {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 17] = [
+pub const ALL: [Signature; 18] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
@@ -59,6 +59,7 @@ pub const ALL: [Signature; 17] = [
     any(Quantity::AppliedForce, "applied_force", &["t", "q", "v"], OUT),
     any(Quantity::Accelerations, "accelerations", &["t", "q", "v"], Writes::Solution(&["a", "lambda"])),
     any(Quantity::Correction, "correction", &["t", "q", "residual"], Writes::Solution(&["delta"])),
+    any(Quantity::ProjectedAccelerations, "projected_accelerations", &["t", "q", "v"], Writes::Solution(&["out"])),
     scene(Quantity::Power, "power", &["t", "q", "v", "lambda"], OUT),
     scene(Quantity::Points, "points", &["t", "q"], OUT),
     scene(Quantity::Outputs, "outputs", &["t", "q", "v"], OUT),

@@ -33,8 +33,7 @@ pub fn body(of: &Straight, n_fixed: usize, signature: &Signature, kernel: &Kerne
         });
         // a value is no statement
         let puts = if matches!(signature.writes, Writes::Value) { puts.collect() } else { kernel::sequence(puts) };
-        let seen =
-            matches!(signature.writes, Writes::Solution(_)).then(|| kernel::pivots(kernel.pivots.as_deref(), pivots));
+        let seen = matches!(signature.writes, Writes::Solution(_)).then(|| kernel::pivots(&kernel.pivots, pivots));
         quote!(#statements #puts #seen)
     });
     let opening = opening(of, n_fixed, signature, kernel);
@@ -60,11 +59,7 @@ fn opening(of: &Straight, n_fixed: usize, signature: &Signature, kernel: &Kernel
     let writes = signature.writes.vectors().iter().enumerate().map(|(i, &vector)| {
         let name = argument(vector);
         let puts = || kernel.passes.iter().flat_map(|pass| &pass.puts);
-        let n = match vector {
-            "a" | "delta" => n_q,
-            "lambda" => n_c,
-            _ => puts().filter(|&&put| put == Put::Next(i)).count(),
-        };
+        let n = puts().filter(|&&put| put == Put::Next(i)).count();
         quote!(let #name = ezy::array_mut::<#n, #number>(#name);)
     });
     quote!(#(#reads)* #(#writes)*)

@@ -5,7 +5,7 @@ use super::kernels::{Kernels, Quantity};
 use super::programs;
 use super::scene::Equations;
 use super::series::{Recurrences, Series};
-use super::solve;
+use super::solve::Solutions;
 use super::symbols::Symbols;
 use super::templates::Templates;
 use crate::function::Function;
@@ -89,15 +89,13 @@ impl<'m> Derived<'m> {
     fn straight(model: &Model, scene: &Scene) -> Self {
         let mut equations = Equations::derive(model, scene);
         let mut constants = ConstantPool::default();
-        let accelerations = solve::accelerations(&mut equations, &mut constants);
-        let correction = solve::correction(&mut equations, &mut constants);
+        let solutions = Solutions::derive(&mut equations, &mut constants);
         let series = Series::derive(&mut equations, &mut constants);
         let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
         let jacobians = Jacobians::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
         let mut kernels = programs::straight(&equations, jacobians.as_ref(), &mut constants);
-        let elimination = accelerations.order.clone();
-        kernels.insert(Quantity::Accelerations, programs::accelerations(&equations, accelerations));
-        kernels.insert(Quantity::Correction, programs::correction(correction));
+        let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
+        kernels.extend(solutions.into_iter().flat_map(programs::solutions));
         let form = Form::Straight(Box::new(Straight { equations, elimination, series, jacobians }));
         Self { scene: scene.clone(), form, kernels, constants, modes: Vec::new() }
     }

@@ -17,6 +17,7 @@ pub enum Quantity {
     AppliedForce,
     Accelerations,
     Correction,
+    ProjectedAccelerations,
     Power,
     Points,
     Outputs,
@@ -36,12 +37,12 @@ pub type Kernels<'m> = BTreeMap<Quantity, Kernel<'m>>;
 pub struct Kernel<'m> {
     pub passes: Vec<Pass<'m>>,
     /// Of an elimination, rows of each watched pivot. Pivots and their thresholds are the last outputs of the program.
-    pub pivots: Option<Vec<Vec<usize>>>,
+    pub pivots: Vec<Vec<usize>>,
 }
 
 impl<'m> Kernel<'m> {
     pub fn of(passes: Vec<Pass<'m>>) -> Self {
-        Self { passes, pivots: None }
+        Self { passes, pivots: Vec::new() }
     }
 
     /// Operations of all passes, each made once.

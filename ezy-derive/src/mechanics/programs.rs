@@ -3,7 +3,7 @@
 use super::jacobians::Jacobians;
 use super::kernels::{Kernel, Kernels, Over, Pass, Put, Quantity, Read};
 use super::scene::{Equations, Group};
-use super::solve::{Correction, Solver};
+use super::solve::{Solutions, Solver};
 use super::templates::{RowTemplate, Templates};
 use crate::model::{BodyId, Coordinate};
 use crate::symbolic::lower::{ConstantPool, Lowering};
@@ -93,26 +93,22 @@ pub fn straight<'m>(equations: &Equations, jacobians: Option<&Jacobians>, consta
     kernels
 }
 
-/// The accelerations, then the multipliers.
-pub fn accelerations<'m>(equations: &Equations, solver: Solver) -> Kernel<'m> {
-    let n_q = equations.mass.len();
-    let puts = (0..solver.n_outputs).map(|i| Put::Next(usize::from(i >= n_q))).collect();
-    solution(solver, puts, Vec::new())
-}
-
-/// The correction of the coordinates.
-pub fn correction<'m>(correction: Correction) -> Kernel<'m> {
-    let Correction { solver, residuals } = correction;
-    let puts = vec![Put::Next(0); solver.n_outputs];
-    let residuals = residuals.into_iter().enumerate().map(|(row, symbol)| (symbol, Read::Residual(row)));
-    solution(solver, puts, residuals.collect())
-}
-
-fn solution<'m>(solver: Solver, puts: Vec<Put>, reads: Vec<(Symbol, Read)>) -> Kernel<'m> {
-    let is_written = solver.is_written();
-    let Solver { program, pivots, .. } = solver;
-    let pass = Pass { over: Over::Loops(&[]), slots: Vec::new(), program, puts, reads, n_rows: 0 };
-    Kernel { passes: vec![pass], pivots: is_written.then_some(pivots) }
+/// The kernels that solve.
+pub fn solutions<'m>(solutions: Solutions) -> impl Iterator<Item = (Quantity, Kernel<'m>)> {
+    let Solutions { accelerations, correction, residuals, projected, .. } = solutions;
+    let n_q = correction.n_outputs;
+    let residuals = residuals.into_iter().enumerate().map(|(row, symbol)| (symbol, Read::Residual(row))).collect();
+    [
+        (Quantity::Accelerations, accelerations, n_q, Vec::new()),
+        (Quantity::Correction, correction, n_q, residuals),
+        (Quantity::ProjectedAccelerations, projected, usize::MAX, Vec::new()),
+    ]
+    .into_iter()
+    .map(|(quantity, Solver { program, n_outputs, pivots }, first, reads)| {
+        let puts = (0..n_outputs).map(|i| Put::Next(usize::from(i >= first))).collect();
+        let pass = Pass { over: Over::Loops(&[]), slots: Vec::new(), program, puts, reads, n_rows: 0 };
+        (quantity, Kernel { passes: vec![pass], pivots })
+    })
 }
 
 /// The kernels of a scene with counts, but for the Jacobians.

@@ -1,11 +1,11 @@
-//! The two kernels that solve: accelerations with multipliers, and the mass-weighted correction.
+//! The kernels that solve: accelerations with multipliers, the mass-weighted correction, and both at one configuration.
 
 use super::block::{Solved, System};
 use super::elimination::Reduced;
 use super::scene::Equations;
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::lower::{ConstantPool, Lowering};
-use crate::symbolic::program::{Program, Value};
+use crate::symbolic::program::{Node, Program, Value};
 use crate::symbolic::{SumId, Symbol};
 
 /// A pivot vanishes below this fraction of the diagonal that it started from; `ezy_core::__private::PIVOT_TOLERANCE`.
@@ -24,35 +24,87 @@ pub fn is_worth_writing(equations: &Equations) -> bool {
 }
 
 /// A program that ends in a solution.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Solver {
     /// Outputs: the solution, then value and threshold of each pivot in the order of `pivots`.
     pub program: Program,
     pub n_outputs: usize,
     /// Rows of each watched pivot.
     pub pivots: Vec<Vec<usize>>,
+}
+
+impl Solver {
+    fn new(mut program: Program, outputs: Vec<Value>, pivots: Vec<(Vec<usize>, Value, Value)>) -> Self {
+        let n_outputs = outputs.len();
+        let watched = pivots.iter().flat_map(|&(_, pivot, threshold)| [pivot, threshold]);
+        outputs.into_iter().chain(watched).for_each(|output| program.push_output(output));
+        program.settle_signs();
+        Self { program, n_outputs, pivots: pivots.into_iter().map(|(rows, ..)| rows).collect() }
+    }
+}
+
+/// What the eliminations of a scene solve for.
+pub struct Solutions {
+    /// `M a + Gᵀ λ = F`, `G a = −[h; s]`: outputs a, then λ.
+    pub accelerations: Solver,
+    /// `delta = −M⁻¹ Gᵀ ν` with `A ν = residual`: outputs delta.
+    pub correction: Solver,
+    /// The residuals that it reads, ascending.
+    pub residuals: Vec<Symbol>,
+    /// Residuals of the velocity constraints, velocities corrected by them, and a and λ at those, by one elimination.
+    pub projected: Solver,
     /// Blocks in the order of elimination, with whether the pivot is constant.
     pub order: Vec<(Vec<usize>, bool)>,
 }
 
-impl Solver {
-    /// Whether the scene has an elimination ([`is_worth_writing`]); otherwise the program is empty.
-    pub fn is_written(&self) -> bool {
-        self.n_outputs > 0
+impl Solutions {
+    /// None where an elimination is not worth writing.
+    pub fn derive(equations: &mut Equations, constants: &mut ConstantPool) -> Option<Self> {
+        if !is_worth_writing(equations) {
+            return None;
+        }
+        let n_rows = equations.constraints.rows.len();
+        let residuals: Vec<Symbol> =
+            (0..n_rows).map(|i| equations.symbols.new_named(format!("residual_{i}"))).collect();
+        let of_accelerations = accelerations(equations);
+        let of_correction = correction(equations, &residuals);
+        let name_of = |symbol| equations.symbols.code_name(symbol);
+        let mut lower = Lowering::new(&equations.algebra, constants);
+        let written = of_accelerations.write(&mut lower, &name_of);
+        let order = written.order.clone();
+        let outputs = [written.solution, written.multipliers].concat();
+        let accelerations = Solver::new(lower.program, outputs, written.pivots);
+
+        let mut lower = Lowering::new(&equations.algebra, constants);
+        let written = of_correction.write(&mut lower, &name_of);
+        let correction = Solver::new(lower.program, written.solution, written.pivots);
+
+        let mut lower = Lowering::new(&equations.algebra, constants);
+        let mut outputs = Vec::new();
+        for (&symbol, &rate) in residuals.iter().zip(&equations.constraints.velocity) {
+            let value = lower.lower(rate);
+            lower.bind(symbol, value);
+            outputs.push(value);
+        }
+        let written = of_correction.write(&mut lower, &|symbol| format!("projection_{}", name_of(symbol)));
+        lower.forget();
+        for (i, delta) in written.solution.into_iter().enumerate() {
+            let symbol = equations.symbols.velocity_at(i);
+            let before = lower.program.leaf(Node::Input(symbol));
+            let value = lower.program.add(before, delta);
+            lower.program.set_name(value, &format!("projected_{}", name_of(symbol)));
+            lower.bind(symbol, value);
+            outputs.push(value);
+        }
+        let written = of_accelerations.write(&mut lower, &name_of);
+        outputs.extend(written.solution);
+        outputs.extend(written.multipliers);
+        let projected = Solver::new(lower.program, outputs, written.pivots);
+        Some(Self { accelerations, correction, residuals, projected, order })
     }
 }
 
-/// Symbols of the residuals that the correction reads, ascending.
-pub struct Correction {
-    pub solver: Solver,
-    pub residuals: Vec<Symbol>,
-}
-
-/// `M a + Gᵀ λ = F`, `G a = −[h; s]`: outputs a, then λ.
-pub fn accelerations(equations: &mut Equations, constants: &mut ConstantPool) -> Solver {
-    if !is_worth_writing(equations) {
-        return Solver::default();
-    }
+fn accelerations(equations: &mut Equations) -> Elimination {
     let mut forces = Vec::new();
     for i in 0..equations.force.len() {
         forces.push(named_force(equations, i));
@@ -77,17 +129,10 @@ pub fn accelerations(equations: &mut Equations, constants: &mut ConstantPool) ->
         })
         .collect::<Vec<_>>();
     let named = forces.iter().filter_map(|force| force.named).collect::<Vec<_>>();
-    let elimination = Elimination::new(equations, named, reduced, solution);
-    lower(equations, constants, &elimination, true)
+    Elimination::new(equations, named, reduced, solution)
 }
 
-/// `delta = −M⁻¹ Gᵀ ν` with `A ν = residual`: outputs delta.
-pub fn correction(equations: &mut Equations, constants: &mut ConstantPool) -> Correction {
-    if !is_worth_writing(equations) {
-        return Correction { solver: Solver::default(), residuals: Vec::new() };
-    }
-    let n_rows = equations.constraints.rows.len();
-    let residuals: Vec<Symbol> = (0..n_rows).map(|i| equations.symbols.new_named(format!("residual_{i}"))).collect();
+fn correction(equations: &mut Equations, residuals: &[Symbol]) -> Elimination {
     let right_side = residuals.iter().map(|&symbol| equations.algebra.symbol(symbol)).collect();
     let reduced = Reduced::new(equations, right_side);
     let solution = reactions(equations, &reduced.multipliers)
@@ -95,8 +140,7 @@ pub fn correction(equations: &mut Equations, constants: &mut ConstantPool) -> Co
         .enumerate()
         .map(|(i, reaction)| divide_by_mass(equations, reaction, i))
         .collect::<Vec<_>>();
-    let elimination = Elimination::new(equations, Vec::new(), reduced, solution);
-    Correction { solver: lower(equations, constants, &elimination, false), residuals }
+    Elimination::new(equations, Vec::new(), reduced, solution)
 }
 
 /// An applied force as it enters the equations: itself, or a symbol when it has several terms.
@@ -254,28 +298,6 @@ impl Elimination {
         }
         Written { solution, multipliers, pivots: watched, order }
     }
-}
-
-fn lower(
-    equations: &Equations,
-    constants: &mut ConstantPool,
-    elimination: &Elimination,
-    with_multipliers: bool,
-) -> Solver {
-    let mut lowering = Lowering::new(&equations.algebra, constants);
-    let Written { solution: mut outputs, multipliers, pivots, order } =
-        elimination.write(&mut lowering, &|symbol| equations.symbols.code_name(symbol));
-    if with_multipliers {
-        outputs.extend(multipliers);
-    }
-    let n_outputs = outputs.len();
-    outputs.extend(pivots.iter().flat_map(|&(_, pivot, threshold)| [pivot, threshold]));
-    let mut program = lowering.program;
-    for output in outputs {
-        program.push_output(output);
-    }
-    program.settle_signs();
-    Solver { program, n_outputs, pivots: pivots.into_iter().map(|(rows, ..)| rows).collect(), order }
 }
 
 /// Rows of one declaration in pairs; indices into `reduced.rest`.

@@ -58,6 +58,11 @@ impl<'a> Lowering<'a> {
         self.bindings.insert(symbol, value);
     }
 
+    /// What was lowered is lowered anew, with other values bound; equal operations stay one.
+    pub fn forget(&mut self) {
+        self.done.clear();
+    }
+
     pub fn lower(&mut self, sum: SumId) -> Value {
         if let Some(&value) = self.done.get(&sum) {
             return value;

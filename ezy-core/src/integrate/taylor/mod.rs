@@ -82,9 +82,9 @@ impl<'s> Taylor<'s> {
     ) -> Result<Solved, MotionError> {
         self.place(from);
         let solved = match system.begin_series(self.series, from.t, &mut self.next)? {
-            Some(solved) => {
+            Some(smallest) => {
                 self.expand_by_elimination(system.fixed());
-                solved
+                Solved::regular(smallest)
             }
             None => {
                 let mut orders = FactoredOrders { system, first: None };

@@ -21,12 +21,16 @@ fn sum_groups<T: Scalar, const WIDTH: usize>(store: &mut SeriesStore<T>, n: usiz
     let (sums, _) = sums.as_chunks_mut::<WIDTH>();
     let (left, right) = (left.as_chunks::<WIDTH>().0, right.as_chunks::<WIDTH>().0);
     let n_groups = sums.len();
+    if n_groups == 0 {
+        return;
+    }
     // the newest coefficients come last, so that the processor adds up the others while it still solves for these
     let middle = 2 * n_groups..(n - 1).max(2) * n_groups;
     let (middle_left, middle_right) = (&left[middle.clone()], &right[middle]);
+    let pairs = middle_left.chunks_exact(n_groups).zip(middle_right.chunks_exact(n_groups).rev());
     for (group, sum) in sums.iter_mut().enumerate() {
         let mut total = [T::from_f64(0.0); WIDTH];
-        for (left, right) in middle_left.chunks_exact(n_groups).zip(middle_right.chunks_exact(n_groups).rev()) {
+        for (left, right) in pairs.clone() {
             total = fused(&left[group], &right[group], total);
         }
         let newest = (n - 1) * n_groups + group;

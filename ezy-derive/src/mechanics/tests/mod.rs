@@ -13,7 +13,7 @@ mod solutions;
 use std::sync::OnceLock;
 
 use super::series::Series;
-use super::solve::{self, Correction, Solver};
+use super::solve::Solutions;
 use super::symbols::Meaning;
 use super::{Equations, check};
 use crate::diag::Diagnostics;
@@ -42,8 +42,7 @@ struct Trial {
     equations: Equations,
     /// Of the vector of constants.
     numbers: Vec<f64>,
-    accelerations: Solver,
-    correction: Correction,
+    solutions: Solutions,
     /// Or the function that has none.
     series: Result<Series, Function>,
 }
@@ -70,12 +69,10 @@ impl Trial {
         check::rows(&model, &mut diag);
         let accepted = diag.is_empty();
         let mut constants = ConstantPool::default();
-        let accelerations = solve::accelerations(&mut equations, &mut constants);
-        let correction = solve::correction(&mut equations, &mut constants);
+        let solutions = Solutions::derive(&mut equations, &mut constants).expect("few rows meet in one body");
         let series = Series::derive(&mut equations, &mut constants);
         let parameters = model.parameters.iter().map(|parameter| parameter.default).collect();
-        let mut trial =
-            Self { seed, made, parameters, equations, numbers: Vec::new(), accelerations, correction, series };
+        let mut trial = Self { seed, made, parameters, equations, numbers: Vec::new(), solutions, series };
         let state = &trial.states()[0];
         let at = At { trial: &trial, state, lambda: &[] };
         let number = |&id| trial.equations.algebra.evaluate_coefficient(unsigned(id), &at);

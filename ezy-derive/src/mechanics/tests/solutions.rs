@@ -4,8 +4,8 @@ use super::dense::Matrix;
 use super::differences::{DIFFERENCE, slope};
 use super::oracle::{State, forces};
 use super::run::solution;
-use super::{At, Trial, trials};
-use crate::mechanics::solve::Correction;
+use super::{At, ROUNDING, Trial, trials};
+use crate::mechanics::solve::Solutions;
 
 /// Elimination and comparison each err by some hundred roundings times the condition of K.
 const PER_CONDITION: f64 = 1e-13;
@@ -24,7 +24,7 @@ fn cross_generated_accelerations_of_random_mechanisms_are_the_dense_ones() {
     for trial in trials() {
         for state in trial.states().iter().filter(|state| trial.is_regular(state)) {
             let (k, expected) = dense_solution(trial, state);
-            let found = solution(trial, &trial.accelerations, state, &|_| f64::NAN);
+            let found = solution(trial, &trial.solutions.accelerations, state, &|_| f64::NAN);
             trial.compare("a and λ", &found, &expected, PER_CONDITION * k.condition());
         }
     }
@@ -33,7 +33,7 @@ fn cross_generated_accelerations_of_random_mechanisms_are_the_dense_ones() {
 #[test]
 fn cross_generated_corrections_of_random_mechanisms_are_the_dense_ones() {
     for trial in trials() {
-        let Correction { solver, residuals } = &trial.correction;
+        let Solutions { correction, residuals, .. } = &trial.solutions;
         for state in trial.states().iter().filter(|state| trial.is_regular(state)) {
             let residual: Vec<f64> = (0..residuals.len()).map(|i| 0.3 * i as f64 - 1.0).collect();
             let k = trial.kkt(state);
@@ -41,8 +41,25 @@ fn cross_generated_corrections_of_random_mechanisms_are_the_dense_ones() {
             let right_side: Vec<f64> = std::iter::repeat_n(0.0, n_q).chain(residual.iter().map(|r| -r)).collect();
             let expected = k.solve(&right_side).expect("the state is regular");
             let other = |symbol| residuals.iter().position(|&r| r == symbol).map_or(f64::NAN, |i| residual[i]);
-            let found = solution(trial, solver, state, &other);
+            let found = solution(trial, correction, state, &other);
             trial.compare("delta", &found, &expected[..n_q], PER_CONDITION * k.condition());
+        }
+    }
+}
+
+/// What projects and solves at once gives the residuals, the nearest velocities that obey the rows, and their accelerations.
+#[test]
+fn cross_projected_accelerations_of_random_mechanisms_are_the_dense_ones() {
+    for trial in trials() {
+        for state in trial.states().iter().filter(|state| trial.is_regular(state)) {
+            let found = solution(trial, &trial.solutions.projected, state, &|_| f64::NAN);
+            let (residual, found) = found.split_at(trial.equations.constraints.rows.len());
+            let (v, found) = found.split_at(state.v.len());
+            trial.compare("residual", residual, &trial.values(&trial.equations.constraints.velocity, state), ROUNDING);
+            let (k, expected) = dense_solution(trial, &State { v: v.to_vec(), ..state.clone() });
+            let tolerance = PER_CONDITION * k.condition();
+            trial.compare("velocities", v, &admissible(trial, state).v, tolerance);
+            trial.compare("a and λ", found, &expected, tolerance);
         }
     }
 }

@@ -82,14 +82,14 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         c[18usize] = k37;
         c[19usize] = k54;
         c[20usize] = k57;
-        c[21usize] = k15;
-        c[22usize] = k17;
-        c[23usize] = parameter_m1;
-        c[24usize] = parameter_i1;
-        c[25usize] = parameter_m2;
-        c[26usize] = parameter_i2;
-        c[27usize] = parameter_a;
-        c[28usize] = parameter_c;
+        c[21usize] = parameter_a;
+        c[22usize] = parameter_c;
+        c[23usize] = k15;
+        c[24usize] = k17;
+        c[25usize] = parameter_m1;
+        c[26usize] = parameter_i1;
+        c[27usize] = parameter_m2;
+        c[28usize] = parameter_i2;
         c[29usize] = k13;
         c[30usize] = k58;
         c[31usize] = k59;
@@ -97,12 +97,12 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
     fn mass_matrix(&self, c: &[T], out: &mut [T]) {
         let c = ezy::array::<32usize, T>(c);
         let out = ezy::array_mut::<6usize, T>(out);
-        out[0usize] = c[23usize];
-        out[1usize] = c[23usize];
-        out[2usize] = c[24usize];
-        out[3usize] = c[25usize];
-        out[4usize] = c[25usize];
-        out[5usize] = c[26usize];
+        out[0usize] = c[25usize];
+        out[1usize] = c[25usize];
+        out[2usize] = c[26usize];
+        out[3usize] = c[27usize];
+        out[4usize] = c[27usize];
+        out[5usize] = c[28usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
         let c = ezy::array::<32usize, T>(c);
@@ -148,11 +148,11 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let difference_21 = seat_vy - bar_vy;
         let sum_24 = T::fused(c4_seat_omega, cos_seat_phi, difference_21);
         let sum_27 = T::fused(c5_bar_omega, cos_bar_phi, sum_24);
-        let seat_omega_c27 = seat_omega * c[27usize];
-        let sum_31 = T::fused(seat_vx, sin_seat_phi, seat_omega_c27);
+        let seat_omega_c21 = seat_omega * c[21usize];
+        let sum_31 = T::fused(seat_vx, sin_seat_phi, seat_omega_c21);
         let difference_33 = T::fused(seat_vy, cos_seat_phi, -sum_31);
-        let bar_omega_c28 = bar_omega * c[28usize];
-        let difference_37 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c28);
+        let bar_omega_c22 = bar_omega * c[22usize];
+        let difference_37 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c22);
         let sum_39 = T::fused(bar_vy, cos_bar_phi, difference_37);
         out[0usize] = difference_18;
         out[1usize] = sum_27;
@@ -175,7 +175,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         let value_16 = -T::from_f64(1f64);
         let value_17 = -c5_sin_bar_phi;
         let value_18 = -sin_seat_phi;
-        let value_19 = -c[27usize];
+        let value_19 = -c[21usize];
         let value_20 = -sin_bar_phi;
         out[0usize] = T::from_f64(1f64);
         out[1usize] = value_15;
@@ -190,7 +190,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         out[10usize] = value_19;
         out[11usize] = value_20;
         out[12usize] = cos_bar_phi;
-        out[13usize] = c[28usize];
+        out[13usize] = c[22usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         let c = ezy::array::<32usize, T>(c);
@@ -427,5 +427,192 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
             .see(&[2usize], T::least_ratio(c[16usize], c[17usize]))
             .see(&[3usize], T::least_ratio(c[18usize], c[19usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_42, c[20usize]))
+    }
+    #[inline]
+    fn projected_accelerations(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        v: &[T],
+        out: &mut [T],
+    ) -> ezy::Pivots {
+        let c = ezy::array::<32usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<20usize, T>(out);
+        let seat_vx = v[0usize];
+        let seat_omega = v[2usize];
+        let c4_seat_omega = c[4usize] * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let difference_9 = T::fused(-c4_seat_omega, sin_seat_phi, seat_vx);
+        let bar_vx = v[3usize];
+        let difference_11 = difference_9 - bar_vx;
+        let bar_omega = v[5usize];
+        let c5_bar_omega = c[5usize] * bar_omega;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let difference_18 = T::fused(-c5_bar_omega, sin_bar_phi, difference_11);
+        let seat_vy = v[1usize];
+        let bar_vy = v[4usize];
+        let difference_21 = seat_vy - bar_vy;
+        let sum_24 = T::fused(c4_seat_omega, cos_seat_phi, difference_21);
+        let sum_27 = T::fused(c5_bar_omega, cos_bar_phi, sum_24);
+        let seat_omega_c21 = seat_omega * c[21usize];
+        let sum_31 = T::fused(seat_vx, sin_seat_phi, seat_omega_c21);
+        let projection_right_side_rear = T::fused(seat_vy, cos_seat_phi, -sum_31);
+        let bar_omega_c22 = bar_omega * c[22usize];
+        let difference_37 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c22);
+        let projection_right_side_front = T::fused(bar_vy, cos_bar_phi, difference_37);
+        let cos_seat_phi_c0 = cos_seat_phi * c[0usize];
+        let product_42 = cos_seat_phi * cos_seat_phi_c0;
+        let cos_bar_phi_c1 = cos_bar_phi * c[1usize];
+        let sum_46 = T::fused(cos_bar_phi, cos_bar_phi_c1, product_42);
+        let sum_48 = sum_46 + c[2usize];
+        let sin_seat_phi_c0 = sin_seat_phi * c[0usize];
+        let product_50 = cos_seat_phi * sin_seat_phi_c0;
+        let sin_bar_phi_c1 = sin_bar_phi * c[1usize];
+        let sum_53 = T::fused(cos_bar_phi, sin_bar_phi_c1, product_50);
+        let difference_55 = c[3usize] - sum_46;
+        let product_57 = projection_right_side_rear * c[6usize];
+        let difference_59 = T::fused(-sin_seat_phi, product_57, difference_18);
+        let product_61 = projection_right_side_front * c[7usize];
+        let difference_63 = T::fused(-sin_bar_phi, product_61, difference_59);
+        let sum_65 = T::fused(cos_seat_phi, product_57, sum_27);
+        let sum_67 = T::fused(cos_bar_phi, product_61, sum_65);
+        let sum_48_difference_55 = sum_48 * difference_55;
+        let difference_70 = T::fused(-sum_53, sum_53, sum_48_difference_55);
+        let quotient_71 = T::from_f64(1f64) / difference_70;
+        let product_72 = difference_55 * difference_63;
+        let difference_74 = T::fused(-sum_53, sum_67, product_72);
+        let projection_lambda_B_x = quotient_71 * difference_74;
+        let sum_48_sum_67 = sum_48 * sum_67;
+        let difference_78 = T::fused(-sum_53, difference_63, sum_48_sum_67);
+        let projection_lambda_B_y = quotient_71 * difference_78;
+        let product_81 = cos_bar_phi * projection_lambda_B_y;
+        let difference_82 = T::fused(-sin_bar_phi, projection_lambda_B_x, product_81);
+        let c7_difference_82 = c[7usize] * difference_82;
+        let projection_lambda_front = T::fused(
+            projection_right_side_front,
+            c[8usize],
+            c7_difference_82,
+        );
+        let product_88 = cos_seat_phi * projection_lambda_B_y;
+        let difference_89 = T::fused(-sin_seat_phi, projection_lambda_B_x, product_88);
+        let c6_difference_89 = c[6usize] * difference_89;
+        let projection_lambda_rear = T::fused(
+            projection_right_side_rear,
+            c[9usize],
+            c6_difference_89,
+        );
+        let difference_95 = T::fused(
+            sin_seat_phi,
+            projection_lambda_rear,
+            -projection_lambda_B_x,
+        );
+        let sum_99 = T::fused(
+            cos_seat_phi,
+            projection_lambda_rear,
+            projection_lambda_B_y,
+        );
+        let product_104 = projection_lambda_rear * c[12usize];
+        let difference_105 = T::fused(-difference_89, c[11usize], product_104);
+        let sum_107 = T::fused(
+            sin_bar_phi,
+            projection_lambda_front,
+            projection_lambda_B_x,
+        );
+        let difference_111 = T::fused(
+            -cos_bar_phi,
+            projection_lambda_front,
+            projection_lambda_B_y,
+        );
+        let difference_82_c14 = difference_82 * c[14usize];
+        let sum_117 = T::fused(projection_lambda_front, c[15usize], difference_82_c14);
+        let projected_seat_vx = T::fused(difference_95, c[10usize], seat_vx);
+        let projected_seat_vy = T::fused(-c[10usize], sum_99, seat_vy);
+        let projected_seat_omega = seat_omega + difference_105;
+        let projected_bar_vx = T::fused(sum_107, c[13usize], bar_vx);
+        let projected_bar_vy = T::fused(c[13usize], difference_111, bar_vy);
+        let projected_bar_omega = bar_omega - sum_117;
+        let product_129 = cos_seat_phi * projected_seat_vx;
+        let sum_131 = T::fused(sin_seat_phi, projected_seat_vy, product_129);
+        let minus_right_side_rear = projected_seat_omega * sum_131;
+        let product_133 = cos_bar_phi * projected_bar_vx;
+        let sum_135 = T::fused(sin_bar_phi, projected_bar_vy, product_133);
+        let minus_right_side_front = projected_bar_omega * sum_135;
+        let c4_projected_seat_omega = c[4usize] * projected_seat_omega;
+        let product_138 = projected_seat_omega * c4_projected_seat_omega;
+        let cos_seat_phi_product_138 = cos_seat_phi * product_138;
+        let c5_projected_bar_omega = c[5usize] * projected_bar_omega;
+        let product_141 = projected_bar_omega * c5_projected_bar_omega;
+        let sum_143 = T::fused(cos_bar_phi, product_141, cos_seat_phi_product_138);
+        let c6_minus_right_side_rear = c[6usize] * minus_right_side_rear;
+        let difference_146 = T::fused(sin_seat_phi, c6_minus_right_side_rear, -sum_143);
+        let product_147 = c[7usize] * minus_right_side_front;
+        let sum_149 = T::fused(sin_bar_phi, product_147, difference_146);
+        let sin_seat_phi_product_138 = sin_seat_phi * product_138;
+        let sum_152 = T::fused(sin_bar_phi, product_141, sin_seat_phi_product_138);
+        let sum_154 = T::fused(cos_seat_phi, c6_minus_right_side_rear, sum_152);
+        let sum_156 = T::fused(cos_bar_phi, product_147, sum_154);
+        let difference_55_sum_149 = difference_55 * sum_149;
+        let sum_159 = T::fused(sum_53, sum_156, difference_55_sum_149);
+        let lambda_B_x = quotient_71 * sum_159;
+        let sum_53_sum_149 = sum_53 * sum_149;
+        let sum_163 = T::fused(sum_48, sum_156, sum_53_sum_149);
+        let minus_lambda_B_y = quotient_71 * sum_163;
+        let sin_bar_phi_lambda_B_x = sin_bar_phi * lambda_B_x;
+        let sum_167 = T::fused(cos_bar_phi, minus_lambda_B_y, sin_bar_phi_lambda_B_x);
+        let c7_sum_167 = c[7usize] * sum_167;
+        let minus_lambda_front = T::fused(c[8usize], minus_right_side_front, c7_sum_167);
+        let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+        let sum_173 = T::fused(cos_seat_phi, minus_lambda_B_y, sin_seat_phi_lambda_B_x);
+        let c6_sum_173 = c[6usize] * sum_173;
+        let minus_lambda_rear = T::fused(c[9usize], minus_right_side_rear, c6_sum_173);
+        let sum_178 = T::fused(sin_seat_phi, minus_lambda_rear, lambda_B_x);
+        let c10_sum_178 = c[10usize] * sum_178;
+        let sum_181 = T::fused(cos_seat_phi, minus_lambda_rear, minus_lambda_B_y);
+        let c10_sum_181 = c[10usize] * sum_181;
+        let c11_sum_173 = c[11usize] * sum_173;
+        let difference_185 = T::fused(-c[12usize], minus_lambda_rear, c11_sum_173);
+        let difference_187 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
+        let c13_difference_187 = c[13usize] * difference_187;
+        let difference_190 = T::fused(
+            cos_bar_phi,
+            minus_lambda_front,
+            -minus_lambda_B_y,
+        );
+        let c13_difference_190 = c[13usize] * difference_190;
+        let c14_sum_167 = c[14usize] * sum_167;
+        let sum_194 = T::fused(c[15usize], minus_lambda_front, c14_sum_167);
+        let value_195 = -c10_sum_178;
+        let value_196 = -minus_lambda_B_y;
+        let value_197 = -minus_lambda_rear;
+        let value_198 = -minus_lambda_front;
+        out[0usize] = difference_18;
+        out[1usize] = sum_27;
+        out[2usize] = projection_right_side_rear;
+        out[3usize] = projection_right_side_front;
+        out[4usize] = projected_seat_vx;
+        out[5usize] = projected_seat_vy;
+        out[6usize] = projected_seat_omega;
+        out[7usize] = projected_bar_vx;
+        out[8usize] = projected_bar_vy;
+        out[9usize] = projected_bar_omega;
+        out[10usize] = value_195;
+        out[11usize] = c10_sum_181;
+        out[12usize] = difference_185;
+        out[13usize] = c13_difference_187;
+        out[14usize] = c13_difference_190;
+        out[15usize] = sum_194;
+        out[16usize] = lambda_B_x;
+        out[17usize] = value_196;
+        out[18usize] = value_197;
+        out[19usize] = value_198;
+        ezy::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[16usize], c[17usize]))
+            .see(&[3usize], T::least_ratio(c[18usize], c[19usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_70, c[20usize]))
     }
 }

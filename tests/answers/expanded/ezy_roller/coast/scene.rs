@@ -52,19 +52,19 @@ impl ezy::Scene for Coast {
         let seat_x = q[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-        let c27_cos_seat_phi = c[27usize] * cos_seat_phi;
-        let difference_7 = seat_x - c27_cos_seat_phi;
+        let c21_cos_seat_phi = c[21usize] * cos_seat_phi;
+        let difference_7 = seat_x - c21_cos_seat_phi;
         let seat_y = q[1usize];
-        let c27_sin_seat_phi = c[27usize] * sin_seat_phi;
-        let difference_11 = seat_y - c27_sin_seat_phi;
+        let c21_sin_seat_phi = c[21usize] * sin_seat_phi;
+        let difference_11 = seat_y - c21_sin_seat_phi;
         let bar_x = q[3usize];
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-        let c28_cos_bar_phi = c[28usize] * cos_bar_phi;
-        let sum_17 = bar_x + c28_cos_bar_phi;
+        let c22_cos_bar_phi = c[22usize] * cos_bar_phi;
+        let sum_17 = bar_x + c22_cos_bar_phi;
         let bar_y = q[4usize];
-        let c28_sin_bar_phi = c[28usize] * sin_bar_phi;
-        let sum_21 = bar_y + c28_sin_bar_phi;
+        let c22_sin_bar_phi = c[22usize] * sin_bar_phi;
+        let sum_21 = bar_y + c22_sin_bar_phi;
         let cos_seat_phi_c4 = cos_seat_phi * c[4usize];
         let sum_24 = seat_x + cos_seat_phi_c4;
         let sin_seat_phi_c4 = sin_seat_phi * c[4usize];
@@ -87,7 +87,7 @@ impl ezy::Scene for Coast {
     }
     fn start(&self, c: &[f64], start: &mut ezy::Start) {
         let c = ezy::array::<32usize, f64>(c);
-        start.give_position(0usize, c[27usize]);
+        start.give_position(0usize, c[21usize]);
         start.give_position(1usize, 0f64);
         start.give_position(2usize, 0f64);
         start.give_position(5usize, c[29usize]);

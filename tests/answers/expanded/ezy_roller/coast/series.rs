@@ -238,8 +238,8 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         let difference_81 = force_1 - lambda_B_y;
         let difference_83 = T::fused(-base_0, lambda_rear, difference_81);
         let c10_difference_83 = c[10usize] * difference_83;
-        let force_2_c21 = force_2 * c[21usize];
-        let difference_88 = T::fused(-c[11usize], difference_73, force_2_c21);
+        let force_2_c23 = force_2 * c[23usize];
+        let difference_88 = T::fused(-c[11usize], difference_73, force_2_c23);
         let sum_90 = T::fused(c[12usize], lambda_rear, difference_88);
         let sum_91 = force_3 + lambda_B_x;
         let base_2_lambda_B_y = base_2 * lambda_B_y;
@@ -251,8 +251,8 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         let sum_102 = force_4 + lambda_B_y;
         let difference_104 = T::fused(-base_2, lambda_front, sum_102);
         let c13_difference_104 = c[13usize] * difference_104;
-        let force_5_c22 = force_5 * c[22usize];
-        let difference_109 = T::fused(-c[14usize], difference_94, force_5_c22);
+        let force_5_c24 = force_5 * c[24usize];
+        let difference_109 = T::fused(-c[14usize], difference_94, force_5_c24);
         let difference_111 = T::fused(-c[15usize], lambda_front, difference_109);
         let target = ezy::array_mut::<6usize, T>(&mut store.a);
         target[0usize] = c10_sum_79;

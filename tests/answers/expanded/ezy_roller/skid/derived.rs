@@ -6,12 +6,12 @@ impl ezy::Derived for Skid {
         let v = ezy::array::<6usize, f64>(v);
         let out = ezy::array_mut::<2usize, f64>(out);
         let seat_omega = v[2usize];
-        let c36_seat_omega = c[36usize] * seat_omega;
+        let c29_seat_omega = c[29usize] * seat_omega;
         let seat_vx = v[0usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
         let seat_vx_sin_seat_phi = seat_vx * sin_seat_phi;
-        let sum_10 = c36_seat_omega + seat_vx_sin_seat_phi;
+        let sum_10 = c29_seat_omega + seat_vx_sin_seat_phi;
         let seat_vy = v[1usize];
         let seat_vy_cos_seat_phi = seat_vy * cos_seat_phi;
         let difference_14 = seat_vy_cos_seat_phi - sum_10;

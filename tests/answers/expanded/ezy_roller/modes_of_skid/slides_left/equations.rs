@@ -81,13 +81,13 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         c[21usize] = k39;
         c[22usize] = k49;
         c[23usize] = k52;
-        c[24usize] = parameter_hold;
-        c[25usize] = k21;
-        c[26usize] = parameter_m1;
-        c[27usize] = parameter_i1;
-        c[28usize] = parameter_m2;
-        c[29usize] = parameter_i2;
-        c[30usize] = parameter_c;
+        c[24usize] = parameter_c;
+        c[25usize] = parameter_hold;
+        c[26usize] = k21;
+        c[27usize] = parameter_m1;
+        c[28usize] = parameter_i1;
+        c[29usize] = parameter_m2;
+        c[30usize] = parameter_i2;
         c[31usize] = parameter_a;
         c[32usize] = k15;
         c[33usize] = k54;
@@ -96,12 +96,12 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
     fn mass_matrix(&self, c: &[T], out: &mut [T]) {
         let c = ezy::array::<35usize, T>(c);
         let out = ezy::array_mut::<6usize, T>(out);
-        out[0usize] = c[26usize];
-        out[1usize] = c[26usize];
-        out[2usize] = c[27usize];
-        out[3usize] = c[28usize];
-        out[4usize] = c[28usize];
-        out[5usize] = c[29usize];
+        out[0usize] = c[27usize];
+        out[1usize] = c[27usize];
+        out[2usize] = c[28usize];
+        out[3usize] = c[29usize];
+        out[4usize] = c[29usize];
+        out[5usize] = c[30usize];
     }
     fn position_constraint(&self, c: &[T], t: T, q: &[T], out: &mut [T]) {
         let c = ezy::array::<35usize, T>(c);
@@ -147,8 +147,8 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let difference_21 = seat_vy - bar_vy;
         let sum_24 = T::fused(c13_bar_omega, cos_bar_phi, difference_21);
         let sum_27 = T::fused(c12_seat_omega, cos_seat_phi, sum_24);
-        let bar_omega_c30 = bar_omega * c[30usize];
-        let difference_31 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c30);
+        let bar_omega_c24 = bar_omega * c[24usize];
+        let difference_31 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c24);
         let sum_33 = T::fused(bar_vy, cos_bar_phi, difference_31);
         out[0usize] = difference_18;
         out[1usize] = sum_27;
@@ -180,7 +180,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         out[7usize] = c13_cos_bar_phi;
         out[8usize] = value_17;
         out[9usize] = cos_bar_phi;
-        out[10usize] = c[30usize];
+        out[10usize] = c[24usize];
     }
     fn convective_term(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         let c = ezy::array::<35usize, T>(c);
@@ -228,15 +228,15 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         let out = ezy::array_mut::<6usize, T>(out);
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
-        let c24_sin_seat_phi = c[24usize] * sin_seat_phi;
-        let c24_cos_seat_phi = c[24usize] * cos_seat_phi;
+        let c25_sin_seat_phi = c[25usize] * sin_seat_phi;
+        let c25_cos_seat_phi = c[25usize] * cos_seat_phi;
         let c1_t = c[1usize] * t;
         let cos_11 = T::cos(c1_t);
         let c0_cos_11 = c[0usize] * cos_11;
         let sum_15 = c0_cos_11 + c[2usize];
-        let value_16 = -c24_cos_seat_phi;
+        let value_16 = -c25_cos_seat_phi;
         let value_17 = -c0_cos_11;
-        out[0usize] = c24_sin_seat_phi;
+        out[0usize] = c25_sin_seat_phi;
         out[1usize] = value_16;
         out[2usize] = sum_15;
         out[3usize] = T::from_f64(0f64);
@@ -430,5 +430,172 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::SlidesLeft {
         ezy::Pivots::new()
             .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
             .see(&[0usize, 1usize], T::least_ratio(difference_35, c[23usize]))
+    }
+    #[inline]
+    fn projected_accelerations(
+        &self,
+        c: &[T],
+        t: T,
+        q: &[T],
+        v: &[T],
+        out: &mut [T],
+    ) -> ezy::Pivots {
+        let c = ezy::array::<35usize, T>(c);
+        let q = ezy::array::<6usize, T>(q);
+        let v = ezy::array::<6usize, T>(v);
+        let out = ezy::array_mut::<18usize, T>(out);
+        let seat_vx = v[0usize];
+        let bar_vx = v[3usize];
+        let difference_4 = seat_vx - bar_vx;
+        let bar_omega = v[5usize];
+        let c13_bar_omega = c[13usize] * bar_omega;
+        let bar_phi = q[5usize];
+        let (sin_bar_phi, cos_bar_phi) = T::sin_cos(bar_phi);
+        let difference_11 = T::fused(-c13_bar_omega, sin_bar_phi, difference_4);
+        let seat_omega = v[2usize];
+        let c12_seat_omega = c[12usize] * seat_omega;
+        let seat_phi = q[2usize];
+        let (sin_seat_phi, cos_seat_phi) = T::sin_cos(seat_phi);
+        let difference_18 = T::fused(-c12_seat_omega, sin_seat_phi, difference_11);
+        let seat_vy = v[1usize];
+        let bar_vy = v[4usize];
+        let difference_21 = seat_vy - bar_vy;
+        let sum_24 = T::fused(c13_bar_omega, cos_bar_phi, difference_21);
+        let sum_27 = T::fused(c12_seat_omega, cos_seat_phi, sum_24);
+        let bar_omega_c24 = bar_omega * c[24usize];
+        let difference_31 = T::fused(-bar_vx, sin_bar_phi, bar_omega_c24);
+        let projection_right_side_front = T::fused(bar_vy, cos_bar_phi, difference_31);
+        let cos_seat_phi_c4 = cos_seat_phi * c[4usize];
+        let cos_bar_phi_c5 = cos_bar_phi * c[5usize];
+        let product_39 = cos_bar_phi * cos_bar_phi_c5;
+        let difference_40 = T::fused(-cos_seat_phi, cos_seat_phi_c4, product_39);
+        let sum_42 = difference_40 + c[6usize];
+        let sin_seat_phi_c4 = sin_seat_phi * c[4usize];
+        let sin_bar_phi_c5 = sin_bar_phi * c[5usize];
+        let product_46 = cos_bar_phi * sin_bar_phi_c5;
+        let difference_47 = T::fused(-cos_seat_phi, sin_seat_phi_c4, product_46);
+        let difference_49 = c[7usize] - difference_40;
+        let product_51 = projection_right_side_front * c[11usize];
+        let difference_53 = T::fused(-sin_bar_phi, product_51, difference_18);
+        let sum_55 = T::fused(cos_bar_phi, product_51, sum_27);
+        let sum_42_difference_49 = sum_42 * difference_49;
+        let difference_58 = T::fused(
+            -difference_47,
+            difference_47,
+            sum_42_difference_49,
+        );
+        let quotient_59 = T::from_f64(1f64) / difference_58;
+        let product_60 = difference_49 * difference_53;
+        let difference_62 = T::fused(-difference_47, sum_55, product_60);
+        let projection_lambda_B_x = quotient_59 * difference_62;
+        let sum_42_sum_55 = sum_42 * sum_55;
+        let difference_66 = T::fused(-difference_47, difference_53, sum_42_sum_55);
+        let projection_lambda_B_y = quotient_59 * difference_66;
+        let product_69 = cos_bar_phi * projection_lambda_B_y;
+        let difference_70 = T::fused(-sin_bar_phi, projection_lambda_B_x, product_69);
+        let c11_difference_70 = c[11usize] * difference_70;
+        let projection_lambda_front = T::fused(
+            projection_right_side_front,
+            c[14usize],
+            c11_difference_70,
+        );
+        let product_78 = sin_seat_phi * projection_lambda_B_x;
+        let difference_80 = T::fused(-cos_seat_phi, projection_lambda_B_y, product_78);
+        let sum_84 = T::fused(
+            sin_bar_phi,
+            projection_lambda_front,
+            projection_lambda_B_x,
+        );
+        let difference_88 = T::fused(
+            -cos_bar_phi,
+            projection_lambda_front,
+            projection_lambda_B_y,
+        );
+        let difference_70_c18 = difference_70 * c[18usize];
+        let sum_94 = T::fused(projection_lambda_front, c[20usize], difference_70_c18);
+        let projected_seat_vx = T::fused(-projection_lambda_B_x, c[15usize], seat_vx);
+        let projected_seat_vy = T::fused(-projection_lambda_B_y, c[15usize], seat_vy);
+        let projected_seat_omega = T::fused(difference_80, c[9usize], seat_omega);
+        let projected_bar_vx = T::fused(sum_84, c[17usize], bar_vx);
+        let projected_bar_vy = T::fused(c[17usize], difference_88, bar_vy);
+        let projected_bar_omega = bar_omega - sum_94;
+        let c1_t = c[1usize] * t;
+        let cos_107 = T::cos(c1_t);
+        let force_seat_phi = T::fused(c[0usize], cos_107, c[2usize]);
+        let product_112 = cos_bar_phi * projected_bar_vx;
+        let sum_114 = T::fused(sin_bar_phi, projected_bar_vy, product_112);
+        let product_115 = projected_bar_omega * sum_114;
+        let minus_right_side_front = T::fused(cos_107, c[3usize], product_115);
+        let difference_121 = T::fused(-c[9usize], force_seat_phi, c[8usize]);
+        let product_122 = sin_seat_phi * difference_121;
+        let cos_107_c10 = cos_107 * c[10usize];
+        let sum_126 = T::fused(c[11usize], minus_right_side_front, cos_107_c10);
+        let sum_128 = T::fused(sin_bar_phi, sum_126, product_122);
+        let c12_projected_seat_omega = c[12usize] * projected_seat_omega;
+        let product_130 = projected_seat_omega * c12_projected_seat_omega;
+        let difference_132 = T::fused(-cos_seat_phi, product_130, sum_128);
+        let c13_projected_bar_omega = c[13usize] * projected_bar_omega;
+        let product_134 = projected_bar_omega * c13_projected_bar_omega;
+        let difference_136 = T::fused(-cos_bar_phi, product_134, difference_132);
+        let product_137 = cos_seat_phi * difference_121;
+        let sum_139 = T::fused(cos_bar_phi, sum_126, product_137);
+        let sum_141 = T::fused(sin_seat_phi, product_130, sum_139);
+        let sum_143 = T::fused(sin_bar_phi, product_134, sum_141);
+        let product_144 = difference_49 * difference_136;
+        let sum_146 = T::fused(difference_47, sum_143, product_144);
+        let lambda_B_x = quotient_59 * sum_146;
+        let product_148 = difference_47 * difference_136;
+        let sum_150 = T::fused(sum_42, sum_143, product_148);
+        let minus_lambda_B_y = quotient_59 * sum_150;
+        let sin_bar_phi_lambda_B_x = sin_bar_phi * lambda_B_x;
+        let sum_154 = T::fused(cos_bar_phi, minus_lambda_B_y, sin_bar_phi_lambda_B_x);
+        let c11_sum_154 = c[11usize] * sum_154;
+        let minus_lambda_front = T::fused(
+            c[14usize],
+            minus_right_side_front,
+            c11_sum_154,
+        );
+        let sin_seat_phi_c8 = sin_seat_phi * c[8usize];
+        let difference_160 = T::fused(-c[15usize], lambda_B_x, sin_seat_phi_c8);
+        let c15_minus_lambda_B_y = c[15usize] * minus_lambda_B_y;
+        let difference_163 = T::fused(-cos_seat_phi, c[8usize], c15_minus_lambda_B_y);
+        let sin_seat_phi_lambda_B_x = sin_seat_phi * lambda_B_x;
+        let sum_166 = T::fused(cos_seat_phi, minus_lambda_B_y, sin_seat_phi_lambda_B_x);
+        let c9_sum_166 = c[9usize] * sum_166;
+        let sum_170 = T::fused(force_seat_phi, c[16usize], c9_sum_166);
+        let difference_172 = T::fused(-sin_bar_phi, minus_lambda_front, lambda_B_x);
+        let c17_difference_172 = c[17usize] * difference_172;
+        let difference_175 = T::fused(
+            cos_bar_phi,
+            minus_lambda_front,
+            -minus_lambda_B_y,
+        );
+        let c17_difference_175 = c[17usize] * difference_175;
+        let c18_sum_154 = c[18usize] * sum_154;
+        let difference_180 = T::fused(-cos_107, c[19usize], c18_sum_154);
+        let sum_182 = T::fused(c[20usize], minus_lambda_front, difference_180);
+        let value_183 = -minus_lambda_B_y;
+        let value_184 = -minus_lambda_front;
+        out[0usize] = difference_18;
+        out[1usize] = sum_27;
+        out[2usize] = projection_right_side_front;
+        out[3usize] = projected_seat_vx;
+        out[4usize] = projected_seat_vy;
+        out[5usize] = projected_seat_omega;
+        out[6usize] = projected_bar_vx;
+        out[7usize] = projected_bar_vy;
+        out[8usize] = projected_bar_omega;
+        out[9usize] = difference_160;
+        out[10usize] = difference_163;
+        out[11usize] = sum_170;
+        out[12usize] = c17_difference_172;
+        out[13usize] = c17_difference_175;
+        out[14usize] = sum_182;
+        out[15usize] = lambda_B_x;
+        out[16usize] = value_183;
+        out[17usize] = value_184;
+        ezy::Pivots::new()
+            .see(&[2usize], T::least_ratio(c[21usize], c[22usize]))
+            .see(&[0usize, 1usize], T::least_ratio(difference_58, c[23usize]))
     }
 }

@@ -91,7 +91,7 @@ pub enum SystemError {
 pub enum MotionError {
     /// Constraints depend on each other and ask for different things.
     #[error(
-        "constraints contradict each other at t = {t} s: {}; nothing leaves less than {residual:.3e} of {level} (tolerance \
+        "constraints contradict each other at t = {t} s: {}; the best solution leaves {residual:.3e} of {level} (tolerance \
          {tolerance:.1e}). Remove one of them, or make them agree", rows_or_unknown(.rows)
     )]
     ContradictoryRows {
@@ -109,8 +109,8 @@ pub enum MotionError {
     },
     /// Constraints nearly depend on each other, or numbers are so far apart that they seem to.
     #[error(
-        "what the equations decide at t = {t} s is lost in rounding{}: the nearest accelerations leave {residual:.1e} of one of \
-         them. Bring masses and lengths nearer to each other, or move away from a position where constraints depend on each other",
+        "the motion at t = {t} s is lost in rounding{}: the best solution leaves {residual:.1e} of one equation. Bring \
+         masses and lengths nearer to each other, or move away from a position where constraints depend on each other",
         nearly_dependent(.rows, *.smallest_pivot)
     )]
     LostInRounding {

@@ -8,9 +8,8 @@ use crate::simulate::SetupError;
 use super::Models;
 use super::accuracy_json::accuracy_json;
 use super::arguments::AccuracyArguments;
-use super::failure::Failure;
+use super::failure::{Failure, print};
 use super::names::{check_input, refuse_twice, scene_entry, scene_with};
-use super::output::print;
 use super::progress::Progress;
 use super::selection::typed;
 

@@ -8,10 +8,9 @@ use crate::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inp
 
 use super::Models;
 use super::arguments::{MethodName, RunArguments};
-use super::failure::Failure;
+use super::failure::{Failure, print};
 use super::names::{check_input, refuse_twice, scene_entry, scene_with};
 use super::out_file::OutFile;
-use super::output::print;
 use super::progress::Progress;
 use super::run_end::{remarks, run_json, run_text};
 

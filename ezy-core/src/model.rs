@@ -152,7 +152,7 @@ pub struct SparsityPattern {
 
 impl SparsityPattern {
     /// Number of rows.
-    pub fn n_rows(&self) -> usize {
+    pub(crate) fn n_rows(&self) -> usize {
         self.starts.len() - 1
     }
 

@@ -63,7 +63,7 @@ impl WorkPrecision {
     }
 
     /// Names of the methods.
-    pub fn methods(&self) -> impl Iterator<Item = &'static str> {
+    pub(super) fn methods(&self) -> impl Iterator<Item = &'static str> {
         FAMILIES.iter().map(|family| family.name)
     }
 
@@ -80,7 +80,7 @@ impl WorkPrecision {
 
     /// The settings among which advice chooses: those with the default projection, by their largest error of positions
     /// over the grid, or that of the reference where it is larger.
-    pub fn candidates(&self) -> Vec<Candidate> {
+    fn candidates(&self) -> Vec<Candidate> {
         let known = self.reference.uncertainty.grid.position.absolute;
         let all = self.methods().flat_map(|method| self.curve(method, Variant::default()));
         let candidate = |(method, measured): (Method, &Measured)| Candidate {

@@ -26,9 +26,9 @@ pub struct Reference {
     /// How it was made.
     pub by: String,
     /// The motion.
-    pub trajectory: Trajectory,
+    pub(super) trajectory: Trajectory,
     /// Sizes of the motion.
-    pub scales: Scales,
+    pub(super) scales: Scales,
     /// What [`Reference::uncertainty`] is, as the beginning of a sentence.
     pub doubt: &'static str,
     /// Its uncertainty: smaller errors cannot be measured.

@@ -25,7 +25,7 @@ impl Failure {
     }
 
     /// Prints the message and gives the exit status.
-    pub fn report(&self) -> ExitCode {
+    pub(crate) fn report(&self) -> ExitCode {
         let (message, status) = match self {
             Self::Use(message) => (message, 2),
             Self::Stopped(message) => (message, 1),

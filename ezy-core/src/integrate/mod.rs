@@ -12,13 +12,16 @@ mod taylor;
 #[doc(hidden)]
 pub use dop853::Dop853;
 pub(crate) use dop853::{ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
-pub use hermite::{Node, interpolate};
+#[doc(hidden)]
+pub use hermite::Node;
+pub(crate) use hermite::interpolate;
 #[doc(hidden)]
 pub use radau::{Attempt, Radau};
 pub(crate) use radau::{RadauControl, tolerance_of_estimate};
+#[doc(hidden)]
 pub use rk4::Rk4;
-pub(crate) use step_control::StepControl;
-pub use step_control::{Clock, Tolerance};
+pub use step_control::Tolerance;
+pub(crate) use step_control::{Clock, StepControl};
 #[doc(hidden)]
 pub use taylor::Taylor;
 pub(crate) use taylor::taylor_order;

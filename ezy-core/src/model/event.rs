@@ -44,7 +44,7 @@ pub enum Direction {
 
 impl Direction {
     /// Whether a root counts that leads to this side of zero: 1 above, -1 below.
-    pub fn counts(self, side: f64) -> bool {
+    pub(crate) fn counts(self, side: f64) -> bool {
         match self {
             Self::Rising => side > 0.0,
             Self::Falling => side < 0.0,

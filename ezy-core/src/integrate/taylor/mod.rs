@@ -56,13 +56,8 @@ impl<'s> Taylor<'s> {
         })
     }
 
-    /// Order of a step.
-    pub fn order(&self) -> usize {
-        self.order
-    }
-
     /// Forgets what rounding cut off, before another run.
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));
     }
 
@@ -97,7 +92,7 @@ impl<'s> Taylor<'s> {
     }
 
     /// The last expansion: coefficients of q up to `order + 1`, of the multipliers up to `order - 1`.
-    pub fn coefficients(&self) -> &SeriesStore<f64> {
+    pub(crate) fn coefficients(&self) -> &SeriesStore<f64> {
         &self.next
     }
 

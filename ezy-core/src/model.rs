@@ -11,18 +11,14 @@
 mod derived;
 pub(crate) mod equations;
 mod event;
-mod jacobians;
 pub(crate) mod pivots;
 pub(crate) mod repeats;
 pub(crate) mod series;
-mod stick_slip;
-mod stop;
 
-pub use derived::Derived;
+pub use derived::{Derived, JacobianPlaces};
 pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
-pub use event::{Direction, EventInfo, EventKind};
-pub use jacobians::JacobianPlaces;
+pub use event::{Direction, EventInfo, EventKind, StickSlipInfo, StopInfo};
 pub(crate) use pivots::{PIVOT_TOLERANCE, Pivots};
 pub(crate) use repeats::LARGEST_N_MEMBERS;
 pub use repeats::{CountInfo, LayoutFault};
@@ -31,8 +27,6 @@ pub(crate) use repeats::{Repeats, TemplateInfo};
 pub(crate) use repeats::{RowTemplate, SlotCoordinate};
 pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
-pub use stick_slip::StickSlipInfo;
-pub use stop::StopInfo;
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -158,7 +152,7 @@ pub struct SparsityPattern {
 
 impl SparsityPattern {
     /// Number of rows.
-    pub fn n_rows(&self) -> usize {
+    pub(crate) fn n_rows(&self) -> usize {
         self.starts.len() - 1
     }
 

@@ -3,15 +3,14 @@
 mod double_double;
 mod dual;
 mod lanes;
-mod legible;
 mod plain;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
-pub(crate) use legible::legible;
+pub(crate) use plain::legible;
 #[cfg(feature = "cli")]
-pub(crate) use legible::rounded;
+pub(crate) use plain::rounded;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -6,7 +6,7 @@
 use ezy_core::integrate::{Node, Rk4};
 use ezy_core::prelude::*;
 use ezy_models::{ezy_roller, knife_edge, pendulum, roller_racer};
-use ezy_tests::cachegrind::{instructions, is_installed};
+use ezy_tests::count_table::{instructions, is_installed};
 use ezy_tests::page::write_part;
 use std::error::Error;
 

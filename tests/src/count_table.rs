@@ -1,5 +1,6 @@
-//! Counts in a page of the documentation, and their comparison with counts made anew.
+//! Machine instructions: counted by valgrind, kept in a page of the documentation, compared with counts made anew.
 
+use std::error::Error;
 use std::fmt;
 use std::process::Command;
 
@@ -111,6 +112,27 @@ fn processor() -> &'static str {
 #[cfg(not(target_arch = "x86_64"))]
 fn processor() -> &'static str {
     std::env::consts::ARCH
+}
+
+/// Whether valgrind is installed.
+pub fn is_installed() -> bool {
+    Command::new("valgrind").arg("--version").output().is_ok()
+}
+
+/// Instructions of a run of the present program with these arguments.
+///
+/// # Errors
+/// When valgrind cannot be started, or with what it answered instead of a count.
+pub fn instructions(arguments: &[String]) -> Result<u64, Box<dyn Error>> {
+    let output = Command::new("valgrind")
+        .args(["--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"])
+        .arg(std::env::current_exe()?)
+        .args(arguments)
+        .output()?;
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    let line = text.lines().find(|line| line.contains("I refs") || line.contains("I   refs:"));
+    let digits = line.and_then(|line| line.rsplit_once(':')).map(|(_, number)| number.replace([',', ' '], ""));
+    digits.and_then(|digits| digits.parse().ok()).ok_or_else(|| format!("valgrind answered:\n{text}").into())
 }
 
 #[cfg(test)]

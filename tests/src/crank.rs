@@ -1,12 +1,14 @@
 //! A crank on the ground whose angle is prescribed in time: rows with C_t and C_tt, and no degree of freedom left.
 
-use crate::leaked::{Description, info};
+use crate::described::{EMPTY, coordinate, f, row};
 use ezy_core::__private::Pivots;
-use ezy_core::model::{Derived, EffectInfo, Equations, Scene, SceneInfo, Start};
+use ezy_core::model::{
+    Derived, EffectInfo, EliminationStep, Equations, OutputInfo, Scene, SceneInfo, SparsityPattern, Start,
+};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 const RADIUS: f64 = 0.3;
 const MASS: f64 = 2.0;
-const DRIVES: [EffectInfo; 1] = [EffectInfo { name: "drives", documentation: "" }];
 /// About the centre of mass, kg·m².
 pub const INERTIA: f64 = 0.4;
 
@@ -25,27 +27,32 @@ pub fn acceleration(t: f64) -> f64 {
     -2.7 * (3.0 * t).sin()
 }
 
-/// A body hinged to the origin at a distance from its centre of mass, with rows x, y and drive.
-pub struct Crank {
-    info: &'static SceneInfo,
-}
+static INFO: SceneInfo = SceneInfo {
+    model: "Crank",
+    name: "turn",
+    bodies: &["arm"],
+    coordinates: &[
+        coordinate("arm.x", "arm.vx", "m"),
+        coordinate("arm.y", "arm.vy", "m"),
+        coordinate("arm.phi", "arm.omega", "rad"),
+    ],
+    rows: &[row("pin.x", "hinge", "", ""), row("pin.y", "hinge", "", ""), row("angle", "drive", "", "")],
+    n_position_rows: 3,
+    outputs: &[OutputInfo { name: "height", unit: "m", documentation: "", formula: f("arm.y") }],
+    effects: &[EffectInfo { name: "drives", documentation: "" }],
+    until_s: 2.0,
+    jacobian: SparsityPattern { starts: &[0, 2, 4, 5], columns: &[0, 2, 1, 2, 2] },
+    elimination: &[EliminationStep { rows: &[0, 1, 2], constant_pivot: false }],
+    ..EMPTY
+};
 
-impl Crank {
-    /// The crank.
-    #[allow(clippy::new_without_default)]
-    pub fn new() -> Self {
-        let description = Description {
-            model: "Crank",
-            n_bodies: 1,
-            rows: ["pin.x", "pin.y", "drive"].map(str::to_owned).to_vec(),
-            n_position_rows: 3,
-            columns: vec![vec![0, 2], vec![1, 2], vec![2]],
-            parameters: &[],
-            effects: &DRIVES,
-            until_s: 2.0,
-        };
-        Self { info: info(description) }
-    }
+/// A body hinged to the origin at a distance from its centre of mass, with rows x, y and drive; it counts what it is asked for.
+#[derive(Default)]
+pub struct Crank {
+    /// Evaluations of the power.
+    pub powers: AtomicU64,
+    /// Evaluations of the output.
+    pub outputs: AtomicU64,
 }
 
 impl Equations<f64> for Crank {
@@ -102,7 +109,7 @@ impl Derived for Crank {}
 
 impl Scene for Crank {
     fn info(&self) -> &'static SceneInfo {
-        self.info
+        &INFO
     }
 
     fn parameter(&self, _index: usize) -> f64 {
@@ -115,6 +122,7 @@ impl Scene for Crank {
 
     /// The third row moves with −φ'(t).
     fn power(&self, _c: &[f64], t: f64, _q: &[f64], _v: &[f64], lambda: &[f64], out: &mut [f64]) {
+        self.powers.fetch_add(1, Relaxed);
         out[0] = -lambda[2] * rate(t);
     }
 
@@ -124,7 +132,10 @@ impl Scene for Crank {
 
     fn points(&self, _c: &[f64], _t: f64, _q: &[f64], _out: &mut [f64]) {}
 
-    fn outputs(&self, _c: &[f64], _t: f64, _q: &[f64], _v: &[f64], _out: &mut [f64]) {}
+    fn outputs(&self, _c: &[f64], _t: f64, q: &[f64], _v: &[f64], out: &mut [f64]) {
+        self.outputs.fetch_add(1, Relaxed);
+        out[0] = q[1];
+    }
 }
 
 /// Torque that the drive needs: the crank's inertia about the pin times the prescribed acceleration.

@@ -1,9 +1,9 @@
 //! Reference trajectories of `answers/`: two independent derivations in 256-bit arithmetic that agree to 3e-41,
 //! printed with 36 digits.
 
+use crate::garage;
 use ezy_core::scalar::DoubleDouble;
 use serde_json::Value;
-use std::path::Path;
 
 /// One sample of a reference trajectory.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,10 +65,7 @@ pub fn load_precise(name: &str) -> Vec<PreciseSample> {
 }
 
 fn samples(name: &str) -> Vec<Value> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("answers").join(format!("{name}.json"));
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-    let file: Value = serde_json::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-    file["samples"].as_array().expect("samples").clone()
+    garage::load(name)["samples"].as_array().expect("samples").clone()
 }
 
 fn sample(v: &Value) -> ReferenceSample {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::command::{command, setting};
+use super::ladder::{command, setting};
 use crate::integrate::Method;
 
 /// Errors that advice is given for: largest error of a position over the run, m or rad.

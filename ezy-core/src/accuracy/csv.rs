@@ -1,7 +1,6 @@
 //! The measurement as a CSV file.
 
-use super::command::setting;
-use super::errors::Errors;
+use super::ladder::setting;
 use super::measured::WorkPrecision;
 use super::point::{Measured, Point, PointResult};
 use crate::dynamics::{Metric, Projection};
@@ -9,33 +8,35 @@ use crate::dynamics::{Metric, Projection};
 /// Columns that identify a point.
 const WHAT: [&str; 5] = ["method", "setting [s or tolerance]", "projection", "metric", "outcome"];
 
-/// Columns of its measurements.
-const NUMBERS: [&str; 25] = [
-    "position error at the end [m or rad]",
-    "scaled position error at the end",
-    "velocity error at the end [m/s or rad/s]",
-    "scaled velocity error at the end",
-    "reaction error at the end [N or N*m]",
-    "scaled reaction error at the end",
-    "largest position error [m or rad]",
-    "scaled largest position error",
-    "largest velocity error [m/s or rad/s]",
-    "scaled largest velocity error",
-    "largest reaction error [N or N*m]",
-    "scaled largest reaction error",
-    "known from [m or rad]",
-    "largest position residual",
-    "largest velocity residual",
-    "largest energy balance [J]",
-    "steps",
-    "rejected",
-    "evaluations",
-    "factorizations",
-    "shortest time [s]",
-    "median time [s]",
-    "runs timed",
-    "time on the grid [s]",
-    "grid points",
+/// A column of measurements and its value for one setting.
+type Column = (&'static str, fn(&WorkPrecision, &Measured) -> f64);
+
+const COLUMNS: [Column; 25] = [
+    ("position error at the end [m or rad]", |_, m| m.error.end.position.absolute),
+    ("scaled position error at the end", |_, m| m.error.end.position.scaled),
+    ("velocity error at the end [m/s or rad/s]", |_, m| m.error.end.velocity.absolute),
+    ("scaled velocity error at the end", |_, m| m.error.end.velocity.scaled),
+    ("reaction error at the end [N or N*m]", |_, m| m.error.end.reaction.absolute),
+    ("scaled reaction error at the end", |_, m| m.error.end.reaction.scaled),
+    ("largest position error [m or rad]", |_, m| m.error.grid.position.absolute),
+    ("scaled largest position error", |_, m| m.error.grid.position.scaled),
+    ("largest velocity error [m/s or rad/s]", |_, m| m.error.grid.velocity.absolute),
+    ("scaled largest velocity error", |_, m| m.error.grid.velocity.scaled),
+    ("largest reaction error [N or N*m]", |_, m| m.error.grid.reaction.absolute),
+    ("scaled largest reaction error", |_, m| m.error.grid.reaction.scaled),
+    ("known from [m or rad]", |all, _| all.reference.uncertainty.grid.position.absolute),
+    ("largest position residual", |_, m| m.position_residual),
+    ("largest velocity residual", |_, m| m.velocity_residual),
+    ("largest energy balance [J]", |_, m| m.energy_balance),
+    ("steps", |_, m| m.cost.steps as f64),
+    ("rejected", |_, m| m.cost.rejected as f64),
+    ("evaluations", |_, m| m.cost.evaluations as f64),
+    ("factorizations", |_, m| m.cost.factorizations as f64),
+    ("shortest time [s]", |_, m| m.seconds_min),
+    ("median time [s]", |_, m| m.seconds_median),
+    ("runs timed", |_, m| m.n_timed as f64),
+    ("time on the grid [s]", |_, m| m.seconds_on_grid),
+    ("grid points", |all, _| all.reference.trajectory.times().len() as f64),
 ];
 
 impl WorkPrecision {
@@ -43,7 +44,7 @@ impl WorkPrecision {
     pub fn csv(&self) -> String {
         let mut rows = ::csv::Writer::from_writer(Vec::new());
         // writing into memory does not fail
-        _ = rows.write_record(WHAT.iter().chain(&NUMBERS));
+        _ = rows.write_record(WHAT.into_iter().chain(COLUMNS.map(|(name, _)| name)));
         for point in &self.points {
             _ = rows.write_record(self.row(point));
         }
@@ -67,50 +68,8 @@ impl WorkPrecision {
             PointResult::NotRun => "not run",
         };
         let what = [point.method.name(), &format!("{:e}", setting(point.method)), projection, metric, outcome];
-        let numbers = match point.measured() {
-            Some(measured) => self.numbers(measured).map(|x| format!("{x:.16e}")),
-            None => [const { String::new() }; NUMBERS.len()],
-        };
-        what.map(str::to_owned).into_iter().chain(numbers).collect()
+        let number =
+            |(_, value): Column| point.measured().map_or_else(String::new, |m| format!("{:.16e}", value(self, m)));
+        what.map(str::to_owned).into_iter().chain(COLUMNS.map(number)).collect()
     }
-
-    fn numbers(&self, m: &Measured) -> [f64; NUMBERS.len()] {
-        let [a, b, c, d, e, f] = six(m.error.end);
-        let [g, h, i, j, k, l] = six(m.error.grid);
-        let known = self.reference.uncertainty.grid.position.absolute;
-        let counts = [m.cost.steps, m.cost.rejected, m.cost.evaluations, m.cost.factorizations].map(|n| n as f64);
-        let [steps, rejected, evaluations, factorizations] = counts;
-        [
-            a,
-            b,
-            c,
-            d,
-            e,
-            f,
-            g,
-            h,
-            i,
-            j,
-            k,
-            l,
-            known,
-            m.position_residual,
-            m.velocity_residual,
-            m.energy_balance,
-            steps,
-            rejected,
-            evaluations,
-            factorizations,
-            m.seconds_min,
-            m.seconds_median,
-            m.n_timed as f64,
-            m.seconds_on_grid,
-            self.reference.trajectory.times().len() as f64,
-        ]
-    }
-}
-
-fn six(errors: Errors) -> [f64; 6] {
-    let Errors { position, velocity, reaction } = errors;
-    [position.absolute, position.scaled, velocity.absolute, velocity.scaled, reaction.absolute, reaction.scaled]
 }

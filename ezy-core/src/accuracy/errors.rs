@@ -33,7 +33,7 @@ pub struct Comparison {
 
 /// Sizes for relative differences: the largest magnitude of any component with the same unit, over the whole reference.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scales {
+pub(super) struct Scales {
     /// For each coordinate, m or rad.
     pub position: Vec<f64>,
     /// For each velocity, m/s or rad/s.
@@ -44,7 +44,7 @@ pub struct Scales {
 
 impl Scales {
     /// The scales of a motion.
-    pub fn of(motion: &Trajectory) -> Self {
+    pub(super) fn of(motion: &Trajectory) -> Self {
         let info = motion.info();
         let units: Vec<&str> = info.coordinates.iter().map(|c| c.unit).collect();
         let row_units: Vec<&str> = info.rows.iter().map(|row| row.multiplier_unit).collect();

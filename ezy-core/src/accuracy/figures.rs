@@ -1,7 +1,6 @@
 //! The figures: time against error, drift and energy against tolerance.
 
-use super::command::setting;
-use super::ladder::{FAMILIES, Family};
+use super::ladder::{FAMILIES, Family, setting};
 use super::measured::WorkPrecision;
 use super::point::Measured;
 use super::variant::Variant;

@@ -80,6 +80,27 @@ fn one_two_five(largest: f64) -> impl Iterator<Item = f64> {
     all.filter_map(|text| text.parse().ok()).skip_while(move |step: &f64| *step > largest * (1.0 + 1e-9))
 }
 
+/// The step of a method with a fixed step, s, or the relative tolerance of one that chooses its steps.
+pub(crate) fn setting(method: Method) -> f64 {
+    match method {
+        Method::Rk4 { step_s } => step_s,
+        Method::Dop853(tolerance) | Method::Taylor(tolerance) | Method::Radau(tolerance) => tolerance.relative,
+    }
+}
+
+/// The method's setting as an option of the command line: `--step 0.001`, `--rtol 1e-9`.
+pub(super) fn command(method: Method) -> String {
+    match method {
+        Method::Rk4 { step_s } => format!("--step {}", number(step_s)),
+        _ => format!("--rtol {}", number(setting(method))),
+    }
+}
+
+/// A setting with the digits it was made with: `0.001`, `1e-9`, `3.2e-7`.
+fn number(value: f64) -> String {
+    if (1e-3..1e4).contains(&value) { format!("{value}") } else { format!("{value:e}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -98,7 +119,7 @@ mod tests {
     fn invariant_rungs_get_finer() {
         for family in FAMILIES {
             let rungs = (family.rungs)(&Ladder::default(), 0.07);
-            let settings: Vec<f64> = rungs.into_iter().map(crate::accuracy::command::setting).collect();
+            let settings: Vec<f64> = rungs.into_iter().map(setting).collect();
             assert!(settings.windows(2).all(|pair| pair[1] < pair[0]), "{}: {settings:?}", family.name);
         }
     }

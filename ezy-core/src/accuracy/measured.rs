@@ -2,7 +2,6 @@
 
 use super::advice::{Advice, Candidate, TARGETS, advise};
 use super::ladder::FAMILIES;
-use super::machine::machine;
 use super::point::{Measured, Point, PointResult};
 use super::reference::Reference;
 use super::runs::Runs;
@@ -64,7 +63,7 @@ impl WorkPrecision {
     }
 
     /// Names of the methods.
-    pub fn methods(&self) -> impl Iterator<Item = &'static str> {
+    pub(super) fn methods(&self) -> impl Iterator<Item = &'static str> {
         FAMILIES.iter().map(|family| family.name)
     }
 
@@ -81,7 +80,7 @@ impl WorkPrecision {
 
     /// The settings among which advice chooses: those with the default projection, by their largest error of positions
     /// over the grid, or that of the reference where it is larger.
-    pub fn candidates(&self) -> Vec<Candidate> {
+    fn candidates(&self) -> Vec<Candidate> {
         let known = self.reference.uncertainty.grid.position.absolute;
         let all = self.methods().flat_map(|method| self.curve(method, Variant::default()));
         let candidate = |(method, measured): (Method, &Measured)| Candidate {
@@ -126,4 +125,20 @@ impl WorkPrecision {
         }
         merged
     }
+}
+
+/// Processor, target and kind of build.
+fn machine() -> String {
+    let build = if cfg!(debug_assertions) { "debug build, whose times mean nothing" } else { "release build" };
+    let target = format!("{} {}", std::env::consts::ARCH, std::env::consts::OS);
+    let wide = if cfg!(target_feature = "avx2") { " with AVX2" } else { "" };
+    let processor = processor().map(|name| format!("{name}, ")).unwrap_or_default();
+    format!("{processor}{target}{wide}, {build}, one core")
+}
+
+/// The processor's name, where the system tells it in a file.
+fn processor() -> Option<String> {
+    let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
+    let line = text.lines().find(|line| line.starts_with("model name"))?;
+    Some(line.split_once(':')?.1.trim().to_owned())
 }

@@ -18,15 +18,12 @@
 //! How it is measured and why: `docs/accuracy.md`.
 
 mod advice;
-mod command;
 mod csv;
-mod deadline;
 mod error;
 mod errors;
 #[cfg(feature = "figures")]
 mod figures;
 mod ladder;
-mod machine;
 mod measured;
 mod order;
 #[cfg(feature = "figures")]
@@ -34,24 +31,21 @@ mod page;
 #[cfg(feature = "figures")]
 mod page_tables;
 mod point;
-mod precise;
 mod reference;
 mod runs;
 mod save;
-mod second;
 mod tables;
 mod trajectory;
 mod variant;
 
 pub use advice::{Advice, Candidate};
-#[cfg(feature = "cli")]
-pub(crate) use command::setting;
 pub use error::AccuracyError;
 pub use errors::{Comparison, Errors, Size};
 pub use ladder::Ladder;
+#[cfg(feature = "cli")]
+pub(crate) use ladder::setting;
 pub use measured::{Missing, WorkPrecision};
 pub use order::Accuracy;
 pub use point::{Measured, Point, PointResult};
-pub use reference::Reference;
-pub use second::Second;
+pub use reference::{Reference, Second};
 pub use variant::Variant;

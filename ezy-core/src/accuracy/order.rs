@@ -2,9 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use super::command::setting;
 use super::error::AccuracyError;
-use super::ladder::{FAMILIES, Ladder};
+use super::ladder::{FAMILIES, Ladder, setting};
 use super::measured::WorkPrecision;
 use super::point::{Point, PointResult, measure, repeats};
 use super::reference::{Found, Reference};

@@ -1,8 +1,8 @@
 //! The tables of the page.
 
 use super::advice::three_digits;
-use super::command::command;
 use super::errors::Errors;
+use super::ladder::command;
 use super::measured::WorkPrecision;
 use super::variant::Variant;
 use crate::integrate::Method;

@@ -3,16 +3,16 @@
 
 use std::time::{Duration, Instant};
 
-use super::command::command;
 use super::error::AccuracyError;
 use super::errors::{Comparison, Errors, Scales, Size, compare, difference};
-use super::precise::{NAME, precise};
+use super::ladder::command;
 use super::runs::{NoRun, Runs};
-use super::second::Second;
 use super::trajectory::Trajectory;
 use super::variant::Variant;
-use crate::integrate::Method;
-use crate::simulate::Run;
+use crate::dynamics::State;
+use crate::integrate::{Method, PreciseMotion};
+use crate::record::Sample;
+use crate::simulate::{Cost, Run};
 
 /// Tolerances from the tightest on, until two runs have reached the end.
 const TOLERANCES: [f64; 6] = [1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10];
@@ -26,9 +26,9 @@ pub struct Reference {
     /// How it was made.
     pub by: String,
     /// The motion.
-    pub trajectory: Trajectory,
+    pub(super) trajectory: Trajectory,
     /// Sizes of the motion.
-    pub scales: Scales,
+    pub(super) scales: Scales,
     /// What [`Reference::uncertainty`] is, as the beginning of a sentence.
     pub doubt: &'static str,
     /// Its uncertainty: smaller errors cannot be measured.
@@ -114,4 +114,83 @@ fn unknown_from(one: &Trajectory, other: &Trajectory, scales: &Scales) -> Result
         0 | 1 => Err(AccuracyError::NothingKnown { difference: apart(1.min(n - 1)) }),
         _ => Ok(Some(Found::Until(one.times()[n_known - 1], apart(n - 1)))),
     }
+}
+
+/// How it is named in reports.
+const NAME: &str = "Taylor's method of order 38 in double-double, with 31 digits";
+
+/// The motion from `start` at each of `times`, rounded to f64, or why there is none.
+fn precise(runs: &Runs<'_>, start: &Sample<'_>, times: &[f64], deadline: Instant) -> Result<Trajectory, String> {
+    if !runs.inputs.is_empty() {
+        return Err("inputs are set, and the motion in double-double takes them as declared".to_owned());
+    }
+    let state = State { t: start.t, q: start.coordinates.to_vec(), v: start.velocities.to_vec(), work: Vec::new() };
+    let mut motion = PreciseMotion::new(runs.scene, &state).map_err(|error| error.to_string())?;
+    let mut trajectory = Trajectory::empty(start.info);
+    for &t in times {
+        motion.advance_to(t).map_err(|error| error.to_string())?;
+        if Instant::now() >= deadline {
+            return Err(format!("the motion in double-double had come to t = {t} s when its time was over"));
+        }
+        let [q, v, lambda] = [motion.q(), motion.v(), motion.lambda()]
+            .map(|numbers| numbers.iter().map(|x| x.high()).collect::<Vec<f64>>());
+        trajectory.push(t, &q, &v, &lambda);
+    }
+    Ok(trajectory)
+}
+
+/// A second route to the reference.
+#[derive(Debug, Clone)]
+pub struct Second {
+    /// How it was made.
+    pub by: String,
+    /// Difference from the reference.
+    pub difference: Comparison,
+    /// Difference of its own last two approximations.
+    pub own: Comparison,
+}
+
+/// A second method may differ from the reference by this factor of the difference of its own last two runs. At the level of
+/// rounding both vary by chance.
+const CONFIRMED: f64 = 100.0;
+
+/// Relative differences up to this are rounding of a long run.
+const ROUNDING: f64 = 1e-12;
+
+/// RK4 steps for each step of the reference: extrapolated RK4 then comes near to rounding.
+const STEPS_PER_STEP: u64 = 16;
+
+impl Second {
+    /// Whether it agrees with the reference within its own accuracy.
+    pub fn confirms(&self) -> bool {
+        let [difference, own] = [&self.difference, &self.own].map(|of| of.grid.position.scaled);
+        difference <= (CONFIRMED * own).max(ROUNDING)
+    }
+
+    /// RK4 with two steps, extrapolated to the step zero.
+    fn by_rk4(
+        runs: &Runs<'_>,
+        cost: Cost,
+        reference: &Trajectory,
+        scales: &Scales,
+        until: Instant,
+    ) -> Result<Self, String> {
+        let step_s = (runs.until_s - runs.start_s) / (STEPS_PER_STEP * cost.steps.max(1)) as f64;
+        let motion = |step_s: f64| {
+            let run = runs.on_grid(Method::rk4(step_s), Variant::default(), until);
+            run.map(|run| Trajectory::of(&run)).map_err(|why| refused(&why))
+        };
+        let (coarse, fine) = (motion(step_s)?, motion(0.5 * step_s)?);
+        let compared = |one: &Trajectory, other: &Trajectory| {
+            compare(one, other, scales).ok_or_else(|| "rk4 has samples at other times".to_owned())
+        };
+        let own = compared(&fine, &coarse)?;
+        let difference = compared(&fine.extrapolated(&coarse, 1.0 / 15.0), reference)?;
+        let by = format!("rk4 with steps of {step_s:.2e} s and half of it, extrapolated to the step zero");
+        Ok(Self { by, difference, own })
+    }
+}
+
+fn refused(why: &NoRun) -> String {
+    format!("rk4 {why}")
 }

@@ -1,13 +1,14 @@
 //! The runs of a measurement: one scene, one start, one grid.
 
+use std::io;
 use std::time::Instant;
 
-use super::deadline::Deadline;
 use super::variant::Variant;
 use crate::dynamics::System;
 use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::Scene;
+use crate::record::{RecordError, Recorder, Sample};
 use crate::simulate::{Outcome, Run, SetupError, Simulation, StopReason};
 
 /// Intervals of the grid on which motions are compared.
@@ -93,5 +94,18 @@ impl std::fmt::Display for NoRun {
             Self::Overtime => f.write_str("was not finished in the time given to it"),
             Self::Stopped(outcome) => f.write_str(outcome),
         }
+    }
+}
+
+/// Refuses every sample after the deadline.
+struct Deadline(Instant);
+
+impl Recorder for Deadline {
+    fn record(&mut self, sample: &Sample<'_>) -> Result<(), RecordError> {
+        if Instant::now() < self.0 {
+            return Ok(());
+        }
+        let cause = io::Error::new(io::ErrorKind::TimedOut, "the time given to the measurement is over");
+        Err(RecordError { t: sample.t, cause })
     }
 }

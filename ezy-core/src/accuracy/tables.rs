@@ -1,8 +1,8 @@
 //! The measurement as tables and sentences.
 
 use super::advice::three_digits;
-use super::command::command;
 use super::errors::{Comparison, Size};
+use super::ladder::command;
 use super::measured::{Missing, WorkPrecision};
 use super::point::Measured;
 use super::variant::Variant;

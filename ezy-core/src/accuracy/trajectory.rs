@@ -5,7 +5,7 @@ use crate::simulate::Run;
 
 /// Positions, velocities and multipliers at each time of a grid.
 #[derive(Debug, Clone)]
-pub struct Trajectory {
+pub(super) struct Trajectory {
     info: &'static SceneInfo,
     times: Vec<f64>,
     /// `n_q` numbers a time.
@@ -31,7 +31,7 @@ impl Trajectory {
     }
 
     /// The samples of a run.
-    pub fn of(run: &Run) -> Self {
+    pub(super) fn of(run: &Run) -> Self {
         let mut all = Self::empty(run.info());
         for sample in run.samples() {
             all.push(sample.t, sample.coordinates, sample.velocities, sample.multipliers);
@@ -47,12 +47,12 @@ impl Trajectory {
     }
 
     /// Names and units.
-    pub fn info(&self) -> &'static SceneInfo {
+    pub(super) fn info(&self) -> &'static SceneInfo {
         self.info
     }
 
     /// The grid, s.
-    pub fn times(&self) -> &[f64] {
+    pub(super) fn times(&self) -> &[f64] {
         &self.times
     }
 

@@ -8,9 +8,8 @@ use crate::simulate::SetupError;
 use super::Models;
 use super::accuracy_json::accuracy_json;
 use super::arguments::AccuracyArguments;
-use super::failure::Failure;
-use super::names::{check_input, refuse_twice, scene_entry, scene_with};
-use super::output::print;
+use super::failure::{Failure, print};
+use super::names::{check_assignments, scene_entry, scene_with};
 use super::progress::Progress;
 use super::selection::typed;
 
@@ -19,11 +18,7 @@ const WRITTEN: &str = if cfg!(feature = "figures") { "page" } else { "numbers" }
 
 pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
-    refuse_twice("--start", &arguments.start)?;
-    refuse_twice("--input", &arguments.input)?;
-    for assignment in &arguments.input {
-        check_input(model, entry, &assignment.name)?;
-    }
+    check_assignments(model, entry, &arguments.start, &arguments.input)?;
     let scene = scene_with(model, entry, &arguments.set)?;
     let mut order = Accuracy::new(scene.as_ref()).budget(arguments.budget);
     if let Some(until_s) = arguments.until {

@@ -137,7 +137,7 @@ pub(super) enum MethodName {
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub enum ProjectName {
+pub(super) enum ProjectName {
     /// Positions, then velocities at the projected positions
     #[default]
     Both,
@@ -161,7 +161,7 @@ impl From<ProjectName> for Projection {
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub enum MetricName {
+pub(super) enum MetricName {
     /// Weighted by the masses: never adds kinetic energy
     #[default]
     Mass,

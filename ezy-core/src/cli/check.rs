@@ -4,8 +4,7 @@ use crate::testing::{CheckError, check_scene};
 
 use super::Models;
 use super::arguments::CheckArguments;
-use super::failure::Failure;
-use super::output::print;
+use super::failure::{Failure, print};
 use super::selection::find;
 
 pub(super) fn check(models: Models<'_>, arguments: &CheckArguments) -> Result<(), Failure> {

@@ -1,6 +1,7 @@
-//! Failures of a command, by exit status.
+//! What a command prints, and its failures by exit status.
 
 use std::fmt::Display;
+use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
 
 /// A command failed.
@@ -24,7 +25,7 @@ impl Failure {
     }
 
     /// Prints the message and gives the exit status.
-    pub fn report(&self) -> ExitCode {
+    pub(crate) fn report(&self) -> ExitCode {
         let (message, status) = match self {
             Self::Use(message) => (message, 2),
             Self::Stopped(message) => (message, 1),
@@ -37,5 +38,19 @@ impl Failure {
 impl From<crate::record::UnknownName> for Failure {
     fn from(unknown: crate::record::UnknownName) -> Self {
         Self::wrong_use(unknown)
+    }
+}
+
+/// Prints `text`. A reader that has seen enough and closed its end is no failure.
+///
+/// # Errors
+/// [`Failure::Stopped`] when standard output cannot be written.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::stopped(format!("standard output cannot be written: {error}")))
+        }
+        _ => Ok(()),
     }
 }

@@ -5,9 +5,8 @@ use crate::report::table::Table;
 
 use super::Models;
 use super::arguments::ListArguments;
-use super::failure::Failure;
+use super::failure::{Failure, print};
 use super::json::Json;
-use super::output::print;
 use super::selection::typed;
 
 pub(super) fn list(models: Models<'_>, arguments: &ListArguments) -> Result<(), Failure> {

@@ -24,7 +24,6 @@ mod json;
 mod list;
 mod names;
 mod out_file;
-mod output;
 mod progress;
 mod run;
 mod run_end;
@@ -37,8 +36,7 @@ use std::process::ExitCode;
 
 pub use clap;
 pub use command_line::CommandLine;
-pub use failure::Failure;
-pub use output::print;
+pub use failure::{Failure, print};
 pub use progress::Progress;
 pub use selection::{Selection, find};
 

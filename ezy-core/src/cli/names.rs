@@ -9,7 +9,7 @@ use super::selection::{find, typed};
 use super::value::Assignment;
 
 /// A name that is given two values has none.
-pub(super) fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Failure> {
+fn refuse_twice(option: &str, assignments: &[Assignment]) -> Result<(), Failure> {
     for (i, later) in assignments.iter().enumerate() {
         if let Some(earlier) = assignments[..i].iter().find(|earlier| earlier.name == later.name) {
             let (name, first, second) = (&later.name, earlier.value, later.value);
@@ -69,8 +69,19 @@ fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize,
     find_name("parameter", name, known).map_err(|unknown| of_another_scene(model, entry, unknown, &declared))
 }
 
-/// That an input exists.
-pub(super) fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
+/// That no start value or input is given twice, and that inputs exist.
+pub(super) fn check_assignments(
+    model: &ModelInfo,
+    entry: &SceneEntry,
+    start: &[Assignment],
+    input: &[Assignment],
+) -> Result<(), Failure> {
+    refuse_twice("--start", start)?;
+    refuse_twice("--input", input)?;
+    input.iter().try_for_each(|assignment| check_input(model, entry, &assignment.name))
+}
+
+fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
     let declared = |info: &SceneInfo| info.inputs.iter().map(|i| (i.name, i.effect)).collect();
     let found = input_index((entry.info)(), name);
     found.map(|_| ()).map_err(|unknown| of_another_scene(model, entry, unknown, &declared))

@@ -4,14 +4,13 @@ use std::fs::File;
 
 use crate::integrate::{Method, Tolerance};
 use crate::model::{Scene, SceneInfo};
-use crate::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
+use crate::simulate::{InputTable, Run, SetupError, Simulation, read_inputs};
 
 use super::Models;
 use super::arguments::{MethodName, RunArguments};
-use super::failure::Failure;
-use super::names::{check_input, refuse_twice, scene_entry, scene_with};
+use super::failure::{Failure, print};
+use super::names::{check_assignments, scene_entry, scene_with};
 use super::out_file::OutFile;
-use super::output::print;
 use super::progress::Progress;
 use super::run_end::{remarks, run_json, run_text};
 
@@ -20,8 +19,7 @@ const N_ROWS: f64 = 1000.0;
 
 pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
-    refuse_twice("--start", &arguments.start)?;
-    refuse_twice("--input", &arguments.input)?;
+    check_assignments(model, entry, &arguments.start, &arguments.input)?;
     if let Some(every_s) = arguments.every.filter(|every_s| *every_s <= 0.0) {
         return Err(Failure::wrong_use(SetupError::Every { every_s }));
     }
@@ -30,32 +28,24 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
             "--every is the time between the rows of --out; add --out FILE.csv, or leave --every",
         ));
     }
-    for assignment in &arguments.input {
-        check_input(model, entry, &assignment.name)?;
-    }
     let scene = scene_with(model, entry, &arguments.set)?;
     let method = method(arguments)?;
-    match simulate(arguments, scene.as_ref(), method) {
-        Ok(run) => {
-            // it chooses its steps, which a table may not let it
-            let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
-            if arguments.json {
-                print(&format!("{}\n", run_json(scene.info(), method, Some(&run), &run.outcome.to_string())))?;
-                eprint!("{}", remarks(&run, method, radau_runs));
-            } else {
-                print(&run_text(&run, method, radau_runs))?;
-            }
-            match run.outcome {
-                Outcome::ReachedEnd | Outcome::ReachedEvent { .. } => Ok(()),
-                Outcome::Stopped { .. } => Err(Failure::stopped(format!("the run {}", run.outcome))),
-            }
-        }
-        Err(failure) => {
-            if let (Failure::Stopped(outcome), true) = (&failure, arguments.json) {
-                print(&format!("{}\n", run_json(scene.info(), method, None, outcome)))?;
-            }
-            Err(failure)
-        }
+    let done = simulate(arguments, scene.as_ref(), method);
+    if let (Err(Failure::Stopped(outcome)), true) = (&done, arguments.json) {
+        print(&format!("{}\n", run_json(scene.info(), method, None, outcome)))?;
+    }
+    let run = done?;
+    // it chooses its steps, which a table may not let it
+    let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
+    if arguments.json {
+        print(&format!("{}\n", run_json(scene.info(), method, Some(&run), &run.outcome.to_string())))?;
+        eprint!("{}", remarks(&run, method, radau_runs));
+    } else {
+        print(&run_text(&run, method, radau_runs))?;
+    }
+    match run.outcome.reached_end() {
+        true => Ok(()),
+        false => Err(Failure::stopped(format!("the run {}", run.outcome))),
     }
 }
 

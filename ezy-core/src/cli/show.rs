@@ -8,9 +8,8 @@ use crate::model::{EliminationStep, SceneInfo, SeriesInfo};
 
 use super::Models;
 use super::arguments::{Format, ShowArguments};
-use super::failure::Failure;
+use super::failure::{Failure, print};
 use super::json::Json;
-use super::output::print;
 use super::selection::find;
 
 pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), Failure> {

@@ -19,7 +19,12 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
     /// # Errors
     /// [`MotionError`] when a number is not finite or nothing moves a coordinate; `a` and `lambda` are then unspecified.
     #[inline]
-    pub fn accelerations(&mut self, v: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Result<Solved, MotionError> {
+    pub(crate) fn accelerations(
+        &mut self,
+        v: &[f64],
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<Solved, MotionError> {
         if self.may_eliminate() {
             let found = match self.system.factors.ahead.accelerations(self.t, self.q, v) {
                 Some((smallest, solution)) => {
@@ -52,7 +57,7 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
     ///
     /// # Errors
     /// As [`Self::accelerations`].
-    pub fn correction(&mut self, residual: &[f64], delta: &mut [f64]) -> Result<Solved, MotionError> {
+    pub(crate) fn correction(&mut self, residual: &[f64], delta: &mut [f64]) -> Result<Solved, MotionError> {
         if self.may_eliminate()
             && let Some(smallest) = self.system.eliminate_correction(self.t, self.q, residual, delta)
         {

@@ -10,7 +10,7 @@ use crate::linalg::{
 use crate::model::Scene;
 
 /// A system at one configuration: the factors of K, made once for all that is asked there.
-pub struct Configuration<'c, 's, S: Scene + ?Sized> {
+pub(crate) struct Configuration<'c, 's, S: Scene + ?Sized> {
     pub(super) system: &'c mut System<'s, S>,
     pub(super) t: f64,
     pub(super) q: &'c [f64],
@@ -19,7 +19,7 @@ pub struct Configuration<'c, 's, S: Scene + ?Sized> {
 
 impl<'s, S: Scene + ?Sized> System<'s, S> {
     /// The system at the configuration `q` (`n_q`) at time `t`.
-    pub fn at<'c>(&'c mut self, t: f64, q: &'c [f64]) -> Configuration<'c, 's, S> {
+    pub(crate) fn at<'c>(&'c mut self, t: f64, q: &'c [f64]) -> Configuration<'c, 's, S> {
         Configuration { system: self, t, q, rows: Rows::Exact }
     }
 

@@ -24,7 +24,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Values of the events of the scene; writes `n_s`.
-    pub fn events(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+    pub(crate) fn events(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         self.scene.events(&self.fixed, t, q, v, out);
     }
 
@@ -55,7 +55,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Distances to the ends of the stop with their rates, and the restitution; writes what `Derived::stop` does.
-    pub fn stop(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+    pub(crate) fn stop(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         self.scene.stop(&self.fixed, t, q, v, out);
     }
 

@@ -25,17 +25,16 @@ mod system;
 mod worst;
 
 pub(crate) use any::{Dynamics, SystemOf};
-pub use configuration::Configuration;
 pub use error::{MotionError, StartError, SystemError};
 pub(crate) use on_rows::OnRows;
 pub use projection::{Metric, Projection};
 pub use rank::RankLoss;
-pub use residual::Jacobians;
+pub(crate) use residual::Jacobians;
 pub(crate) use row::SystemRow;
 pub(crate) use solved::Rows;
 pub use solved::Solved;
 pub use strain::{Strain, StrainSource};
-pub use system::{Counters, System};
+pub use system::System;
 pub use worst::{Projected, Worst};
 
 use crate::model::SceneInfo;
@@ -63,13 +62,13 @@ impl State {
 
 impl<T: Scalar> State<T> {
     /// Everything zero, in numbers `T`.
-    pub fn zeros(n_coordinates: usize, n_effects: usize) -> Self {
+    pub(crate) fn zeros(n_coordinates: usize, n_effects: usize) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
         Self { t: 0.0, q: zeros(n_coordinates), v: zeros(n_coordinates), work: zeros(n_effects) }
     }
 
     /// Takes the numbers of a state of the same scene, without allocation.
-    pub fn copy_from(&mut self, other: &Self) {
+    pub(crate) fn copy_from(&mut self, other: &Self) {
         self.t = other.t;
         self.q.copy_from_slice(&other.q);
         self.v.copy_from_slice(&other.v);

@@ -23,12 +23,12 @@ pub enum Projection {
 
 impl Projection {
     /// Whether positions are projected.
-    pub fn positions(self) -> bool {
+    pub(crate) fn positions(self) -> bool {
         matches!(self, Self::Positions | Self::Both)
     }
 
     /// Whether velocities are projected.
-    pub fn velocities(self) -> bool {
+    pub(crate) fn velocities(self) -> bool {
         matches!(self, Self::Velocities | Self::Both)
     }
 }

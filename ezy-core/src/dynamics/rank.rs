@@ -21,7 +21,7 @@ pub struct RankLoss {
 
 impl RankLoss {
     /// Whether there is any; in a system too large to tell, whether a pivot vanished.
-    pub fn is_lost(&self) -> bool {
+    pub(crate) fn is_lost(&self) -> bool {
         self.n_redundant.map_or(!self.rows.is_empty(), |n| n > 0)
     }
 
@@ -111,7 +111,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Errors
     /// [`MotionError::ContradictoryRows`].
     #[inline]
-    pub fn check_accelerations(&mut self, t: f64, q: &[f64], solved: Solved) -> Result<(), MotionError> {
+    pub(crate) fn check_accelerations(&mut self, t: f64, q: &[f64], solved: Solved) -> Result<(), MotionError> {
         match solved.is_rank_deficient {
             true => self.check_agreement(t, q, solved.left, "the accelerations", ACCELERATIONS_AGREE),
             false => Ok(()),

@@ -5,7 +5,7 @@ use crate::model::{JacobianPlaces, Scene, SceneInfo};
 
 /// Jacobians of [`System::residual`] in the order of [`Derived::jacobian_places`](crate::model::Derived::jacobian_places), and G at the same state.
 #[derive(Debug, Clone)]
-pub struct Jacobians {
+pub(crate) struct Jacobians {
     /// R_q.
     pub by_q: Vec<f64>,
     /// R_v.
@@ -16,7 +16,7 @@ pub struct Jacobians {
 
 impl Jacobians {
     /// Zeros at these places.
-    pub fn zero(info: &SceneInfo, places: &JacobianPlaces) -> Self {
+    pub(crate) fn zero(info: &SceneInfo, places: &JacobianPlaces) -> Self {
         let zeros = |n: usize| vec![0.0; n];
         Self {
             by_q: zeros(places.by_q.len()),
@@ -31,7 +31,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Cost
     /// Less than that of the accelerations; no factorisation, no allocation.
-    pub fn residual(&mut self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut [f64]) {
+    pub(crate) fn residual(&mut self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut [f64]) {
         self.counters.evaluations += 1;
         let Self { scene, info, fixed, mass, buffers, .. } = self;
         let (forces, rows) = out.split_at_mut(q.len());
@@ -53,7 +53,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Jacobians of [`System::residual`] at fixed accelerations and multipliers, and G.
-    pub fn jacobians(&self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
+    pub(crate) fn jacobians(&self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
         let Self { scene, fixed, .. } = self;
         scene.jacobians(fixed, t, q, v, a, lambda, &mut out.by_q, &mut out.by_v);
         scene.velocity_jacobian(fixed, t, q, &mut out.jacobian);

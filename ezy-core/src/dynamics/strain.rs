@@ -64,7 +64,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     ///
     /// # Cost
     /// One evaluation of forces and Jacobian, and allocations.
-    pub fn strain(&mut self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64]) -> Option<Strain> {
+    pub(crate) fn strain(&mut self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64]) -> Option<Strain> {
         let mut applied = vec![0.0; a.len()];
         self.scene.applied_force(&self.fixed, t, q, v, &mut applied);
         let root = |i: usize| self.mass[i].sqrt();

@@ -33,7 +33,7 @@ pub struct System<'s, S: Scene + ?Sized> {
 
 /// Work done since construction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Counters {
+pub(crate) struct Counters {
     /// Evaluations of the accelerations.
     pub evaluations: u64,
     /// Factorisations of K, or runs of a generated elimination, for accelerations and corrections.
@@ -117,7 +117,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     }
 
     /// Present inputs, `n_i`, each in its unit.
-    pub fn inputs(&self) -> &[f64] {
+    pub(crate) fn inputs(&self) -> &[f64] {
         &self.fixed[..self.info.n_inputs()]
     }
 
@@ -139,7 +139,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     }
 
     /// Work done so far.
-    pub fn counters(&self) -> Counters {
+    pub(crate) fn counters(&self) -> Counters {
         self.counters
     }
 }

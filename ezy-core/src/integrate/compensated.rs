@@ -14,3 +14,10 @@ pub(super) fn add<T: Scalar>(from: T, increment: T, rest: &mut T) -> T {
     *rest = (from - (sum - taken)) + (increment - taken);
     sum
 }
+
+/// `to = from + increment`, with what rounding cuts off in `rest`.
+pub(super) fn add_each(to: &mut [f64], from: &[f64], increment: &[f64], rest: &mut [f64]) {
+    for (((to, from), increment), rest) in to.iter_mut().zip(from).zip(increment).zip(rest) {
+        *to = add(*from, *increment, rest);
+    }
+}

@@ -21,7 +21,7 @@ pub struct Node<'a, T = f64> {
 ///
 /// # Source
 /// Hermite interpolation; Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I (1993), II.6.
-pub fn interpolate(from: Node<'_>, to: Node<'_>, t: f64, out: &mut State) {
+pub(crate) fn interpolate(from: Node<'_>, to: Node<'_>, t: f64, out: &mut State) {
     let h = to.state.t - from.state.t;
     let s = (t - from.state.t) / h;
     let (r, s2) = (1.0 - s, s * s);

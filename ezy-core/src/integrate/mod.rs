@@ -1,7 +1,6 @@
 //! Methods that advance a state: one method a file. Knows no files and no constraints but through
 //! [`System`](crate::dynamics::System).
 
-mod clock;
 mod compensated;
 mod dop853;
 mod hermite;
@@ -10,17 +9,19 @@ mod rk4;
 mod step_control;
 mod taylor;
 
-pub use clock::Clock;
 #[doc(hidden)]
 pub use dop853::Dop853;
 pub(crate) use dop853::{ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
-pub use hermite::{Node, interpolate};
+#[doc(hidden)]
+pub use hermite::Node;
+pub(crate) use hermite::interpolate;
 #[doc(hidden)]
 pub use radau::{Attempt, Radau};
 pub(crate) use radau::{RadauControl, tolerance_of_estimate};
+#[doc(hidden)]
 pub use rk4::Rk4;
-pub(crate) use step_control::StepControl;
 pub use step_control::Tolerance;
+pub(crate) use step_control::{Clock, StepControl};
 #[doc(hidden)]
 pub use taylor::Taylor;
 pub(crate) use taylor::taylor_order;

@@ -1,4 +1,4 @@
-//! Events of a scene.
+//! Events of a scene, and what changes its constraints: stick–slip friction and unilateral contact.
 
 use super::Formula;
 
@@ -44,11 +44,59 @@ pub enum Direction {
 
 impl Direction {
     /// Whether a root counts that leads to this side of zero: 1 above, -1 below.
-    pub fn counts(self, side: f64) -> bool {
+    pub(crate) fn counts(self, side: f64) -> bool {
         match self {
             Self::Rising => side > 0.0,
             Self::Falling => side < 0.0,
             Self::Either => true,
         }
+    }
+}
+
+/// The skate with a limit. It holds while its multiplier is within the limit.
+///
+/// Beyond the limit the skate slides: a force of the size of the limit opposes the velocity across it, until that velocity
+/// returns to zero. Then it holds again, or slides to the other side if its reaction still exceeds the limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StickSlipInfo {
+    /// Its name, and that of its constraint.
+    pub name: &'static str,
+    /// Index of its constraint in [`SceneInfo::rows`](super::SceneInfo::rows).
+    pub row: usize,
+    /// The limit, N.
+    pub limit: Formula,
+    /// It begins to slide.
+    pub slides: EventInfo,
+    /// It stops sliding to one side.
+    pub stops: EventInfo,
+}
+
+/// The stop of a scene.
+///
+/// When the quantity reaches a bound, an impact reverses its rate and multiplies it by the restitution; all constraints are
+/// satisfied after it. When the quantity would stay there, the contact closes: the stop is a constraint, `quantity - bound`, as
+/// long as it pushes. Its multiplier is negative on the lower end and positive on the upper one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StopInfo {
+    /// Its name, and that of its constraint.
+    pub name: &'static str,
+    /// Index of its constraint in the [`SceneInfo::rows`](super::SceneInfo::rows) of the closed modes.
+    pub row: usize,
+    /// For each end 1 where it is the lower one, -1 where it is the upper one.
+    pub sides: &'static [i8],
+    /// Rate after an impact over the rate before it.
+    pub restitution: Formula,
+    /// The quantity reaches an end; for each one.
+    pub hits: &'static [EventInfo],
+    /// The contact closes.
+    pub holds: EventInfo,
+    /// The contact opens: it would have to pull.
+    pub lets_go: EventInfo,
+}
+
+impl StopInfo {
+    /// Name of an end: `lower` or `upper`.
+    pub const fn end(&self, i: usize) -> &'static str {
+        if self.sides[i] > 0 { "lower" } else { "upper" }
     }
 }

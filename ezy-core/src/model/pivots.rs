@@ -51,14 +51,14 @@ impl Pivots {
     }
 
     /// The first row whose pivot vanished.
-    pub const fn first_vanished(self) -> Option<usize> {
+    pub(crate) const fn first_vanished(self) -> Option<usize> {
         if self.all_keep() { None } else { Some(self.vanished.trailing_zeros() as usize) }
     }
 
     /// The smallest pivot, relative to the diagonal that it started from; the determinant of a pair of rows to the square of
     /// its trace. 1 without any.
     #[inline(always)]
-    pub const fn smallest(self) -> f64 {
+    pub(crate) const fn smallest(self) -> f64 {
         PIVOT_TOLERANCE * self.smallest
     }
 }

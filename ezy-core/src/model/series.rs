@@ -83,7 +83,7 @@ pub struct SeriesStore<T> {
 
 impl<T: Scalar> SeriesStore<T> {
     /// Storage for coefficients of q up to `order`.
-    pub fn new(size: SeriesSize, order: usize) -> Self {
+    pub(crate) fn new(size: SeriesSize, order: usize) -> Self {
         let SeriesSize { n_coordinates, n_rows, n_products, n_base, n_kept } = size;
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
         let n_orders = order + 1;

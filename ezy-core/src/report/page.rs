@@ -54,7 +54,7 @@ impl Page {
     }
 
     /// A heading inside a section.
-    pub fn heading(&mut self, heading: &str) -> &mut Self {
+    pub(crate) fn heading(&mut self, heading: &str) -> &mut Self {
         self.html(&format!("<h3>{}</h3>", escape(heading)))
     }
 

@@ -30,7 +30,7 @@ pub struct Dual<const N: usize> {
 impl<const N: usize> Dual<N> {
     /// A constant.
     #[inline]
-    pub const fn constant(value: f64) -> Self {
+    pub(crate) const fn constant(value: f64) -> Self {
         Self { value, derivatives: [0.0; N] }
     }
 

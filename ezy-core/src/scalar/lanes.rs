@@ -69,8 +69,25 @@ impl<const L: usize> Neg for Lanes<L> {
     }
 }
 
+/// Functions of one or two numbers, in each lane those of `f64`.
+macro_rules! in_each_lane {
+    ($inline:meta: $($name:ident)*; $($of_two:ident)*) => {
+        $(#[$inline]
+        fn $name(self) -> Self {
+            self.map(f64::$name)
+        })*
+        $(#[$inline]
+        fn $of_two(self, other: Self) -> Self {
+            self.zip(other, f64::$of_two)
+        })*
+    };
+}
+
 impl<const L: usize> Scalar for Lanes<L> {
     const PI: Self = Self([std::f64::consts::PI; L]);
+
+    in_each_lane!(inline(always): sqrt abs; min max);
+    in_each_lane!(inline: asin acos exp ln tanh; atan2 powf);
 
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
@@ -92,64 +109,9 @@ impl<const L: usize> Scalar for Lanes<L> {
         (Self(sin), Self(cos))
     }
 
-    #[inline]
-    fn asin(self) -> Self {
-        self.map(f64::asin)
-    }
-
-    #[inline]
-    fn acos(self) -> Self {
-        self.map(f64::acos)
-    }
-
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        self.zip(x, f64::atan2)
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.map(f64::sqrt)
-    }
-
-    #[inline]
-    fn exp(self) -> Self {
-        self.map(f64::exp)
-    }
-
-    #[inline]
-    fn ln(self) -> Self {
-        self.map(f64::ln)
-    }
-
-    #[inline]
-    fn tanh(self) -> Self {
-        self.map(f64::tanh)
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        self.map(f64::abs)
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        self.zip(other, f64::min)
-    }
-
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        self.zip(other, f64::max)
-    }
-
     #[inline(always)]
     fn sign(self) -> Self {
         self.map(Scalar::sign)
-    }
-
-    #[inline]
-    fn powf(self, exponent: Self) -> Self {
-        self.zip(exponent, f64::powf)
     }
 
     #[inline(always)]

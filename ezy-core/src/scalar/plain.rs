@@ -1,9 +1,40 @@
-//! `f64` itself.
+//! `f64` itself, as a number that kernels run on and as text in messages.
+
+use std::ops::Range;
 
 use super::Scalar;
 
+/// Methods of [`Scalar`] that are those of `f64` by the same names.
+macro_rules! as_in_std {
+    ($($name:ident($($argument:ident)?) -> $result:ty;)*) => {$(
+        #[inline(always)]
+        fn $name(self $(, $argument: Self)?) -> $result {
+            f64::$name(self $(, $argument)?)
+        }
+    )*};
+}
+
 impl Scalar for f64 {
     const PI: Self = std::f64::consts::PI;
+
+    as_in_std! {
+        sin_cos() -> (Self, Self);
+        sin() -> Self;
+        cos() -> Self;
+        tan() -> Self;
+        asin() -> Self;
+        acos() -> Self;
+        atan2(x) -> Self;
+        sqrt() -> Self;
+        exp() -> Self;
+        ln() -> Self;
+        tanh() -> Self;
+        abs() -> Self;
+        min(other) -> Self;
+        max(other) -> Self;
+        powf(exponent) -> Self;
+        is_finite() -> bool;
+    }
 
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
@@ -17,83 +48,8 @@ impl Scalar for f64 {
     }
 
     #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
-    }
-
-    #[inline(always)]
-    fn sin(self) -> Self {
-        self.sin()
-    }
-
-    #[inline(always)]
-    fn cos(self) -> Self {
-        self.cos()
-    }
-
-    #[inline(always)]
-    fn tan(self) -> Self {
-        self.tan()
-    }
-
-    #[inline(always)]
-    fn asin(self) -> Self {
-        self.asin()
-    }
-
-    #[inline(always)]
-    fn acos(self) -> Self {
-        self.acos()
-    }
-
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        self.atan2(x)
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    #[inline(always)]
-    fn exp(self) -> Self {
-        self.exp()
-    }
-
-    #[inline(always)]
-    fn ln(self) -> Self {
-        self.ln()
-    }
-
-    #[inline(always)]
-    fn tanh(self) -> Self {
-        self.tanh()
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        self.abs()
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        self.min(other)
-    }
-
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        self.max(other)
-    }
-
-    #[inline(always)]
     fn sign(self) -> Self {
         if self == 0.0 { 0.0 } else { self.signum() }
-    }
-
-    #[inline(always)]
-    fn powf(self, exponent: Self) -> Self {
-        self.powf(exponent)
     }
 
     #[inline(always)]
@@ -105,9 +61,30 @@ impl Scalar for f64 {
     fn magnitude(self) -> f64 {
         self.abs()
     }
+}
 
-    #[inline(always)]
-    fn is_finite(self) -> bool {
-        self.is_finite()
+/// Magnitudes that are written without an exponent: zeros of others say less than they take.
+const PLAIN: Range<f64> = 1e-6..1e15;
+
+/// All digits of a number, with an exponent where it is very small or very large.
+pub(crate) fn legible(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() || PLAIN.contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
+}
+
+/// A number rounded to so many significant digits.
+#[cfg(any(test, feature = "cli"))]
+pub(crate) fn rounded(x: f64, n_digits: usize) -> String {
+    let digits = n_digits.saturating_sub(1);
+    format!("{x:.digits$e}").parse().map_or_else(|_| legible(x), legible)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_numbers_have_an_exponent_where_they_are_very_small() {
+        assert_eq!([0.001, -2.0, 1e-300].map(legible), ["0.001", "-2", "1e-300"]);
+        assert_eq!([12.3456, 0.000_123_456, 1.5e-9].map(|x| rounded(x, 4)), ["12.35", "0.0001235", "1.5e-9"]);
     }
 }

@@ -42,7 +42,7 @@ pub(super) fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> 
             difference.compare(&probe.product(&entries, d), size, &mut worst);
         }
     }
-    check("C_q against differences of C", worst, TOLERANCE, REASON)
+    worst.check("C_q against differences of C", TOLERANCE, REASON)
 }
 
 /// C_q v + C_t against differences of C along the motion.
@@ -58,7 +58,7 @@ pub(super) fn velocity_rows<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
         let size = (max_abs(&rows) * t.max(1.0)).max(max_abs(q)).max(difference.size);
         difference.compare(&rows, size, &mut worst);
     }
-    check("C_q v + C_t against differences of C", worst, TOLERANCE, REASON)
+    worst.check("C_q v + C_t against differences of C", TOLERANCE, REASON)
 }
 
 /// [h; s] against differences of all velocity constraints along the motion at constant velocity.
@@ -77,7 +77,7 @@ pub(super) fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check 
         let size = (max_abs(&h) * t.max(1.0)).max(max_abs(&entries) * max_abs(v)).max(difference.size);
         difference.compare(&h, size, &mut worst);
     }
-    check("h, s against differences of the velocity constraints", worst, TOLERANCE, REASON)
+    worst.check("h, s against differences of the velocity constraints", TOLERANCE, REASON)
 }
 
 /// G against differences of the velocity constraints in each velocity, which are linear in them.
@@ -98,7 +98,7 @@ pub(super) fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) ->
             }
         }
     }
-    check("G against the velocity constraints", worst, LINEAR_TOLERANCE, LINEAR_REASON)
+    worst.check("G against the velocity constraints", LINEAR_TOLERANCE, LINEAR_REASON)
 }
 
 /// Sum of the powers of all effects, less the growth of the potential energy, against F·v and λ·g_t, where g_t is what
@@ -123,12 +123,7 @@ pub(super) fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
         growth.compare(&[powers.iter().sum::<f64>() - terms.sum::<f64>()], size, &mut worst);
     }
     let (tolerance, reason) = if has_potential { (TOLERANCE, REASON) } else { (LINEAR_TOLERANCE, LINEAR_REASON) };
-    check("powers and potential against F v and lambda g_t", worst, tolerance, reason)
-}
-
-pub(super) fn check(name: &'static str, worst: Worst, tolerance: f64, reason: &'static str) -> Check {
-    let Worst { error, n_compared, n_left_out } = worst;
-    Check { name, n_compared, n_left_out, largest_error: error, tolerance, reason }
+    worst.check("powers and potential against F v and lambda g_t", tolerance, reason)
 }
 
 /// Difference quotients, their truncation error, and the largest of the numbers, whose rounding they contain.

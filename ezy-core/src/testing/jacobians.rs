@@ -1,7 +1,7 @@
 //! The Jacobians of the equations of motion against differences of their residual.
 
 use super::Check;
-use super::derivatives::{along, check, slope};
+use super::derivatives::{along, slope};
 use super::probe::{Probe, RandomState, Worst};
 use crate::dynamics::max_abs;
 use crate::model::Scene;
@@ -33,7 +33,7 @@ pub(super) fn of_residual<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Option<Che
             difference.compare(&product, size, &mut worst);
         }
     }
-    Some(check("Jacobians against differences of the equations of motion", worst, TOLERANCE, REASON))
+    Some(worst.check("Jacobians against differences of the equations of motion", TOLERANCE, REASON))
 }
 
 /// Largest entry of G times the sum of what it multiplies.

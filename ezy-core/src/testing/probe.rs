@@ -1,5 +1,6 @@
 //! Random states at which a scene is checked.
 
+use super::Check;
 use crate::dynamics::{System, SystemError};
 use crate::linalg::Backend;
 use crate::model::{Scene, SceneInfo};
@@ -112,5 +113,19 @@ impl Worst {
             self.error = error;
         }
         self.n_compared += 1;
+    }
+
+    /// The finished check.
+    pub(super) fn check(self, name: &'static str, tolerance: f64, reason: &'static str) -> Check {
+        let Self { error, n_compared, n_left_out } = self;
+        Check { name, n_compared, n_left_out, largest_error: error, tolerance, reason }
+    }
+
+    /// The finished check; where nothing could be compared it is a failure, not a pass.
+    pub(super) fn check_of_some(mut self, name: &'static str, tolerance: f64, reason: &'static str) -> Check {
+        if self.n_compared == 0 {
+            self.error = f64::NAN;
+        }
+        self.check(name, tolerance, reason)
     }
 }

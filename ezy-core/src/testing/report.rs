@@ -22,7 +22,7 @@ pub struct Check {
 
 impl Check {
     /// Whether the error is within the tolerance, and at least half of the comparisons could be made.
-    pub fn passed(&self) -> bool {
+    pub(crate) fn passed(&self) -> bool {
         self.largest_error <= self.tolerance && self.n_left_out <= self.n_compared
     }
 }
@@ -42,7 +42,7 @@ pub struct CheckReport {
 
 impl CheckReport {
     /// Whether all checks passed.
-    pub fn passed(&self) -> bool {
+    pub(crate) fn passed(&self) -> bool {
         self.checks.iter().all(Check::passed)
     }
 }

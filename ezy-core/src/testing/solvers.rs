@@ -111,12 +111,7 @@ fn check<S: Scene + ?Sized>(
         let size = max_abs(&y);
         x.iter().zip(&y).for_each(|(x, y)| worst.compare(*x, *y, size));
     }
-    if worst.n_compared == 0 {
-        // nothing was comparable: that is a failure, not a pass
-        worst.error = f64::NAN;
-    }
-    let Worst { error, n_compared, n_left_out } = worst;
-    Check { name, n_compared, n_left_out, largest_error: error, tolerance: TOLERANCE, reason: REASON }
+    worst.check_of_some(name, TOLERANCE, REASON)
 }
 
 /// Accelerations, then multipliers.

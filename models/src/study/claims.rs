@@ -7,6 +7,7 @@ use super::coast::Coasting;
 use super::driven::Drive;
 use super::error::StudyError;
 use super::growth::Growth;
+use super::parts::row;
 use super::projection::Projections;
 use super::slips::slips;
 use super::steps::{REPORT_STEP_S, Steps};
@@ -42,8 +43,6 @@ fn conclusions(found: &Findings<'_>) -> Vec<[String; 4]> {
     let Findings { drive, steps, growth, .. } = found;
     let [(from_0, to_0, exponent_0), .., (from_1, to_1, exponent_1)] = growth.exponents[..] else { return Vec::new() };
     let (first, last) = (growth.instants[0], growth.instants[growth.instants.len() - 1]);
-    let row =
-        |cells: [&str; 3], measured: String| [cells[0].to_owned(), cells[1].to_owned(), cells[2].to_owned(), measured];
     vec![
         row(
             [
@@ -118,8 +117,6 @@ fn method(found: &Findings<'_>) -> Vec<[String; 4]> {
     let Findings { projections, steps, drive, .. } = found;
     let n_report = (drive.motion.run.last().t / REPORT_STEP_S).round() as usize;
     let clock = (0..n_report).fold(0.0, |t, _| t + REPORT_STEP_S);
-    let row =
-        |cells: [&str; 3], measured: String| [cells[0].to_owned(), cells[1].to_owned(), cells[2].to_owned(), measured];
     let last = steps.drift.len() - 1;
     vec![
         row(

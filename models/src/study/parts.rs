@@ -31,6 +31,11 @@ pub fn typeset_unit(unit: &str) -> String {
     unit.replace('*', "·").replace("^2", "²").replace("^3", "³")
 }
 
+/// A row of the list of claims: part, claim and finding as written, then what was measured.
+pub fn row([part, claim, finding]: [&str; 3], measured: String) -> [String; 4] {
+    [part.to_owned(), claim.to_owned(), finding.to_owned(), measured]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

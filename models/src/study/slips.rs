@@ -7,7 +7,7 @@ use ezy_core::record::find_name;
 
 use super::claims::Findings;
 use super::error::StudyError;
-use super::parts::largest;
+use super::parts::{largest, row};
 use crate::ezy_roller::{Coast, Driven};
 
 /// A length of the bar that is not the one of the report, m: it tells c and d apart.
@@ -38,8 +38,6 @@ pub fn slips(found: &Findings<'_>, driven: &Driven) -> Result<Vec<[String; 4]>, 
         let names = coast_info.coordinates.iter().map(|c| c.name);
         find_name("coordinate", name, names).map(|i| other_start.q[i].cos())
     };
-    let row =
-        |cells: [&str; 3], measured: String| [cells[0].to_owned(), cells[1].to_owned(), cells[2].to_owned(), measured];
     Ok(vec![
         row(
             ["(a)", "hinge Jacobian, row 2, column 5: 1", "the opposite sign"],

@@ -1,7 +1,7 @@
 //! Part (j) and the order of the method: the same scenes with smaller and smaller steps.
 
 use ezy_core::dynamics::{Projection, State, System};
-use ezy_core::integrate::{Clock, Method, Node, Rk4};
+use ezy_core::integrate::Method;
 use ezy_core::linalg::Backend;
 use ezy_core::model::{Equations, Scene};
 use ezy_core::record::find_name;
@@ -198,24 +198,20 @@ fn right_endpoint_sum(motion: &Motion<'_>) -> Result<Vec<f64>, StudyError> {
 /// small. Nothing is projected: the drift of one minute is far below the gap.
 fn right_endpoint_gap(driven: &Driven, step_s: f64) -> Result<f64, StudyError> {
     let info = driven.info();
-    let (n_q, n_e) = (info.n_coordinates(), info.n_effects());
-    let seat = find_name("coordinate", "seat.phi", info.coordinates.iter().map(|c| c.name))?;
-    let bar = find_name("coordinate", "bar.phi", info.coordinates.iter().map(|c| c.name))?;
-    let mut system = System::new(driven, Backend::Auto)?;
-    let mut now = system.consistent_start(&system.scene_start())?;
-    let mut next = State::zero(n_q, n_e);
-    let (mut a, mut force, mut lambda) = (vec![0.0; n_q], vec![0.0; n_q], vec![0.0; info.n_rows()]);
-    let mut power = vec![0.0; n_e];
-    let clock = Clock::new(now.t, info.until_s, step_s);
-    let mut rk4 = Rk4::new(n_q, info.n_rows(), n_e);
+    let index = |name: &str| find_name("coordinate", name, info.coordinates.iter().map(|c| c.name));
+    let (seat, bar) = (index("seat.phi")?, index("bar.phi")?);
+    let system = System::new(driven, Backend::Auto)?;
+    let mut force = vec![0.0; info.n_coordinates()];
+    let mut stepper = Simulation::new(driven).method(Method::rk4(step_s)).project(Projection::None).stepper()?;
+    let turn = |q: &[f64]| q[seat] - q[bar];
+    let mut turned = turn(&stepper.state().q);
     let mut sum = 0.0;
-    for n in 0..clock.n_steps() {
-        system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda)?;
-        system.power(now.t, &now.q, &now.v, &lambda, &mut power);
-        rk4.step(&mut system, Node { state: &now, a: &a, power: &power }, clock.step(n), clock.time(n + 1), &mut next)?;
-        driven.applied_force(system.fixed(), next.t, &next.q, &next.v, &mut force);
-        sum += force[seat] * ((next.q[seat] - now.q[seat]) - (next.q[bar] - now.q[bar]));
-        std::mem::swap(&mut now, &mut next);
+    for _ in 0..(info.until_s / step_s).round() as u64 {
+        stepper.step(1)?;
+        let State { t, q, v, .. } = stepper.state();
+        driven.applied_force(system.fixed(), *t, q, v, &mut force);
+        sum += force[seat] * (turn(q) - turned);
+        turned = turn(q);
     }
-    Ok((system.kinetic_energy(&now.v) - sum).abs())
+    Ok((stepper.energy().kinetic - sum).abs())
 }

@@ -1,26 +1,9 @@
 //! Names and patterns of the hand-written EzyRoller.
 
+use crate::described::{EMPTY, coordinate, f, row};
 use ezy_core::model::{
-    CoordinateInfo, EffectInfo, EliminationStep, Formula, Operations, ParameterInfo, PointInfo, RowInfo, SceneInfo,
-    SparsityPattern,
+    CoordinateInfo, EffectInfo, EliminationStep, Formula, ParameterInfo, PointInfo, RowInfo, SceneInfo, SparsityPattern,
 };
-
-const fn f(text: &'static str) -> Formula {
-    Formula { text, latex: "", mathml: "" }
-}
-
-const fn coordinate(name: &'static str, velocity_name: &'static str, unit: &'static str) -> CoordinateInfo {
-    CoordinateInfo { name, velocity_name, unit, symbol: f(name), velocity_symbol: f(velocity_name) }
-}
-
-const fn row(
-    name: &'static str,
-    kind: &'static str,
-    constraint: &'static str,
-    convective_term: &'static str,
-) -> RowInfo {
-    RowInfo { name, kind, multiplier_unit: "N", constraint: f(constraint), convective_term: f(convective_term) }
-}
 
 const fn point(name: &'static str, body: usize, position: [&'static str; 2]) -> PointInfo {
     PointInfo { name, body: Some(body), position: Some([f(position[0]), f(position[1])]) }
@@ -120,18 +103,12 @@ const fn scene(
     SceneInfo {
         model: "HandRoller",
         name,
-        documentation: "",
         bodies: &["seat", "bar"],
         coordinates: &COORDINATES,
         points: &POINTS,
         rows: &ROWS,
         n_position_rows: 2,
         parameters,
-        inputs: &[],
-        outputs: &[],
-        events: &[],
-        stick_slip: None,
-        stop: None,
         effects,
         until_s,
         n_constants: parameters.len(),
@@ -139,13 +116,8 @@ const fn scene(
         jacobian_entries: &JACOBIAN_ENTRIES,
         mass_entries: &MASS_ENTRIES,
         force_entries,
-        potential_energy: f("0"),
-        abbreviations: &[],
         elimination: &[EliminationStep { rows: &[0, 1, 2, 3], constant_pivot: false }],
-        acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
-        correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
-        series: ezy_core::model::SeriesInfo::Absent,
-        repeats: None,
+        ..EMPTY
     }
 }
 

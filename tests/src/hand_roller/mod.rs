@@ -10,7 +10,8 @@ mod series;
 
 use ezy_core::__private::{Pivots, Series};
 use ezy_core::model::{Derived, Equations, Scene, SceneInfo, Start};
-use schur::Schur;
+use ezy_core::scalar::Scalar;
+use schur::{N_FACTORS, Schur};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The scene `coast` or `driven`, with every parameter free.
@@ -38,20 +39,26 @@ fn torque(c: &[f64], t: f64) -> f64 {
     if c.len() > 8 { c[8] * (c[9] * t).cos() } else { 0.0 }
 }
 
-/// G as a full matrix, rows B.x, B.y, rear, front.
-fn jacobian(c: &[f64], q: &[f64]) -> [[f64; 6]; 4] {
-    let [a, b, c_, d] = [c[0], c[1], c[2], c[3]];
+/// Sines and cosines of both angles: s₁, c₁, s₂, c₂.
+fn trig<T: Scalar>(q: &[T]) -> [T; 4] {
     let ((s1, c1), (s2, c2)) = (q[2].sin_cos(), q[5].sin_cos());
-    [
-        [1.0, 0.0, -b * s1, -1.0, 0.0, -d * s2],
-        [0.0, 1.0, b * c1, 0.0, -1.0, d * c2],
-        [-s1, c1, -a, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, -s2, c2, c_],
-    ]
+    [s1, c1, s2, c2]
 }
 
-fn masses(c: &[f64]) -> [f64; 6] {
-    [c[4], c[4], c[5], c[6], c[6], c[7]]
+/// M, and G as a full matrix with the rows B.x, B.y, rear, front.
+fn schur<T: Scalar>(p: &[T], trig: &[T]) -> Schur<T> {
+    let [s1, c1, s2, c2] = [trig[0], trig[1], trig[2], trig[3]];
+    let [a, b, c, d] = [p[0], p[1], p[2], p[3]];
+    let [o, i] = [0.0, 1.0].map(T::from_f64);
+    Schur {
+        mass: [p[4], p[4], p[5], p[6], p[6], p[7]],
+        jacobian: [
+            [i, o, -b * s1, -i, o, -d * s2],
+            [o, i, b * c1, o, -i, d * c2],
+            [-s1, c1, -a, o, o, o],
+            [o, o, o, -s2, c2, c],
+        ],
+    }
 }
 
 impl Equations<f64> for HandRoller {
@@ -60,7 +67,7 @@ impl Equations<f64> for HandRoller {
     }
 
     fn mass_matrix(&self, c: &[f64], m: &mut [f64]) {
-        m.copy_from_slice(&masses(c));
+        m.copy_from_slice(&[c[4], c[4], c[5], c[6], c[6], c[7]]);
     }
 
     fn position_constraint(&self, c: &[f64], _t: f64, q: &[f64], out: &mut [f64]) {
@@ -70,13 +77,13 @@ impl Equations<f64> for HandRoller {
     }
 
     fn velocity_constraint(&self, c: &[f64], _t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
-        for (out, row) in out.iter_mut().zip(jacobian(c, q)) {
+        for (out, row) in out.iter_mut().zip(schur(c, &trig(q)).jacobian) {
             *out = row.iter().zip(v).map(|(g, v)| g * v).sum();
         }
     }
 
     fn velocity_jacobian(&self, c: &[f64], _t: f64, q: &[f64], out: &mut [f64]) {
-        let g = jacobian(c, q);
+        let g = schur(c, &trig(q)).jacobian;
         for (k, row, column) in self.info().jacobian.entries() {
             out[k] = g[row][column];
         }
@@ -103,16 +110,18 @@ impl Equations<f64> for HandRoller {
         self.applied_force(c, t, q, v, &mut f);
         let mut h = [0.0; 4];
         self.convective_term(c, t, q, v, &mut h);
-        let schur = Schur::new(masses(c), jacobian(c, q));
-        schur.solve(&f, &h.map(|h| -h), a, lambda);
-        schur.pivots
+        let (schur, mut factors) = (schur(c, &trig(q)), [0.0; N_FACTORS]);
+        let pivots = schur.factor(&mut factors);
+        schur.solve(&factors, &f, &h.map(|h| -h), a, lambda);
+        pivots
     }
 
     fn correction(&self, c: &[f64], _t: f64, q: &[f64], residual: &[f64], delta: &mut [f64]) -> Pivots {
-        let schur = Schur::new(masses(c), jacobian(c, q));
+        let (schur, mut factors) = (schur(c, &trig(q)), [0.0; N_FACTORS]);
+        let pivots = schur.factor(&mut factors);
         let r = [-residual[0], -residual[1], -residual[2], -residual[3]];
-        schur.solve(&[0.0; 6], &r, delta, &mut [0.0; 4]);
-        schur.pivots
+        schur.solve(&factors, &[0.0; 6], &r, delta, &mut [0.0; 4]);
+        pivots
     }
 }
 

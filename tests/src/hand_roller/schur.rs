@@ -1,60 +1,56 @@
-//! `[M Gᵀ; G 0] [x; y] = [f; r]` by `G M⁻¹ Gᵀ y = G M⁻¹ f − r` and LDLᵀ.
+//! `[M Gᵀ; G 0] [x; y] = [f; r]` by `G M⁻¹ Gᵀ y = G M⁻¹ f − r` and LDLᵀ, in any numbers.
 
 use ezy_core::__private::{PIVOT_TOLERANCE, Pivots};
+use ezy_core::scalar::Scalar;
 
-pub struct Schur {
-    mass: [f64; 6],
-    jacobian: [[f64; 6]; 4],
-    /// L below the diagonal, D on it.
-    factors: [[f64; 4]; 4],
-    pub pivots: Pivots,
+/// Entries of the factors: row by row L below the diagonal, D on it.
+pub const N_FACTORS: usize = 16;
+
+/// M and G.
+pub struct Schur<T> {
+    pub mass: [T; 6],
+    pub jacobian: [[T; 6]; 4],
 }
 
-impl Schur {
-    pub fn new(mass: [f64; 6], jacobian: [[f64; 6]; 4]) -> Self {
-        let mut l = [[0.0; 4]; 4];
+impl<T: Scalar> Schur<T> {
+    pub fn factor(&self, l: &mut [T]) -> Pivots {
+        let (g, m, zero) = (&self.jacobian, &self.mass, T::from_f64(0.0));
         for i in 0..4 {
             for j in 0..=i {
-                l[i][j] = (0..6).map(|k| jacobian[i][k] * jacobian[j][k] / mass[k]).sum();
+                l[4 * i + j] = (0..6).fold(zero, |sum, k| sum + g[i][k] * g[j][k] / m[k]);
             }
         }
         let mut pivots = Pivots::default();
         for j in 0..4 {
-            let start = l[j][j];
+            let start = l[5 * j];
             for k in 0..j {
-                l[j][j] -= l[j][k] * l[j][k] * l[k][k];
+                l[5 * j] = l[5 * j] - l[4 * j + k] * l[4 * j + k] * l[5 * k];
             }
-            pivots = pivots.see(&[j], l[j][j] / (PIVOT_TOLERANCE * start));
+            pivots = pivots.see(&[j], l[5 * j].least_ratio(T::from_f64(PIVOT_TOLERANCE) * start));
             for i in j + 1..4 {
                 for k in 0..j {
-                    l[i][j] -= l[i][k] * l[j][k] * l[k][k];
+                    l[4 * i + j] = l[4 * i + j] - l[4 * i + k] * l[4 * j + k] * l[5 * k];
                 }
-                l[i][j] /= l[j][j];
+                l[4 * i + j] = l[4 * i + j] / l[5 * j];
             }
         }
-        Self { mass, jacobian, factors: l, pivots }
+        pivots
     }
 
-    pub fn solve(&self, f: &[f64; 6], r: &[f64; 4], x: &mut [f64], y: &mut [f64]) {
-        let (g, m, l) = (&self.jacobian, &self.mass, &self.factors);
+    pub fn solve(&self, l: &[T], f: &[T], r: &[T], x: &mut [T], y: &mut [T]) {
+        let (g, m) = (&self.jacobian, &self.mass);
         for i in 0..4 {
-            y[i] = (0..6).map(|k| g[i][k] * f[k] / m[k]).sum::<f64>() - r[i];
-        }
-        for i in 0..4 {
-            for j in 0..i {
-                y[i] -= l[i][j] * y[j];
-            }
+            y[i] = (0..6).fold(-r[i], |sum, k| sum + g[i][k] * f[k] / m[k]);
+            y[i] = (0..i).fold(y[i], |sum, j| sum - l[4 * i + j] * y[j]);
         }
         for (i, y) in y.iter_mut().enumerate() {
-            *y /= l[i][i];
+            *y = *y / l[5 * i];
         }
         for i in (0..4).rev() {
-            for j in i + 1..4 {
-                y[i] -= l[j][i] * y[j];
-            }
+            y[i] = (i + 1..4).fold(y[i], |sum, j| sum - l[4 * j + i] * y[j]);
         }
         for k in 0..6 {
-            x[k] = (f[k] - (0..4).map(|i| g[i][k] * y[i]).sum::<f64>()) / m[k];
+            x[k] = (0..4).fold(f[k], |sum, i| sum - g[i][k] * y[i]) / m[k];
         }
     }
 }

@@ -3,8 +3,9 @@
 //! Products of body i (`s`, `c` of its angle φ, wheel multiplier μ, hinge multipliers λ₁, λ₂), in this order: s·φ, c·φ, s·x,
 //! c·y, s·μ, c·μ, s·λ₁, c·λ₂. Right factors hold m x_m of a coordinate in row m, and a multiplier of order k in row k + 2.
 
-use super::HandRoller;
-use ezy_core::__private::{PIVOT_TOLERANCE, Pivots, Series, SeriesSize, SeriesStore};
+use super::schur::N_FACTORS;
+use super::{HandRoller, schur, trig};
+use ezy_core::__private::{Pivots, Series, SeriesSize, SeriesStore};
 use ezy_core::scalar::Scalar;
 
 /// Products of one body.
@@ -14,18 +15,6 @@ const FACTORS: usize = 4;
 
 fn n<T: Scalar>(x: f64) -> T {
     T::from_f64(x)
-}
-
-/// G at the start of the step.
-fn jacobian<T: Scalar>(p: &[T], base: &[T]) -> [[T; 6]; 4] {
-    let [s1, c1, s2, c2] = [base[0], base[1], base[2], base[3]];
-    let [a, b, c, d] = [p[0], p[1], p[2], p[3]];
-    let (o, i) = (n::<T>(0.0), n::<T>(1.0));
-    [[i, o, -b * s1, -i, o, -d * s2], [o, i, b * c1, o, -i, d * c2], [-s1, c1, -a, o, o, o], [o, o, o, -s2, c2, c]]
-}
-
-fn masses<T: Scalar>(p: &[T]) -> [T; 6] {
-    [p[4], p[4], p[5], p[6], p[6], p[7]]
 }
 
 /// Row `k` of q and everything that follows from it: factors of row `k`, given sines and cosines of that order.
@@ -42,11 +31,11 @@ fn write_factors<T: Scalar>(store: &mut SeriesStore<T>, k: usize, trig: [T; 4]) 
 
 impl<T: Scalar> Series<T> for HandRoller {
     fn series_size(&self) -> SeriesSize {
-        SeriesSize { n_coordinates: 6, n_rows: 4, n_products: 2 * N, n_base: FACTORS + 16, n_kept: 1 }
+        SeriesSize { n_coordinates: 6, n_rows: 4, n_products: 2 * N, n_base: FACTORS + N_FACTORS, n_kept: 1 }
     }
 
     fn begin(&self, p: &[T], t: T, store: &mut SeriesStore<T>) -> Pivots {
-        let ((s1, c1), (s2, c2)) = (store.q[2].sin_cos(), store.q[5].sin_cos());
+        let [s1, c1, s2, c2] = trig(&store.q);
         store.base[..FACTORS].copy_from_slice(&[s1, c1, s2, c2]);
         let (w1, w2) = (store.q[8], store.q[11]);
         write_factors(store, 1, [c1 * w1, -s1 * w1, c2 * w2, -s2 * w2]);
@@ -72,7 +61,7 @@ impl<T: Scalar> Series<T> for HandRoller {
             (x1 * c1 + y1 * s1) * w1,
             (x2 * c2 + y2 * s2) * w2,
         ]);
-        factor(p, &mut store.base)
+        schur(p, &store.base).factor(&mut store.base[FACTORS..])
     }
 
     fn right_side(&self, p: &[T], k: usize, store: &mut SeriesStore<T>) {
@@ -98,21 +87,8 @@ impl<T: Scalar> Series<T> for HandRoller {
     }
 
     fn solve(&self, p: &[T], k: usize, store: &mut SeriesStore<T>) {
-        let (g, mass, l) = (jacobian(p, &store.base), masses(p), &store.base[FACTORS..]);
-        let y = &mut store.lambda[4 * k..][..4];
-        for i in 0..4 {
-            y[i] = (0..6).fold(-store.row[i], |sum, j| sum + g[i][j] * store.force[j] / mass[j]);
-            y[i] = (0..i).fold(y[i], |sum, j| sum - l[4 * i + j] * y[j]);
-        }
-        for (i, y) in y.iter_mut().enumerate() {
-            *y = *y / l[5 * i];
-        }
-        for i in (0..4).rev() {
-            y[i] = (i + 1..4).fold(y[i], |sum, j| sum - l[4 * j + i] * y[j]);
-        }
-        for j in 0..6 {
-            store.a[j] = (0..4).fold(store.force[j], |sum, i| sum - g[i][j] * y[i]) / mass[j];
-        }
+        let SeriesStore { base, force, row, a, lambda, .. } = store;
+        schur(p, base).solve(&base[FACTORS..], force, row, a, &mut lambda[4 * k..][..4]);
     }
 
     fn finish(&self, _p: &[T], k: usize, store: &mut SeriesStore<T>) {
@@ -136,30 +112,4 @@ impl<T: Scalar> Series<T> for HandRoller {
             right[4..].copy_from_slice(&[wheel, wheel, lambda[0], lambda[1]]);
         }
     }
-}
-
-/// LDLᵀ of G M⁻¹ Gᵀ behind the sines and cosines.
-fn factor<T: Scalar>(p: &[T], base: &mut [T]) -> Pivots {
-    let (g, mass) = (jacobian(p, base), masses(p));
-    let l = &mut base[FACTORS..];
-    let mut pivots = Pivots::default();
-    for i in 0..4 {
-        for j in 0..=i {
-            l[4 * i + j] = (0..6).fold(n(0.0), |sum, k| sum + g[i][k] * g[j][k] / mass[k]);
-        }
-    }
-    for j in 0..4 {
-        let start = l[5 * j];
-        for k in 0..j {
-            l[5 * j] = l[5 * j] - l[4 * j + k] * l[4 * j + k] * l[5 * k];
-        }
-        pivots = pivots.see(&[j], l[5 * j].least_ratio(n::<T>(PIVOT_TOLERANCE) * start));
-        for i in j + 1..4 {
-            for k in 0..j {
-                l[4 * i + j] = l[4 * i + j] - l[4 * i + k] * l[4 * j + k] * l[5 * k];
-            }
-            l[4 * i + j] = l[4 * i + j] / l[5 * j];
-        }
-    }
-    pivots
 }

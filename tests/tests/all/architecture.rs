@@ -1,4 +1,5 @@
-//! ARCHITECTURE.md and docs/decisions tell the truth: their paths exist, and layers import only what the page allows.
+//! ARCHITECTURE.md and docs/decisions tell the truth: their paths exist, and layers import only what the page allows. The macro
+//! does not depend on the crate that it writes for: what stands in both is alike.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -182,5 +183,25 @@ fn invariant_decisions_are_listed_and_complete() {
         let title = page.lines().next().unwrap_or_default().trim_start_matches("# ");
         assert!(index.contains(&format!("]({name}) {title}\n")), "{folder}/README.md has another title for {name}");
         assert_paths_exist(&format!("{folder}/{name}"));
+    }
+}
+
+/// What a pivot counts as vanished below, in how large groups sums of products are padded, and which matrices are listed
+/// by rows.
+const SHARED: [&str; 3] = ["PIVOT_TOLERANCE", "PRODUCT_GROUP", "WIDEST_MATRIX"];
+
+/// What a crate says of a constant: type and value, each time it is defined.
+fn definitions(source: &Path, name: &str) -> Vec<String> {
+    let begin = format!("const {name}: ");
+    let texts = files(source).into_iter().map(|file| fs::read_to_string(file).unwrap());
+    let found = |text: String| text.lines().filter_map(|line| Some(line.split_once(&begin)?.1.to_owned())).collect();
+    texts.flat_map::<Vec<String>, _>(found).collect()
+}
+
+#[test]
+fn cross_constants_of_macro_and_core_agree() {
+    for name in SHARED {
+        let [derive, core] = ["ezy-derive/src", "ezy-core/src"].map(|source| definitions(&root().join(source), name));
+        assert_eq!((derive.len(), &derive), (1, &core), "{name} is defined once in each crate, and alike");
     }
 }

@@ -60,7 +60,7 @@ fn invariant_driven_rows_are_one_group() {
 
 #[test]
 fn cross_generated_drive_and_the_one_by_hand() {
-    let (generated, hand) = (motor::Level::default(), Crank::new());
+    let (generated, hand) = (motor::Level::default(), Crank::default());
     let run = |scene: &dyn Scene| Simulation::new(scene).work().every(0.1).run().unwrap();
     let (generated, hand) = (run(&generated), run(&hand));
     for (a, b) in generated.samples().zip(hand.samples()) {

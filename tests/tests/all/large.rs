@@ -5,26 +5,22 @@ use ezy_core::linalg::{KktFactorization, SparseKkt};
 use ezy_core::model::{LayoutFault, Scene, Start};
 use ezy_core::prelude::*;
 use ezy_core::testing::check_scene;
-use ezy_tests::chain::Chain;
+
+model! {
+    /// Rods of 1 m and 1 kg in a row, hung from one end, at angles that go on turning.
+    pub model Chain {
+        count n = 100;
+        body rod[n] { mass: 1, inertia: 1/12 }
+        hinge top: ground(0, 0) ~ rod[0](-0.5, 0);
+        for i in 1..n { hinge pin[i]: rod[i-1](0.5, 0) ~ rod[i](-0.5, 0); }
+        gravity (0, -9.81);
+        start rolled_up { for i in 0..n { rod[i] angle 0.1*i; } }
+        scene swing { start rolled_up; until 1 s; }
+    }
+}
 
 /// The projection's promise, with the rounding of coordinates of some thousand metres.
 const POSITION: f64 = 2e-11;
-
-/// Stored entries of L for the chain.
-fn factor_entries(n: usize) -> usize {
-    let info = Chain::new(n).info();
-    SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows()).unwrap().n_factor_entries()
-}
-
-#[test]
-fn invariant_factors_of_a_chain_grow_with_its_length() {
-    let entries = [10, 100, 1_000, 10_000].map(|n| factor_entries(n) as f64 / n as f64);
-    println!("entries of L for each rod: {entries:.1?}");
-    for pair in entries.windows(2) {
-        // the ends count less and less, the rest is the same for each rod
-        assert!(pair[1] <= 1.2 * pair[0], "{entries:?}");
-    }
-}
 
 /// Entries of L for `n` bodies of which body i is joined to body `parent(i)` by two rows.
 fn tree_entries(n: usize, parent: impl Fn(usize) -> usize) -> usize {
@@ -89,7 +85,7 @@ fn cross_star_is_solved_as_by_the_dense_backend() {
 #[test]
 fn fd_chains_pass_their_checks() {
     for n in [1, 6] {
-        if let Err(error) = check_scene(&Chain::new(n)) {
+        if let Err(error) = check_scene(&chain::Swing { n }) {
             panic!("{n} rods: {error}");
         }
     }
@@ -97,7 +93,7 @@ fn fd_chains_pass_their_checks() {
 
 #[test]
 fn invariant_ten_thousand_rods_start_and_move_consistently() {
-    let scene = Chain::new(10_000);
+    let scene = chain::Swing { n: 10_000 };
     let run = Simulation::new(&scene).method(Method::rk4(1e-5)).until(3e-5).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     assert!(run.last().position_residual <= POSITION, "{:.1e}", run.last().position_residual);
@@ -106,7 +102,7 @@ fn invariant_ten_thousand_rods_start_and_move_consistently() {
 
 #[test]
 fn invariant_consistent_start_of_a_long_chain_is_not_touched() {
-    let scene = Chain::new(1_000);
+    let scene = chain::Swing { n: 1_000 };
     let mut system = System::new(&scene, Backend::Auto).unwrap();
     let state = system.consistent_start(&system.scene_start()).unwrap();
     let mut again = Start::free(3_000);
@@ -118,7 +114,7 @@ fn invariant_consistent_start_of_a_long_chain_is_not_touched() {
 #[test]
 fn analytic_held_rods_of_a_long_chain_carry_the_rest_along() {
     // every angle is held, so that the centres follow by themselves; a held speed of the last rod moves it alone
-    let scene = Chain::new(200);
+    let scene = chain::Swing { n: 200 };
     let run = Simulation::new(&scene).until(0.0).give("rod[199].omega", 2.0);
     let run = (0..199).fold(run, |run, i| run.give(format!("rod[{i}].omega"), 0.0)).run().unwrap();
     let (sin, cos) = (0.1_f64 * 199.0).sin_cos();
@@ -129,7 +125,7 @@ fn analytic_held_rods_of_a_long_chain_carry_the_rest_along() {
 
 #[test]
 fn invariant_start_that_cannot_be_met_is_refused_at_any_length() {
-    let scene = Chain::new(500);
+    let scene = chain::Swing { n: 500 };
     let refused = Simulation::new(&scene).until(0.0).give("rod[499].x", 1e4).run();
     let message = refused.err().map(|error| error.to_string()).unwrap_or_default();
     assert!(message.contains("contradicts the constraints") && message.contains("more"), "{message}");
@@ -138,8 +134,8 @@ fn invariant_start_that_cannot_be_met_is_refused_at_any_length() {
 
 #[test]
 fn invariant_backends_that_do_not_fit_are_refused() {
-    let refused = |scene: &Chain, backend| System::new(scene, backend).err();
-    let (short, long) = (Chain::new(3), Chain::new(1_000));
+    let refused = |scene: &chain::Swing, backend| System::new(scene, backend).err();
+    let (short, long) = (chain::Swing { n: 3 }, chain::Swing { n: 1_000 });
     assert!(matches!(refused(&short, Backend::Generated), Some(SystemError::NoElimination { .. })));
     assert!(matches!(refused(&long, Backend::Dense), Some(SystemError::TooLargeForDense { n: 5_000, .. })));
     let mut system = System::new(&long, Backend::Auto).unwrap();
@@ -149,7 +145,7 @@ fn invariant_backends_that_do_not_fit_are_refused() {
 
 #[test]
 fn invariant_count_of_zero_and_far_too_many_are_refused() {
-    let fault = |n| match System::new(&Chain::new(n), Backend::Auto).err() {
+    let fault = |n| match System::new(&chain::Swing { n }, Backend::Auto).err() {
         Some(SystemError::Layout(fault)) => fault,
         other => panic!("{other:?}"),
     };
@@ -159,8 +155,8 @@ fn invariant_count_of_zero_and_far_too_many_are_refused() {
 
 #[test]
 fn invariant_description_is_made_once_for_each_count() {
-    assert!(std::ptr::eq(Chain::new(12).info(), Chain::new(12).info()));
-    let info = Chain::new(12).info();
+    assert!(std::ptr::eq(chain::Swing { n: 12 }.info(), chain::Swing { n: 12 }.info()));
+    let info = chain::Swing { n: 12 }.info();
     assert_eq!((info.rows[2].name, info.rows[23].name), ("pin[1].x", "pin[11].y"));
     assert_eq!((info.n_coordinates(), info.n_position_rows), (36, 24));
 }

@@ -3,6 +3,7 @@
 mod scenes;
 
 mod accuracy;
+mod adaptive;
 mod architecture;
 mod backends;
 mod circles;
@@ -28,7 +29,6 @@ mod monitors;
 mod order;
 mod other_mechanisms;
 mod outputs;
-mod paid_when_asked;
 mod parallel_cranks;
 mod precise;
 mod projection;
@@ -43,7 +43,6 @@ mod selection;
 mod self_check;
 mod sensitivity;
 mod setup;
-mod shared_constants;
 mod singularity_crossing;
 mod singularity_crossing_cases;
 mod start;

@@ -1,6 +1,6 @@
 //! A bar without mass and inertia: M is singular, K is not.
 
-use crate::scenes::{Case, coast, distance, driven, set};
+use crate::scenes::{Case, coast, distance, driven, rk4, set};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
@@ -34,25 +34,10 @@ fn reduced(t: f64, y: &[f64; 6]) -> [f64; 6] {
     ]
 }
 
-/// The classical Runge–Kutta method, spelled out once more.
-fn reduced_end() -> [f64; 6] {
-    let mut y = [-0.2, 0.0, 0.0, PI, 0.0, 0.0];
-    let n = (HORIZON / STEP).round() as usize;
-    for i in 0..n {
-        let t = i as f64 * STEP;
-        let plus = |k: &[f64; 6], h: f64| std::array::from_fn(|j| y[j] + h * k[j]);
-        let k1 = reduced(t, &y);
-        let k2 = reduced(t + STEP / 2.0, &plus(&k1, STEP / 2.0));
-        let k3 = reduced(t + STEP / 2.0, &plus(&k2, STEP / 2.0));
-        let k4 = reduced(t + STEP, &plus(&k3, STEP));
-        y = std::array::from_fn(|j| y[j] + STEP / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]));
-    }
-    y
-}
-
 #[test]
 fn cross_driven_massless_bar_against_the_reduced_equations() {
-    let y = reduced_end();
+    let n = (HORIZON / STEP).round() as usize;
+    let y = (0..n).fold([-0.2, 0.0, 0.0, PI, 0.0, 0.0], |y, i| rk4(reduced, i as f64 * STEP, &y, STEP));
     for Case { route, mut scene } in driven() {
         set(&mut *scene, &MASSLESS);
         let run = Simulation::new(&*scene).method(Method::rk4(STEP)).until(HORIZON).run().unwrap();

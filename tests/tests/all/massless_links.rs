@@ -4,7 +4,7 @@ use ezy_core::prelude::*;
 
 ezy_core::model! {
     /// `massless_coupler` of `torture.json`.
-    model PureCoupler {
+    pub model PureCoupler {
         body crank { mass: 1, inertia: 1/12 }
         body coupler { mass: 0, inertia: 0 }
         body rocker { mass: 2, inertia: 0.375 }

@@ -2,10 +2,10 @@
 
 use crate::scenes::distance;
 use ezy_core::dynamics::State;
-use ezy_core::model::{Scene, SceneInfo};
+use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_core::testing::check_scene;
-use ezy_tests::piloted::{piloted, unpiloted};
+use ezy_tests::piloted::piloted;
 
 /// Products of a handful of numbers up to a thousand.
 const ROUNDING: f64 = 1e-11;
@@ -69,20 +69,6 @@ fn cross_input_of_zero_is_the_scene_without_it() {
     let ((mut still, state), (mut without, _)) = (ready(&ridden), ready(&coast));
     still.inputs_mut()[0] = 0.0;
     assert_eq!(accelerations(&mut still, &state), accelerations(&mut without, &state));
-}
-
-#[test]
-fn invariant_scene_that_calls_for_no_input_is_the_model_without_it() {
-    let (with, without) = (piloted::Coast::default(), unpiloted::Coast::default());
-    let of = |info: &SceneInfo| {
-        (info.n_constants, info.n_inputs(), info.acceleration_operations, info.correction_operations)
-    };
-    assert_eq!(of(with.info()), of(without.info()));
-    assert_eq!((size_of_val(&with), with.info().n_effects()), (size_of_val(&without), without.info().n_effects()));
-    let end = |scene: &dyn Scene| {
-        Simulation::new(scene).run().unwrap().last().numbers().map(f64::to_bits).collect::<Vec<_>>()
-    };
-    assert_eq!(end(&with), end(&without));
 }
 
 #[test]

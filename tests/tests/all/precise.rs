@@ -5,7 +5,7 @@ use ezy_core::integrate::{PreciseError, PreciseMotion};
 use ezy_core::prelude::*;
 use ezy_core::scalar::{DoubleDouble, Scalar};
 use ezy_models::ezy_roller;
-use ezy_tests::chain::Chain;
+use ezy_tests::crank::Crank;
 use ezy_tests::reference::{decimal, load_precise};
 
 ezy_core::model! {
@@ -91,7 +91,7 @@ fn invariant_motion_that_overflows_is_an_error() {
 
 #[test]
 fn analytic_scene_without_a_series_has_no_precise_motion() {
-    let scene = Chain::new(2);
-    let start = ezy_core::dynamics::State::zero(6, 0);
-    assert_eq!(PreciseMotion::new(&scene, &start).err(), Some(PreciseError::NoSeries { scene: "swing" }));
+    let scene = Crank::default();
+    let start = ezy_core::dynamics::State::zero(3, 1);
+    assert_eq!(PreciseMotion::new(&scene, &start).err(), Some(PreciseError::NoSeries { scene: "turn" }));
 }

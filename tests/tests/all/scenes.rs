@@ -37,3 +37,13 @@ pub fn distance(x: &[f64], y: &[f64]) -> f64 {
     assert_eq!(x.len(), y.len());
     x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, |m, d| if d > m || d.is_nan() { d } else { m })
 }
+
+/// One step of the classical Runge–Kutta method for y' = `slope`(t, y), apart from that of EZY.
+pub fn rk4<const N: usize>(slope: impl Fn(f64, &[f64; N]) -> [f64; N], t: f64, y: &[f64; N], h: f64) -> [f64; N] {
+    let plus = |k: &[f64; N], h: f64| std::array::from_fn(|j| y[j] + h * k[j]);
+    let k1 = slope(t, y);
+    let k2 = slope(t + h / 2.0, &plus(&k1, h / 2.0));
+    let k3 = slope(t + h / 2.0, &plus(&k2, h / 2.0));
+    let k4 = slope(t + h, &plus(&k3, h));
+    std::array::from_fn(|j| y[j] + h / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]))
+}

@@ -4,14 +4,16 @@ use ezy_core::model::{Operations, Scene, SceneInfo};
 use ezy_core::simulate::Simulation;
 use ezy_models::ezy_roller;
 use ezy_tests::page::{docs, part, write_part};
+use ezy_tests::piloted::{piloted, unpiloted};
 use ezy_tests::plain_rollers::{coasting, drifting, pumped};
 
-/// Scenes of the EzyRoller, each beside the model without what it leaves out.
-fn pairs() -> [(Box<dyn Scene>, Box<dyn Scene>); 3] {
+/// Scenes of the EzyRoller, each beside the model without what it leaves out: effects, parameters, releases, inputs.
+fn pairs() -> [(Box<dyn Scene>, Box<dyn Scene>); 4] {
     [
         (Box::new(ezy_roller::Coast::default()), Box::new(coasting::Coast::default())),
         (Box::new(ezy_roller::Driven::default()), Box::new(pumped::Driven::default())),
         (Box::new(ezy_roller::Drift::default()), Box::new(drifting::Drift::default())),
+        (Box::new(piloted::Coast::default()), Box::new(unpiloted::Coast::default())),
     ]
 }
 

@@ -1,5 +1,6 @@
 //! Starts that contradict the constraints: refused, or projected when asked.
 
+use crate::massless_links::pure_coupler;
 use ezy_core::dynamics::StartError;
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
@@ -25,21 +26,6 @@ ezy_core::model! {
             coupler at (1.5, 0.5*sqrt(3)) angle 0;
         }
         scene swing { start slanted; until 1 s; }
-    }
-}
-
-ezy_core::model! {
-    /// A four-bar whose coupler is a mere distance.
-    model PureCoupler {
-        body crank { mass: 1, inertia: 1/12 }
-        body coupler { mass: 0, inertia: 0 }
-        body rocker { mass: 2, inertia: 0.375 }
-        hinge A: ground(0, 0) ~ crank(-0.5, 0);
-        hinge B: crank(0.5, 0) ~ coupler(-1, 0);
-        hinge C: coupler(1, 0) ~ rocker(0.75, 0);
-        hinge D: ground(2, 0) ~ rocker(-0.75, 0);
-        start bent { crank angle 1.2; coupler near angle 0.27; rocker near angle 1.38; }
-        scene swing { start bent; until 1 s; }
     }
 }
 

@@ -1,7 +1,9 @@
-//! Work as a state of the integration.
+//! Work as a state of the integration; works and outputs cost nothing unless a run is asked for them.
 
 use crate::scenes::{Case, coast, driven};
 use ezy_core::prelude::*;
+use ezy_tests::crank::Crank;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// RK4 at 10 ms over 60 s: 7.4e-8 J by the order of the method.
 const COARSE_BALANCE: f64 = 2e-7;
@@ -40,4 +42,41 @@ fn invariant_coast_has_no_effects_and_no_work() {
         assert!(run.last().work.is_empty(), "{route}");
         assert_eq!(run.last().energy.work, 0.0, "{route}");
     }
+}
+
+const N_STEPS: u64 = 100;
+
+/// Evaluations of powers and outputs in a run of a hundred steps with eleven samples.
+fn evaluations(change: impl for<'s> Fn(Simulation<'s, Crank>) -> Simulation<'s, Crank>) -> [u64; 2] {
+    let scene = Crank::default();
+    let order = Simulation::new(&scene).method(Method::rk4(1e-3)).until(N_STEPS as f64 * 1e-3).every(0.01);
+    let run = change(order).run().unwrap();
+    assert_eq!((run.cost.steps, run.samples().len()), (N_STEPS, 11));
+    [scene.powers.load(Relaxed), scene.outputs.load(Relaxed)]
+}
+
+#[test]
+fn invariant_run_that_asks_for_nothing_evaluates_no_power_and_no_output() {
+    assert_eq!(evaluations(|order| order), [0, 0]);
+}
+
+#[test]
+fn invariant_outputs_are_evaluated_once_a_sample() {
+    assert_eq!(evaluations(|order| order.outputs()), [0, 11]);
+}
+
+#[test]
+fn invariant_work_takes_a_power_at_every_stage() {
+    // the last stage of a step is not the first of the next: projections lie between
+    assert_eq!(evaluations(|order| order.work()), [4 * N_STEPS + 1, 0]);
+}
+
+#[test]
+fn invariant_stepper_that_is_not_looked_at_evaluates_neither() {
+    let scene = Crank::default();
+    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    stepper.step(N_STEPS).unwrap();
+    assert_eq!([scene.powers.load(Relaxed), scene.outputs.load(Relaxed)], [0, 0]);
+    stepper.outputs();
+    assert_eq!(scene.outputs.load(Relaxed), 1);
 }

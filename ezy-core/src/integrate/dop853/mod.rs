@@ -68,7 +68,7 @@ impl<T: Scalar> Dop853<T> {
     }
 
     /// Forgets the rounding errors of the sums, before another run.
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         self.rest.fill([T::from_f64(0.0); WIDTH]);
     }
 

@@ -22,9 +22,9 @@ impl Radau {
     pub(super) fn finish(&mut self, start: &State, h: f64, to: &mut State) {
         self.next_rest.copy_from(&self.rest);
         let (stages, rest, end) = (&self.stages, &mut self.next_rest, N_STAGES - 1);
-        add(&mut to.q, &start.q, &stages.q[end], &mut rest.q);
-        add(&mut to.v, &start.v, &stages.v[end], &mut rest.v);
-        add(&mut to.work, &start.work, &stages.work[end], &mut rest.work);
+        compensated::add_each(&mut to.q, &start.q, &stages.q[end], &mut rest.q);
+        compensated::add_each(&mut to.v, &start.v, &stages.v[end], &mut rest.v);
+        compensated::add_each(&mut to.work, &start.work, &stages.work[end], &mut rest.work);
         to.t = start.t + h;
     }
 
@@ -71,11 +71,4 @@ fn filter(stages: &Stages, matrices: &mut Matrices, h: f64, of: &mut State, solu
 pub(super) fn norm(q: &[f64], v: &[f64], weights: &[f64]) -> f64 {
     let squares = q.iter().chain(v).zip(weights).map(|(x, weight)| (x * weight).powi(2));
     (squares.sum::<f64>() / weights.len().max(1) as f64).sqrt()
-}
-
-/// `to = from + increment`, with what rounding cuts off in `rest`.
-fn add(to: &mut [f64], from: &[f64], increment: &[f64], rest: &mut [f64]) {
-    for (((to, from), increment), rest) in to.iter_mut().zip(from).zip(increment).zip(rest) {
-        *to = compensated::add(*from, *increment, rest);
-    }
 }

@@ -139,7 +139,7 @@ impl Radau {
     }
 
     /// Forgets the stages and Jacobians of the steps before, which belong to another law.
-    pub fn turn(&mut self) {
+    pub(crate) fn turn(&mut self) {
         self.before_s = None;
         self.fresh = false;
         self.rate = SLOW;
@@ -148,7 +148,7 @@ impl Radau {
     }
 
     /// Forgets the steps before, at the beginning of another run or after a jump.
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         self.turn();
         for rest in [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work] {
             rest.fill(0.0);

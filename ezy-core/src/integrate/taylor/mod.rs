@@ -56,13 +56,8 @@ impl<'s> Taylor<'s> {
         })
     }
 
-    /// Order of a step.
-    pub fn order(&self) -> usize {
-        self.order
-    }
-
     /// Forgets what rounding cut off, before another run.
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));
     }
 
@@ -97,7 +92,7 @@ impl<'s> Taylor<'s> {
     }
 
     /// The last expansion: coefficients of q up to `order + 1`, of the multipliers up to `order - 1`.
-    pub fn coefficients(&self) -> &SeriesStore<f64> {
+    pub(crate) fn coefficients(&self) -> &SeriesStore<f64> {
         &self.next
     }
 
@@ -119,7 +114,7 @@ impl<'s> Taylor<'s> {
             let Self { order, now: store, increment: by, rest, quadrature, .. } = self;
             by.work.fill(0.0);
             quadrature.add_works(system, store, *order, from, h, &mut by.work);
-            add(&mut to.work, &from.work, &by.work, &mut rest.work);
+            compensated::add_each(&mut to.work, &from.work, &by.work, &mut rest.work);
         }
         to.t = from.t + h;
     }
@@ -154,8 +149,8 @@ impl Taylor<'_> {
     fn advance_motion(&mut self, from: &State, h: f64, to: &mut State) {
         let Self { order, now: store, increment: by, rest, .. } = self;
         increment(store, *order, h, &mut by.q, &mut by.v);
-        add(&mut to.q, &from.q, &by.q, &mut rest.q);
-        add(&mut to.v, &from.v, &by.v, &mut rest.v);
+        compensated::add_each(&mut to.q, &from.q, &by.q, &mut rest.q);
+        compensated::add_each(&mut to.v, &from.v, &by.v, &mut rest.v);
     }
 
     fn motion_at(&self, from: &State, s: f64, out: &mut State) {
@@ -182,12 +177,5 @@ impl<S: Scene + ?Sized> OrderSolver<f64> for FactoredOrders<'_, '_, S> {
         let n_c = row.len();
         let solved = self.system.solve_factored(force, row, a, &mut lambda[k * n_c..][..n_c]);
         self.first.get_or_insert(solved);
-    }
-}
-
-/// `to = from + increment`, with what rounding cuts off in `rest`.
-fn add(to: &mut [f64], from: &[f64], increment: &[f64], rest: &mut [f64]) {
-    for (((to, from), increment), rest) in to.iter_mut().zip(from).zip(increment).zip(rest) {
-        *to = compensated::add(*from, *increment, rest);
     }
 }

@@ -62,7 +62,6 @@ pub struct PreciseMotion<'s, S: Scene + ?Sized> {
     solver: Refined<'s, S>,
     store: SeriesStore<DoubleDouble>,
     weights: Vec<f64>,
-    n_steps: u64,
     t: f64,
     q: Vec<DoubleDouble>,
     v: Vec<DoubleDouble>,
@@ -121,7 +120,6 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
             },
             store: SeriesStore::new(precise.series_size(), ORDER + 1),
             weights: vec![0.0; 2 * n_q],
-            n_steps: 0,
             t,
             q: q.to_vec(),
             v: v.to_vec(),
@@ -133,11 +131,6 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         motion.project()?;
         motion.expand()?;
         Ok(motion)
-    }
-
-    /// Time, s.
-    pub fn t(&self) -> f64 {
-        self.t
     }
 
     /// Coordinates, `n_q`.
@@ -155,15 +148,10 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         &self.lambda
     }
 
-    /// Steps taken.
-    pub fn n_steps(&self) -> u64 {
-        self.n_steps
-    }
-
     /// Steps until `end`, s, which is not before the present time.
     ///
     /// # Errors
-    /// As [`PreciseMotion::step`].
+    /// [`MotionError`] when the motion cannot be continued; it is then of no further use.
     pub fn advance_to(&mut self, end: f64) -> Result<(), MotionError> {
         while self.t < end {
             self.step(end)?;
@@ -171,13 +159,8 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         Ok(())
     }
 
-    /// One step, which ends at `end` at the latest.
-    ///
-    /// # Errors
-    /// [`MotionError`] when the motion cannot be continued; it is then of no further use.
-    /// # Cost
-    /// About a hundred steps of [`Taylor`](super::Taylor); no allocation.
-    pub fn step(&mut self, end: f64) -> Result<(), MotionError> {
+    /// One step, which ends at `end` at the latest. It costs about a hundred steps of [`Taylor`](super::Taylor); no allocation.
+    fn step(&mut self, end: f64) -> Result<(), MotionError> {
         let Self { store, weights, t, .. } = self;
         write_weights(store, Tolerance { relative: TOLERANCE, absolute: TOLERANCE }, weights);
         let (length, left) = (longest_step(store, ORDER, weights), end - *t);
@@ -192,7 +175,6 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
         self.v.iter_mut().zip(&self.v_delta).for_each(|(v, delta)| *v = *v + *delta);
         self.check_finite()?;
         self.t = t_next;
-        self.n_steps += 1;
         self.project()?;
         self.expand()
     }

@@ -11,8 +11,7 @@ use look::Look;
 
 /// How the axes are scaled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Axes {
+enum Axes {
     /// Both linear.
     Linear,
     /// Both linear, with the same length for one unit: for paths and shapes.
@@ -23,25 +22,25 @@ pub enum Axes {
 
 /// Something drawn along points.
 #[derive(Debug, Clone)]
-pub struct Curve {
+struct Curve {
     /// Name in the legend; empty: no entry.
-    pub name: String,
+    name: String,
     /// Abscissae.
-    pub x: Vec<f64>,
+    x: Vec<f64>,
     /// Ordinates, as many as abscissae.
-    pub y: Vec<f64>,
+    y: Vec<f64>,
     look: Look,
 }
 
 /// A text at a place of the axes.
 #[derive(Debug, Clone)]
-pub struct Note {
+struct Note {
     /// Abscissa of the middle of the text.
-    pub x: f64,
+    x: f64,
     /// Ordinate of the middle of the text.
-    pub y: f64,
+    y: f64,
     /// What it says.
-    pub text: String,
+    text: String,
 }
 
 /// A figure with one pair of axes.
@@ -57,17 +56,17 @@ pub struct Note {
 #[derive(Debug, Clone)]
 pub struct Figure {
     /// Headline.
-    pub title: String,
+    title: String,
     /// Name and unit of the abscissa.
-    pub x_label: String,
+    x_label: String,
     /// Name and unit of the ordinate.
-    pub y_label: String,
+    y_label: String,
     /// Scaling of the axes.
-    pub axes: Axes,
+    axes: Axes,
     /// What is drawn, in this order.
-    pub curves: Vec<Curve>,
+    curves: Vec<Curve>,
     /// Texts over the curves.
-    pub notes: Vec<Note>,
+    notes: Vec<Note>,
     n_lines: usize,
 }
 

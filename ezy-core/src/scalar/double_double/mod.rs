@@ -31,7 +31,7 @@ pub struct DoubleDouble {
 impl DoubleDouble {
     /// `high + low`, which may overlap.
     #[inline]
-    pub fn new(high: f64, low: f64) -> Self {
+    pub(crate) fn new(high: f64, low: f64) -> Self {
         two_sum(high, low)
     }
 

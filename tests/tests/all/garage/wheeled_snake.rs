@@ -90,13 +90,7 @@ fn cross_crawling_snake_against_three_coordinates() {
     let (q, v) = (run.first().coordinates, run.first().velocities);
     let mut head = [q[0], q[1], q[2], v[0], v[1], v[2]];
     for k in 0..n_steps {
-        let t = step * k as f64;
-        let plus = |k: &[f64; 6], h: f64| std::array::from_fn(|j| head[j] + h * k[j]);
-        let k1 = rates(&scene, t, &head);
-        let k2 = rates(&scene, t + step / 2.0, &plus(&k1, step / 2.0));
-        let k3 = rates(&scene, t + step / 2.0, &plus(&k2, step / 2.0));
-        let k4 = rates(&scene, t + step, &plus(&k3, step));
-        head = std::array::from_fn(|j| head[j] + step / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]));
+        head = crate::scenes::rk4(|t, head| rates(&scene, t, head), step * k as f64, &head, step);
     }
     let all: Vec<f64> = links(&scene, run.last().t, &head)
         .iter()

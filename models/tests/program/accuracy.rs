@@ -1,22 +1,11 @@
-//! `ezy accuracy`, run as its users run it.
+//! The command `accuracy`.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
+use crate::{assert_wrong_use, directory, text};
 use serde_json::Value;
+use std::process::Output;
 
 fn ezy(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ezy")).arg("accuracy").args(arguments).output().expect("the program starts")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).expect("output is UTF-8")
-}
-
-fn directory(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    _ = std::fs::remove_dir_all(&path);
-    path
+    crate::ezy(&[&["accuracy"][..], arguments].concat())
 }
 
 #[test]
@@ -74,10 +63,7 @@ fn invariant_accuracy_exits_with_2_on_wrong_use() {
         (&["ezyroller/coast", "--out", "/dev/null/x"], "choose another directory with --out"),
     ];
     for (arguments, expected) in cases {
-        let done = ezy(arguments);
-        let message = text(&done.stderr);
-        assert_eq!(done.status.code(), Some(2), "{arguments:?}: {message}");
-        assert!(message.contains(expected), "{arguments:?}: {message}");
+        assert_wrong_use(&[&["accuracy"][..], arguments].concat(), expected);
     }
 }
 

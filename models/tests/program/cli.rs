@@ -1,17 +1,9 @@
-//! The `ezy` command line, run as its users run it.
+//! The commands of every program with models.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
+use crate::{assert_wrong_use, directory, ezy, text};
 use serde_json::Value;
-
-fn ezy(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ezy")).args(arguments).output().expect("the program starts")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).expect("output is UTF-8")
-}
+use std::path::Path;
+use std::process::Command;
 
 /// Standard output of a command that succeeds.
 fn output(arguments: &[&str]) -> String {
@@ -28,14 +20,6 @@ fn keys(value: &Value) -> Vec<&str> {
     value.as_object().expect("an object").keys().map(String::as_str).collect()
 }
 
-/// A fresh place for the files of one test.
-fn directory(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).expect("a directory for the test");
-    path
-}
-
 const COORDINATES: [&str; 6] = ["bar.phi", "bar.x", "bar.y", "seat.phi", "seat.x", "seat.y"];
 
 #[test]
@@ -49,9 +33,7 @@ fn invariant_list_names_every_scene_as_it_is_typed() {
 #[test]
 fn invariant_start_that_contradicts_is_projected_when_asked() {
     let given = ["run", "fourbar/turning", "--until", "0", "--start", "crank.omega=-1", "--start", "rocker.omega=-0.5"];
-    let refused = ezy(&given);
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(text(&refused.stderr).contains("`--project-start`"), "{}", text(&refused.stderr));
+    assert_wrong_use(&given, "`--project-start`");
     let rate = &json(&[&given[..], &["--project-start", "--json"]].concat())["rate"];
     let rate = |name: &str| rate[name].as_f64().expect("a number");
     assert!((rate("crank.phi") - rate("rocker.phi")).abs() < 1e-12);
@@ -212,11 +194,7 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["shwo"], "'show'"),
     ];
     for (arguments, message) in cases {
-        let done = ezy(arguments);
-        let stderr = text(&done.stderr);
-        assert_eq!(done.status.code(), Some(2), "{arguments:?}: {stderr}");
-        assert!(stderr.contains(message), "{arguments:?}: {stderr}");
-        assert!(done.stdout.is_empty(), "{arguments:?}");
+        assert_wrong_use(arguments, message);
     }
 }
 
@@ -420,10 +398,7 @@ fn invariant_wrong_inputs_exit_with_2_and_say_what_to_do() {
         (&["run", "ezyroller/ridden", "--inputs", table], "did you mean `torque`?"),
     ];
     for (arguments, message) in cases {
-        let done = ezy(arguments);
-        let stderr = text(&done.stderr);
-        assert_eq!(done.status.code(), Some(2), "{arguments:?}: {stderr}");
-        assert!(stderr.contains(message), "{arguments:?}: {stderr}");
+        assert_wrong_use(arguments, message);
     }
 }
 
@@ -444,9 +419,7 @@ fn invariant_count_that_is_no_count_is_refused() {
     for (value, remedy) in
         [("n=2.5", "whole number"), ("n=0", "whole number"), ("n=-3", "whole number"), ("n=1e12", "smaller count")]
     {
-        let refused = ezy(&["run", "chain/swing", "--set", value]);
-        assert_eq!(refused.status.code(), Some(2), "{value}");
-        assert!(text(&refused.stderr).contains(remedy), "{value}: {}", text(&refused.stderr));
+        assert_wrong_use(&["run", "chain/swing", "--set", value], remedy);
     }
 }
 
@@ -496,7 +469,5 @@ fn invariant_stops_and_limits_are_told_by_run_and_show() {
     let limited = show["rows"].as_array().into_iter().flatten().filter(|row| !row["limit"].is_null());
     assert_eq!(limited.map(|row| row["name"].clone()).collect::<Vec<_>>(), ["rear_on_ice"], "{show}");
 
-    let refused = ezy(&["accuracy", "ezyroller/skid"]);
-    assert_eq!(refused.status.code(), Some(2), "{}", text(&refused.stderr));
-    assert!(text(&refused.stderr).contains("rear_on_ice"), "{}", text(&refused.stderr));
+    assert_wrong_use(&["accuracy", "ezyroller/skid"], "rear_on_ice");
 }

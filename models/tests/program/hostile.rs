@@ -1,7 +1,7 @@
 //! Arguments and files that nobody means: the program does what it is asked with sound numbers, or says why not.
 
+use crate::directory;
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
@@ -104,14 +104,6 @@ fn has_null(value: &Value) -> bool {
 
 fn of(words: &[&str]) -> Vec<OsString> {
     words.iter().map(OsString::from).collect()
-}
-
-/// A fresh place for the files of one test.
-fn directory(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).expect("a directory for the test");
-    path
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! The study, done once: what it prints and what it writes.
 
-use std::path::Path;
-use std::process::Command;
+use crate::{assert_wrong_use, directory, ezy, text};
 
 /// Figures, each as SVG, PNG and CSV.
 const FIGURES: [&str; 10] = [
@@ -24,10 +23,9 @@ fn last_row(text: &str) -> Vec<f64> {
 
 #[test]
 fn reference_study_writes_what_the_equations_say() {
-    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("study");
-    _ = std::fs::remove_dir_all(&directory);
-    let done = Command::new(env!("CARGO_BIN_EXE_ezy")).args(["study", "--out"]).arg(&directory).output().unwrap();
-    let (stdout, stderr) = (String::from_utf8(done.stdout).unwrap(), String::from_utf8(done.stderr).unwrap());
+    let directory = directory("study");
+    let done = ezy(&["study", "--out", directory.to_str().unwrap()]);
+    let (stdout, stderr) = (text(&done.stdout), text(&done.stderr));
     assert_eq!(done.status.code(), Some(0), "{stderr}");
     // speed and kinetic energy after ten minutes, from a solution with 36 digits
     assert!(stdout.contains("2.0786 m/s, 101.555 J") && stdout.contains("index.html"), "{stdout}");
@@ -73,9 +71,7 @@ fn check_page(page: &str) {
 
 #[test]
 fn invariant_study_into_a_file_exits_with_2() {
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("not_a_directory");
+    let file = directory("no_study").join("not_a_directory");
     std::fs::write(&file, "").unwrap();
-    let done = Command::new(env!("CARGO_BIN_EXE_ezy")).args(["study", "--out"]).arg(&file).output().unwrap();
-    assert_eq!(done.status.code(), Some(2));
-    assert!(String::from_utf8(done.stderr).unwrap().contains("choose another directory"));
+    assert_wrong_use(&["study", "--out", file.to_str().unwrap()], "choose another directory");
 }

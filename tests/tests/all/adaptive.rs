@@ -1,0 +1,120 @@
+//! What the methods that choose their steps have in common; what is their own stands with each of them.
+
+use crate::scenes::{Case, distance, driven};
+use ezy_core::model;
+use ezy_core::prelude::*;
+use ezy_core::simulate::{Outcome, SetupError, StopReason};
+use ezy_models::ezy_roller;
+use ezy_tests::reference::load;
+
+/// By the tolerance.
+const METHODS: [fn(f64) -> Method; 3] = [Method::dop853, Method::taylor, Method::radau];
+
+/// DOP853 at 1e-14 over 60 s in full coordinates: the method leaves 2e-12, rounding of 1.4e3 steps with a sensitivity of 2e3
+/// another 1e-12.
+const DRIVEN_BY_DOP853: f64 = 1e-11;
+/// Taylor's method at 1e-15: π as a double, in the start and in the drive, moves the end by 3e-13, and rounding of 3e2 steps as
+/// much again.
+const DRIVEN_BY_TAYLOR: f64 = 2e-12;
+/// The projection's promise.
+const ON_THE_ROWS: f64 = 1e-12;
+
+#[test]
+fn reference_driven_at_all_samples() {
+    let reference = load("ezyroller_driven");
+    for Case { route, scene } in driven() {
+        for (method, bar) in [(Method::dop853(1e-14), DRIVEN_BY_DOP853), (Method::taylor(1e-15), DRIVEN_BY_TAYLOR)] {
+            let run = Simulation::new(&*scene).method(method).every(0.5).run().unwrap();
+            for r in &reference {
+                let s =
+                    run.samples().find(|s| (s.t - r.t).abs() < 1e-9).expect("a sample at the time of the reference");
+                let error = distance(s.coordinates, &r.q).max(distance(s.velocities, &r.v));
+                assert!(error <= bar, "{route}, {}: {error:.1e} at {} s", method.name(), r.t);
+            }
+        }
+    }
+}
+
+/// A tolerance is kept per step: over a run the error follows it, times the growth of errors with the motion.
+#[test]
+fn order_error_follows_the_tolerance() {
+    let reference = load("ezyroller_driven");
+    let scene = ezy_roller::Driven::default();
+    let cases: [(fn(f64) -> Method, f64, [f64; 2]); 2] =
+        [(Method::dop853, 60.0, [1e-7, 1e-11]), (Method::radau, 10.0, [1e-6, 1e-10])];
+    for (method, until_s, tolerances) in cases {
+        let end = reference.iter().find(|r| r.t == until_s).expect("a reference at the end");
+        let [loose, tight] = tolerances.map(|tolerance| {
+            let run = Simulation::new(&scene).method(method(tolerance)).until(until_s).run().unwrap();
+            distance(run.last().coordinates, &end.q)
+        });
+        let order = (loose / tight).log10() / 4.0;
+        // steps go with the root of the tolerance that belongs to the order of the method (Hairer, Nørsett, Wanner, II.10)
+        assert!((0.8..=1.2).contains(&order), "{}: to the power {order:.2}", method(1.0).name());
+    }
+}
+
+#[test]
+fn invariant_samples_do_not_change_the_motion_and_meet_the_constraints() {
+    for Case { route, scene } in driven() {
+        for method in METHODS.map(|method| method(1e-6)) {
+            if matches!(method, Method::Radau(_)) && scene.jacobian_places().is_none() {
+                continue;
+            }
+            let order = || Simulation::new(&*scene).method(method).until(10.0).work();
+            let [bare, sampled] = [order().run().unwrap(), order().every(0.013).run().unwrap()];
+            let (route, end) = (format!("{route}, {}", method.name()), sampled.last());
+            assert_eq!((bare.last().coordinates, bare.last().work), (end.coordinates, end.work), "{route}");
+            assert_eq!((bare.last().t, bare.cost.steps), (10.0, sampled.cost.steps), "{route}");
+            for s in sampled.samples() {
+                let residual = s.position_residual.max(s.velocity_residual);
+                assert!(residual <= ON_THE_ROWS, "{route}: {residual:.1e} at {} s", s.t);
+            }
+        }
+    }
+}
+
+model! {
+    /// A cart that falls into a centre of attraction.
+    pub model Falling {
+        body cart { mass: 1, inertia: 1 }
+        force at cart(0, 0): (1/(1 - cart.x)^2, 0);
+        start left { cart at (0, 0) angle 0; at rest; }
+        scene fall { start left; until 10 s; }
+    }
+}
+
+/// Fall from rest over a distance of 1 in the potential −1/r: π/(2√2).
+const FALL_S: f64 = 1.110_720_734_539_591_6;
+
+#[test]
+fn analytic_singular_force_ends_the_run_with_what_was_computed() {
+    let scene = falling::Fall::default();
+    for method in [Method::dop853(1e-9), Method::taylor(1e-9)] {
+        let run = Simulation::new(&scene).method(method).every(0.1).run().unwrap();
+        let Outcome::Stopped { t, reason: StopReason::Motion(_), .. } = run.outcome else { panic!("{}", run.outcome) };
+        // the last steps cannot resolve the last 1e-9 of the way, which takes 1e-13 s
+        assert!((t - FALL_S).abs() <= 1e-6, "{}: stopped at {t} s", method.name());
+        assert_eq!((run.samples().len(), run.last().t), (13, t));
+    }
+}
+
+#[test]
+fn analytic_tolerances_out_of_range_are_refused() {
+    let scene = ezy_roller::Coast::default();
+    for tolerance in [0.0, -1e-9, 1e-17, 10.0, f64::NAN, f64::INFINITY] {
+        for method in METHODS {
+            let outcome = Simulation::new(&scene).method(method(tolerance)).run();
+            assert!(matches!(outcome, Err(SetupError::Tolerance { .. })), "{} {tolerance}", method(1.0).name());
+        }
+    }
+}
+
+#[test]
+fn analytic_steppers_need_a_fixed_step() {
+    let scene = ezy_roller::Coast::default();
+    for method in METHODS.map(|method| method(1e-9)) {
+        let error = Simulation::new(&scene).method(method).stepper().map(|_| ()).unwrap_err();
+        assert!(matches!(error, SetupError::NeedsFixedStep { method: name } if name == method.name()), "{error}");
+    }
+}

@@ -5,11 +5,12 @@
 //! the same compiler, library and processor. Something is done n times and 2n times, and the difference counts, so that
 //! start and end of a program cancel.
 
-use ezy_core::integrate::{Method, Taylor};
+use ezy_core::integrate::Method;
 use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
 use ezy_core::prelude::{State, System};
 use ezy_core::simulate::Simulation;
+use ezy_core::testing::{GivenSteps, StepsBy};
 use ezy_models::{double_pendulum, ezy_roller, slider_crank};
 use ezy_tests::count_table::{CountTable, instructions, is_installed, surroundings};
 use ezy_tests::page::{docs, part, write_part};
@@ -42,22 +43,19 @@ fn repeat<S: Scene + Default>(column: usize, n: u64) -> Result<bool, Box<dyn Err
     let at = run(AT_S)?;
     let state =
         State { t: AT_S, q: at.last().coordinates.to_vec(), v: at.last().velocities.to_vec(), work: Vec::new() };
-    let mut system = System::new(&scene, Backend::Generated)?;
-    let (mut a, mut lambda) = (vec![0.0; state.q.len()], vec![0.0; scene.info().n_rows()]);
+    let system = System::new(&scene, Backend::Generated)?;
     if column == 0 {
+        let (mut a, mut lambda) = (vec![0.0; state.q.len()], vec![0.0; scene.info().n_rows()]);
         for _ in 0..n {
             black_box(scene.accelerations(system.fixed(), state.t, &state.q, &state.v, &mut a, &mut lambda));
         }
         return Ok(true);
     }
-    let Some(mut taylor) = Taylor::new(&scene, ORDERS[column - 2], 0) else { return Ok(false) };
-    let mut to = state.clone();
+    let order = StepsBy::Taylor(ORDERS[column - 2]);
+    let Some(mut steps) = GivenSteps::new(system, state, order) else { return Ok(false) };
     for _ in 0..n {
-        taylor.expand(&mut system, &state, &mut a, &mut lambda)?;
-        taylor.accept();
-        taylor.advance(&system, &state, black_box(STEP_S), &mut to);
+        black_box(steps.attempt(black_box(STEP_S))?);
     }
-    black_box(to);
     Ok(true)
 }
 

@@ -3,8 +3,8 @@
 //! `cargo run --release --example long_runs` prints two tables; with `-- --write` they go into `docs/cost.md`. Instructions are
 //! counted with valgrind, when it is installed, as the difference of two runs.
 
-use ezy_core::integrate::{Node, Rk4};
 use ezy_core::prelude::*;
+use ezy_core::testing::{GivenSteps, StepsBy};
 use ezy_models::{ezy_roller, knife_edge, pendulum, roller_racer};
 use ezy_tests::count_table::{instructions, is_installed};
 use ezy_tests::page::write_part;
@@ -58,26 +58,27 @@ const SHORT_S: f64 = 1e-4;
 /// Largest error of the coordinates after a long run with both projections, against Taylor's method at 1e-15.
 fn error<S: Scene + Default>(compensated: bool) -> Result<f64, Box<dyn Error>> {
     let scene = S::default();
-    let info = scene.info();
-    let mut system = System::new(&scene, Backend::Auto)?;
-    let mut now = system.consistent_start(&system.scene_start())?;
-    now.work.clear();
-    let mut next = now.clone();
-    let (mut a, mut lambda) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
-    let mut rk4 = Rk4::new(info.n_coordinates(), info.n_rows(), 0);
-    for n in 0..LONG {
-        system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda)?;
-        if !compensated {
-            rk4.restart();
+    let run = |method| Simulation::new(&scene).method(method).until(LONG as f64 * SHORT_S).run();
+    let end = if compensated {
+        run(Method::rk4(SHORT_S))?.last().coordinates.to_vec()
+    } else {
+        let mut system = System::new(&scene, Backend::Auto)?;
+        let mut now = system.consistent_start(&system.scene_start())?;
+        now.work.clear();
+        let mut steps =
+            GivenSteps::new(System::new(&scene, Backend::Auto)?, now.clone(), StepsBy::Rk4).ok_or("no steps")?;
+        for n in 1..=LONG {
+            now.clone_from(steps.attempt(SHORT_S)?.ok_or("no step")?);
+            let State { t, q, v, .. } = &mut now;
+            *t = n as f64 * SHORT_S;
+            system.project(*t, q, v, Projection::Both, Metric::Mass)?;
+            // each step is the first one
+            steps.place(&now);
         }
-        let from = Node { state: &now, a: &a, power: &[] };
-        rk4.step(&mut system, from, SHORT_S, (n + 1) as f64 * SHORT_S, &mut next)?;
-        let State { t, q, v, .. } = &mut next;
-        system.project(*t, q, v, Projection::Both, Metric::Mass)?;
-        std::mem::swap(&mut now, &mut next);
-    }
-    let reference = Simulation::new(&scene).method(Method::taylor(1e-15)).until(LONG as f64 * SHORT_S).run()?;
-    let differences = now.q.iter().zip(reference.last().coordinates).map(|(q, exact)| (q - exact).abs());
+        now.q
+    };
+    let reference = run(Method::taylor(1e-15))?;
+    let differences = end.iter().zip(reference.last().coordinates).map(|(q, exact)| (q - exact).abs());
     Ok(differences.fold(0.0, f64::max))
 }
 

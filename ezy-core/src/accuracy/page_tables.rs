@@ -1,9 +1,9 @@
 //! The tables of the page.
 
 use super::advice::three_digits;
-use super::errors::Errors;
 use super::ladder::command;
 use super::measured::WorkPrecision;
+use super::tables::{METHOD, SETTING};
 use super::variant::Variant;
 use crate::integrate::Method;
 use crate::report::table::Table;
@@ -11,55 +11,37 @@ use crate::report::table::Table;
 impl WorkPrecision {
     /// All that was measured with the default projection.
     pub(super) fn error_table(&self) -> Table {
-        let mut table = Table::new([
-            "method",
-            "setting",
-            "position, end",
-            "largest",
-            "scaled",
-            "velocity",
-            "scaled",
-            "reaction",
-            "scaled",
-            "|C|",
-            "velocity constraints",
-            "energy [J]",
-        ]);
-        for (method, m) in self.main_curves() {
-            let [end, grid] = self.position_errors(m);
-            let Errors { position, velocity, reaction } = m.error.grid;
-            let rest = [position.scaled, velocity.absolute, velocity.scaled, reaction.absolute, reaction.scaled];
-            let residuals = [m.position_residual, m.velocity_residual, m.energy_balance];
-            let cells = [method.name().to_owned(), command(method), end, grid].into_iter();
-            table.push(cells.chain(rest.into_iter().chain(residuals).map(|x| format!("{x:.1e}"))));
-        }
-        table
+        self.table_of(&[
+            METHOD,
+            SETTING,
+            ("position, end", |all, _, m| all.end_error(m)),
+            ("largest", |all, _, m| all.largest_error(m)),
+            ("scaled", |_, _, m| two_digits(m.error.grid.position.scaled)),
+            ("velocity", |_, _, m| two_digits(m.error.grid.velocity.absolute)),
+            ("scaled", |_, _, m| two_digits(m.error.grid.velocity.scaled)),
+            ("reaction", |_, _, m| two_digits(m.error.grid.reaction.absolute)),
+            ("scaled", |_, _, m| two_digits(m.error.grid.reaction.scaled)),
+            ("|C|", |_, _, m| two_digits(m.position_residual)),
+            ("velocity constraints", |_, _, m| two_digits(m.velocity_residual)),
+            ("energy [J]", |_, _, m| two_digits(m.energy_balance)),
+        ])
     }
 
     /// Costs with the default projection: counts, which are the same on every machine, and times.
     pub(super) fn cost_table(&self) -> Table {
-        let mut table = Table::new([
-            "method",
-            "setting",
-            "largest error",
-            "steps",
-            "rejected",
-            "evaluations",
-            "factorisations",
-            "shortest [ms]",
-            "median [ms]",
-            "runs",
-            "on the grid [ms]",
-        ]);
-        for (method, m) in self.main_curves() {
-            let [_, grid] = self.position_errors(m);
-            let counts = [m.cost.steps, m.cost.rejected, m.cost.evaluations, m.cost.factorizations];
-            let times = [m.seconds_min, m.seconds_median].map(|s| three_digits(1e3 * s));
-            let cells = [method.name().to_owned(), command(method), grid].into_iter();
-            let cells = cells.chain(counts.map(|n| n.to_string())).chain(times);
-            table.push(cells.chain([m.n_timed.to_string(), three_digits(1e3 * m.seconds_on_grid)]));
-        }
-        table
+        self.table_of(&[
+            METHOD,
+            SETTING,
+            ("largest error", |all, _, m| all.largest_error(m)),
+            ("steps", |_, _, m| m.cost.steps.to_string()),
+            ("rejected", |_, _, m| m.cost.rejected.to_string()),
+            ("evaluations", |_, _, m| m.cost.evaluations.to_string()),
+            ("factorisations", |_, _, m| m.cost.factorizations.to_string()),
+            ("shortest [ms]", |_, _, m| three_digits(1e3 * m.seconds_min)),
+            ("median [ms]", |_, _, m| three_digits(1e3 * m.seconds_median)),
+            ("runs", |_, _, m| m.n_timed.to_string()),
+            ("on the grid [ms]", |_, _, m| three_digits(1e3 * m.seconds_on_grid)),
+        ])
     }
 
     /// Every projection at one setting of each method: the finest one that all of them were measured with and that costs
@@ -82,16 +64,15 @@ impl WorkPrecision {
             let none = at(Variant::NONE).map(|m| m.seconds_min);
             for variant in Variant::all(self.info) {
                 let Some(m) = at(variant) else { continue };
-                let [_, grid] = self.position_errors(m);
                 let ratio = none.map_or_else(String::new, |none| format!("{:.2}", m.seconds_min / none));
                 table.push([
                     name.to_owned(),
                     command(method),
                     variant.name().to_owned(),
-                    grid,
-                    format!("{:.1e}", m.position_residual),
-                    format!("{:.1e}", m.velocity_residual),
-                    format!("{:.1e}", m.energy_balance),
+                    self.largest_error(m),
+                    two_digits(m.position_residual),
+                    two_digits(m.velocity_residual),
+                    two_digits(m.energy_balance),
                     three_digits(1e3 * m.seconds_min),
                     ratio,
                 ]);
@@ -119,3 +100,7 @@ impl WorkPrecision {
 
 /// Error that projections are compared at, m or rad: above rounding, below what is seen.
 const COMPARED_ERROR: f64 = 1e-6;
+
+fn two_digits(x: f64) -> String {
+    format!("{x:.1e}")
+}

@@ -9,36 +9,44 @@ use super::variant::Variant;
 use crate::integrate::Method;
 use crate::report::table::Table;
 
+/// A column of a table of settings: its head, and its cell.
+pub(super) type Column = (&'static str, fn(&WorkPrecision, Method, &Measured) -> String);
+
+pub(super) const METHOD: Column = ("method", |_, method, _| method.name().to_owned());
+pub(super) const SETTING: Column = ("setting", |_, method, _| command(method));
+
 impl WorkPrecision {
     /// Errors of positions and their cost, with the default projection; errors below the uncertainty of the reference are
     /// marked with ≤.
     pub fn table(&self) -> Table {
-        let mut table =
-            Table::new(["method", "setting", "end [m, rad]", "largest [m, rad]", "steps", "evaluations", "time [ms]"]);
-        for (method, measured) in self.main_curves() {
-            let [end, grid] = self.position_errors(measured);
-            table.push([
-                method.name().to_owned(),
-                command(method),
-                end,
-                grid,
-                measured.cost.steps.to_string(),
-                measured.cost.evaluations.to_string(),
-                three_digits(1e3 * measured.seconds_min),
-            ]);
+        self.table_of(&[
+            METHOD,
+            SETTING,
+            ("end [m, rad]", |all, _, m| all.end_error(m)),
+            ("largest [m, rad]", |all, _, m| all.largest_error(m)),
+            ("steps", |_, _, m| m.cost.steps.to_string()),
+            ("evaluations", |_, _, m| m.cost.evaluations.to_string()),
+            ("time [ms]", |_, _, m| three_digits(1e3 * m.seconds_min)),
+        ])
+    }
+
+    /// A row for each setting with the default projection.
+    pub(super) fn table_of(&self, columns: &[Column]) -> Table {
+        let mut table = Table::new(columns.iter().map(|(head, _)| *head));
+        for (method, measured) in self.methods().flat_map(|method| self.curve(method, Variant::default())) {
+            table.push(columns.iter().map(|(_, cell)| cell(self, method, measured)));
         }
         table
     }
 
-    pub(super) fn main_curves(&self) -> impl Iterator<Item = (Method, &Measured)> {
-        self.methods().flat_map(|method| self.curve(method, Variant::default()))
+    /// Error of positions at the end, marked when below the uncertainty of the reference.
+    pub(super) fn end_error(&self, measured: &Measured) -> String {
+        marked(measured.error.end.position, self.reference.uncertainty.end.position)
     }
 
-    /// Error at the end and largest error, marked when below the uncertainty of the reference.
-    pub(super) fn position_errors(&self, measured: &Measured) -> [String; 2] {
-        let Comparison { end, grid } = self.reference.uncertainty;
-        [(measured.error.end, end), (measured.error.grid, grid)]
-            .map(|(error, known)| marked(error.position, known.position))
+    /// The same of the largest error.
+    pub(super) fn largest_error(&self, measured: &Measured) -> String {
+        marked(measured.error.grid.position, self.reference.uncertainty.grid.position)
     }
 
     /// The reference and its uncertainty, as sentences.

@@ -7,7 +7,7 @@ use crate::model::{Equations, Pivots, Scene, SceneInfo};
 use crate::scalar::Scalar;
 
 /// What a method needs of a scene in numbers `T`.
-pub trait Dynamics<T: Scalar> {
+pub(crate) trait Dynamics<T: Scalar> {
     /// Accelerations and multipliers, as [`System::accelerations`].
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use crate::dynamics::State;
 
 /// A state with its accelerations and powers, at one end of a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Node<'a, T = f64> {
+pub(crate) struct Node<'a, T = f64> {
     /// The state.
     pub state: &'a State<T>,
     /// Accelerations, `n_q`.

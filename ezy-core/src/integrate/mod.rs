@@ -9,23 +9,14 @@ mod rk4;
 mod step_control;
 mod taylor;
 
-#[doc(hidden)]
-pub use dop853::Dop853;
-pub(crate) use dop853::{ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
-#[doc(hidden)]
-pub use hermite::Node;
-pub(crate) use hermite::interpolate;
-#[doc(hidden)]
-pub use radau::{Attempt, Radau};
-pub(crate) use radau::{RadauControl, tolerance_of_estimate};
-#[doc(hidden)]
-pub use rk4::Rk4;
+pub(crate) use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
+pub(crate) use hermite::{Node, interpolate};
+pub(crate) use radau::{Attempt, Radau, RadauControl, tolerance_of_estimate};
+pub(crate) use rk4::Rk4;
 pub use step_control::Tolerance;
 pub(crate) use step_control::{Clock, StepControl};
-#[doc(hidden)]
-pub use taylor::Taylor;
-pub(crate) use taylor::taylor_order;
 pub use taylor::{PreciseError, PreciseMotion};
+pub(crate) use taylor::{Taylor, taylor_order};
 
 /// How a run is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 /// # Source
 /// W. Kutta, Z. Math. Phys. 46 (1901) 435–453.
 #[derive(Debug)]
-pub struct Rk4<T = f64> {
+pub(crate) struct Rk4<T = f64> {
     stage: State<T>,
     slope: State<T>,
     sum: State<T>,
@@ -23,7 +23,7 @@ pub struct Rk4<T = f64> {
 
 impl<T: Scalar> Rk4<T> {
     /// Storage for a scene with these sizes.
-    pub fn new(n_coordinates: usize, n_rows: usize, n_effects: usize) -> Self {
+    pub(crate) fn new(n_coordinates: usize, n_rows: usize, n_effects: usize) -> Self {
         let zero = State::zeros(n_coordinates, n_effects);
         Self {
             stage: zero.clone(),
@@ -35,7 +35,7 @@ impl<T: Scalar> Rk4<T> {
     }
 
     /// Forgets the rounding errors of the sums, before another run.
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work]
             .into_iter()
             .for_each(|rest| rest.fill(T::from_f64(0.0)));
@@ -49,7 +49,7 @@ impl<T: Scalar> Rk4<T> {
     /// [`MotionError`] of a stage; `to` is then unspecified.
     /// # Cost
     /// Three evaluations of the accelerations; no allocation.
-    pub fn step(
+    pub(crate) fn step(
         &mut self,
         system: &mut impl Dynamics<T>,
         from: Node<'_, T>,

@@ -15,9 +15,11 @@ mod probe;
 mod report;
 mod series;
 mod solvers;
+mod steps;
 
 use crate::dynamics::RankLoss;
 pub use report::{Check, CheckError, CheckReport};
+pub use steps::{GivenSteps, StepsBy};
 
 use crate::dynamics::System;
 use crate::linalg::Backend;

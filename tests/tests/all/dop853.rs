@@ -1,9 +1,8 @@
 //! DOP853: its order, its dense output, its steps.
 
-use crate::scenes::distance;
-use ezy_core::dynamics::State;
-use ezy_core::integrate::{Dop853, Node, Tolerance};
+use crate::scenes::{distance, stepped};
 use ezy_core::prelude::*;
+use ezy_core::testing::StepsBy;
 use ezy_models::ezy_roller;
 use ezy_tests::reference::load;
 
@@ -11,38 +10,6 @@ use ezy_tests::reference::load;
 const STEPS: [f64; 4] = [0.1, 0.08, 0.06, 0.05];
 /// Orders are slopes over steps that are not infinitely small.
 const ORDER_TOLERANCE: f64 = 0.5;
-
-/// Any error will do: the step is given.
-const ANY: Tolerance = Tolerance { relative: 1.0, absolute: 1.0 };
-
-/// States of the coasting roller after a fixed step each, without projection, and in the middle of the last one.
-fn fixed_steps(h: f64) -> (State, State) {
-    let scene = ezy_roller::Coast::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
-    let mut now = system.consistent_start(&system.scene_start()).unwrap();
-    now.work.clear();
-    let (mut next, mut middle) = (now.clone(), now.clone());
-    let mut method = Dop853::new(6, 4, 0);
-    let [mut a, mut a_next, mut lambda] = [vec![0.0; 6], vec![0.0; 6], vec![0.0; 4]];
-    // the middle of a step right at 0.4 s, whatever the step
-    let n = (0.4 / h).round();
-    let last = 2.0 * (0.4 - (n - 1.0) * h);
-    for i in 0..n as usize {
-        let h = if i + 1 == n as usize { last } else { h };
-        system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda).unwrap();
-        let from = Node { state: &now, a: &a, power: &[] };
-        method.attempt(&mut system, from, h, ANY, &mut next).unwrap();
-        method.accept();
-        if i + 1 == n as usize {
-            system.accelerations(next.t, &next.q, &next.v, &mut a_next, &mut lambda).unwrap();
-            let to = Node { state: &next, a: &a_next, power: &[] };
-            method.prepare_dense(&mut system, from, to).unwrap();
-            method.dense_at(0.5, &mut middle);
-        }
-        std::mem::swap(&mut now, &mut next);
-    }
-    (now, middle)
-}
 
 fn slope(errors: &[f64]) -> f64 {
     let (first, last) = (0, errors.len() - 1);
@@ -53,25 +20,20 @@ fn slope(errors: &[f64]) -> f64 {
 fn order_dop853_is_eight_and_its_dense_output_seven() {
     let reference = load("ezyroller_coast");
     let at = |t: f64| reference.iter().find(|r| (r.t - t).abs() < 1e-9).expect("a reference at this time");
-    let dense = slope(&STEPS.map(|h| distance(&fixed_steps(h).1.q, &at(0.4).q)));
+    let scene = ezy_roller::Coast::default();
+    // the middle of a step right at 0.4 s, whatever the step
+    let middle = |h: f64| {
+        let n = (0.4 / h).round() as usize - 1;
+        let lengths = std::iter::repeat_n(h, n).chain([2.0 * (0.4 - n as f64 * h)]);
+        stepped(&scene, StepsBy::Dop853, lengths)[1].q.clone()
+    };
+    let dense = slope(&STEPS.map(|h| distance(&middle(h), &at(0.4).q)));
     // one step of order 8 has an error of order 9, its dense output one of order 8
     assert!(dense >= 7.0 - ORDER_TOLERANCE, "dense output: order {dense:.2}");
     let steps = [0.1, 0.05];
-    let error = |h: f64| {
-        let scene = ezy_roller::Coast::default();
-        let mut system = System::new(&scene, Backend::Auto).unwrap();
-        let mut now = system.consistent_start(&system.scene_start()).unwrap();
-        let mut next = now.clone();
-        let mut method = Dop853::new(6, 4, 0);
-        let (mut a, mut lambda) = (vec![0.0; 6], vec![0.0; 4]);
-        for _ in 0..(1.0 / h).round() as usize {
-            system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda).unwrap();
-            method.attempt(&mut system, Node { state: &now, a: &a, power: &[] }, h, ANY, &mut next).unwrap();
-            method.accept();
-            std::mem::swap(&mut now, &mut next);
-        }
-        distance(&now.q, &at(1.0).q)
-    };
+    let end =
+        |h: f64| stepped(&scene, StepsBy::Dop853, std::iter::repeat_n(h, (1.0 / h).round() as usize))[0].q.clone();
+    let error = |h: f64| distance(&end(h), &at(1.0).q);
     let order = (error(steps[0]) / error(steps[1])).ln() / (steps[0] / steps[1]).ln();
     assert!((order - 8.0).abs() <= ORDER_TOLERANCE, "order {order:.2}");
 }

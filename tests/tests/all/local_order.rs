@@ -2,9 +2,9 @@
 
 use crate::scenes::distance;
 use ezy_core::dynamics::State;
-use ezy_core::integrate::{Dop853, Node, Radau, Rk4, Taylor, Tolerance};
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
+use ezy_core::testing::{GivenSteps, StepsBy};
 use ezy_models::registry::MODELS;
 
 /// Order of the series that tells where a step should lead; two fifths of its radius leave nothing to see.
@@ -23,106 +23,53 @@ const ROUNDING: f64 = 5e-14;
 const ORDER_TOLERANCE: f64 = 0.5;
 /// The terms of order 8 of DOP853 are so small that smaller steps meet rounding before those of higher order have died away.
 const DOP853_TOLERANCE: f64 = 1.0;
-/// Any error will do: the step is given.
-const ANY: Tolerance = Tolerance { relative: 1.0, absolute: 1.0 };
-/// The iteration of the implicit method goes on to rounding.
-const CONVERGED: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-10 };
-
 /// A scene on its way, where nothing is zero by symmetry.
-struct OnTheWay<'s> {
-    system: System<'s, dyn Scene + 's>,
-    state: State,
-    a: Vec<f64>,
-    lambda: Vec<f64>,
+fn on_the_way(scene: &dyn Scene) -> State {
+    let until_s = 0.3 * scene.info().until_s.min(2.0);
+    let run = Simulation::new(scene).method(Method::dop853(1e-10)).until(until_s).run().unwrap();
+    let last = run.last();
+    State { t: last.t, q: last.coordinates.to_vec(), v: last.velocities.to_vec(), work: Vec::new() }
 }
 
-impl<'s> OnTheWay<'s> {
-    fn new(scene: &'s (dyn Scene + 's)) -> Self {
-        let until_s = 0.3 * scene.info().until_s.min(2.0);
-        let run = Simulation::new(scene).method(Method::dop853(1e-10)).until(until_s).run().unwrap();
-        let last = run.last();
-        let (q, v) = (last.coordinates.to_vec(), last.velocities.to_vec());
-        let mut system = System::new(scene, Backend::Auto).unwrap();
-        let (mut a, mut lambda) = (vec![0.0; q.len()], vec![0.0; scene.info().n_rows()]);
-        system.accelerations(last.t, &q, &v, &mut a, &mut lambda).unwrap();
-        Self { system, state: State { t: last.t, q, v, work: Vec::new() }, a, lambda }
-    }
-
-    fn taylor(&mut self, order: usize, h: f64) -> State {
-        let mut method = Taylor::new(self.system.scene(), order, 0).expect("a series");
-        let mut to = self.state.clone();
-        method.expand(&mut self.system, &self.state, &mut self.a, &mut self.lambda).unwrap();
-        method.accept();
-        method.advance(&self.system, &self.state, h, &mut to);
-        to
-    }
-
-    fn rk4(&mut self, h: f64) -> State {
-        let (n_q, n_c) = (self.state.q.len(), self.lambda.len());
-        let mut to = self.state.clone();
-        let from = Node { state: &self.state, a: &self.a, power: &[] };
-        Rk4::new(n_q, n_c, 0).step(&mut self.system, from, h, self.state.t + h, &mut to).unwrap();
-        to
-    }
-
-    fn dop853(&mut self, h: f64) -> State {
-        let (n_q, n_c) = (self.state.q.len(), self.lambda.len());
-        let mut to = self.state.clone();
-        let from = Node { state: &self.state, a: &self.a, power: &[] };
-        Dop853::new(n_q, n_c, 0).attempt(&mut self.system, from, h, ANY, &mut to).unwrap();
-        to
-    }
-
-    /// Steps in which the iteration does not converge err by anything.
-    fn radau(&mut self, h: f64) -> State {
-        let mut to = self.state.clone();
-        let from = Node { state: &self.state, a: &self.a, power: &[] };
-        let mut method = Radau::new(self.system.scene(), 0).unwrap().expect("slopes");
-        method.attempt(&mut self.system, from, h, CONVERGED, false, &mut to).unwrap();
-        to
-    }
-
-    /// Where the terms of the series are as large as the state, s.
-    fn radius(&mut self) -> f64 {
-        let mut method = Taylor::new(self.system.scene(), ORACLE, 0).expect("a series");
-        method.expand(&mut self.system, &self.state, &mut self.a, &mut self.lambda).unwrap();
-        method.accept();
-        method.longest_step(ANY)
-    }
-
-    /// Order of one step over the lengths that show one; none where a method leaves no error.
-    fn order(&mut self, step: fn(&mut Self, f64) -> State) -> Option<f64> {
-        let longest = (LONGEST * self.radius()).min(1.0);
-        let size = self.state.q.iter().chain(&self.state.v).fold(1.0, |m: f64, x| m.max(x.abs()));
-        let mut errors = Vec::new();
-        for i in 0..N_STEPS {
-            let h = longest / RATIO.powi(i);
-            let (oracle, end) = (self.taylor(ORACLE, h), step(self, h));
-            let error = distance(&oracle.q, &end.q).max(distance(&oracle.v, &end.v)) / size;
-            if error < ROUNDING {
-                break;
-            }
-            if error < LARGE {
-                errors.push(error);
-            }
+/// Order of one step from a state over the lengths that show one; none where a method leaves no error.
+fn order(scene: &dyn Scene, state: &State, by: StepsBy) -> Option<f64> {
+    let [mut oracle, mut steps] = [StepsBy::Taylor(ORACLE), by].map(|by| {
+        let system = System::new(scene, Backend::Auto).unwrap();
+        GivenSteps::new(system, state.clone(), by).expect("a series and Jacobians")
+    });
+    // where the terms of the series are as large as the state
+    let radius = oracle.radius().unwrap().expect("the oracle is a series");
+    let longest = (LONGEST * radius).min(1.0);
+    let size = state.q.iter().chain(&state.v).fold(1.0, |m: f64, x| m.max(x.abs()));
+    let mut errors = Vec::new();
+    for i in 0..N_STEPS {
+        let h = longest / RATIO.powi(i);
+        [&mut oracle, &mut steps].into_iter().for_each(|steps| steps.place(state));
+        let exact = oracle.attempt(h).unwrap().expect("a series does not iterate");
+        // where the iteration does not converge there is no error to be seen
+        let Some(end) = steps.attempt(h).unwrap() else { continue };
+        let error = distance(&exact.q, &end.q).max(distance(&exact.v, &end.v)) / size;
+        if error < ROUNDING {
+            break;
         }
-        let [.., first, _, _, last] = errors[..] else { return None };
-        // a step errs with one power more than the method; over three lengths, since a term may cross zero at one of them
-        Some((first / last).ln() / RATIO.powi(3).ln() - 1.0)
+        if error < LARGE {
+            errors.push(error);
+        }
     }
+    let [.., first, _, _, last] = errors[..] else { return None };
+    // a step errs with one power more than the method; over three lengths, since a term may cross zero at one of them
+    Some((first / last).ln() / RATIO.powi(3).ln() - 1.0)
 }
-
-type Step = fn(&mut OnTheWay<'_>, f64) -> State;
 
 /// A method that is better than its order in a scene, such as RK4 where forces do not vary, is no fault.
 #[test]
 fn order_of_every_method_in_every_scene() {
-    let methods: [(&str, f64, Step); 5] = [
-        ("rk4", 4.0 - ORDER_TOLERANCE, |on, h| on.rk4(h)),
-        ("dop853", 8.0 - DOP853_TOLERANCE, |on, h| on.dop853(h)),
-        ("radau", 5.0 - ORDER_TOLERANCE, |on, h| on.radau(h)),
-        ("taylor of order 8", 8.0 - ORDER_TOLERANCE, |on, h| on.taylor(8, h)),
-        ("taylor of order 12", 12.0 - ORDER_TOLERANCE, |on, h| on.taylor(12, h)),
+    let methods = [
+        (StepsBy::Rk4, 4.0 - ORDER_TOLERANCE),
+        (StepsBy::Dop853, 8.0 - DOP853_TOLERANCE),
+        (StepsBy::Radau, 5.0 - ORDER_TOLERANCE),
+        (StepsBy::Taylor(8), 8.0 - ORDER_TOLERANCE),
+        (StepsBy::Taylor(12), 12.0 - ORDER_TOLERANCE),
     ];
     let mut n_measured = [0; 5];
     let (mut n_scenes, mut faults) = (0, Vec::new());
@@ -132,12 +79,12 @@ fn order_of_every_method_in_every_scene() {
             continue;
         }
         n_scenes += 1;
-        let mut on = OnTheWay::new(&*scene);
-        for ((name, least, step), n) in methods.into_iter().zip(&mut n_measured) {
-            let Some(order) = on.order(step) else { continue };
+        let state = on_the_way(&*scene);
+        for ((by, least), n) in methods.into_iter().zip(&mut n_measured) {
+            let Some(order) = order(&*scene, &state, by) else { continue };
             *n += 1;
             if order < least {
-                faults.push(format!("{}/{}, {name}: {order:.2}", scene.info().model, scene.info().name));
+                faults.push(format!("{}/{}, {by:?}: {order:.2}", scene.info().model, scene.info().name));
             }
         }
     }

@@ -1,12 +1,12 @@
 //! Radau IIA: its order, stiff and not, its dense output, and the steps that stiffness does not hold.
 
-use crate::scenes::distance;
+use crate::scenes::{distance, stepped};
 use ezy_core::dynamics::State;
-use ezy_core::integrate::{Attempt, Node, Radau, Tolerance};
 use ezy_core::model;
 use ezy_core::prelude::*;
 use ezy_core::record::Sample;
 use ezy_core::simulate::{Cost, SetupError};
+use ezy_core::testing::StepsBy;
 use ezy_models::{chain, double_pendulum, ezy_roller};
 use ezy_tests::garage::{case, load, rows, worse};
 use ezy_tests::hand_roller::HandRoller;
@@ -42,30 +42,9 @@ model! {
 const STEPS: [f64; 3] = [0.05, 0.025, 0.0125];
 /// Slopes between steps that are not infinitely small.
 const ORDER_TOLERANCE: f64 = 0.4;
-/// The iteration goes on to rounding.
-const TIGHT: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-10 };
-
-/// The state at `end_s` after equal steps, and the one in the middle of the last step, with the time of that.
-fn equal_steps(scene: &dyn Scene, end_s: f64, h: f64) -> (State, State) {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
-    let mut now = system.consistent_start(&system.scene_start()).unwrap();
-    let n_works = scene.info().n_effects();
-    let (mut next, mut middle) = (now.clone(), now.clone());
-    let mut method = Radau::new(scene, n_works).unwrap().unwrap();
-    let (mut a, mut lambda) = (vec![0.0; now.q.len()], vec![0.0; scene.info().n_rows()]);
-    let mut power = vec![0.0; n_works];
-    for _ in 0..(end_s / h).round() as usize {
-        system.accelerations(now.t, &now.q, &now.v, &mut a, &mut lambda).unwrap();
-        system.power(now.t, &now.q, &now.v, &lambda, &mut power);
-        let from = Node { state: &now, a: &a, power: &power };
-        let attempt = method.attempt(&mut system, from, h, TIGHT, false, &mut next).unwrap();
-        assert!(matches!(attempt, Attempt::Solved { .. }), "{attempt:?}");
-        method.accept(h);
-        method.dense_at(&now, &next, 0.5, &mut middle);
-        middle.t = now.t + 0.5 * h;
-        std::mem::swap(&mut now, &mut next);
-    }
-    (now, middle)
+/// The state at `end_s` after equal steps, and the one in the middle of the last step.
+fn equal_steps(scene: &dyn Scene, end_s: f64, h: f64) -> [State; 2] {
+    stepped(scene, StepsBy::Radau, std::iter::repeat_n(h, (end_s / h).round() as usize))
 }
 
 fn order(errors: [f64; 3]) -> f64 {
@@ -87,7 +66,7 @@ fn numbers(state: &State) -> Vec<f64> {
 fn order_radau_is_five_with_works() {
     let scene = ezy_roller::Driven::default();
     let end = truth(&scene, 1.0);
-    let errors = STEPS.map(|h| distance(&numbers(&equal_steps(&scene, 1.0, h).0), &end));
+    let errors = STEPS.map(|h| distance(&numbers(&equal_steps(&scene, 1.0, h)[0]), &end));
     assert!((order(errors) - 5.0).abs() <= ORDER_TOLERANCE, "order {:.2}: {errors:?}", order(errors));
 }
 
@@ -95,7 +74,7 @@ fn order_radau_is_five_with_works() {
 fn order_radau_dense_output_is_four_with_works() {
     let scene = ezy_roller::Driven::default();
     let errors = STEPS.map(|h| {
-        let middle = equal_steps(&scene, 1.0, h).1;
+        let [_, middle] = equal_steps(&scene, 1.0, h);
         distance(&numbers(&middle), &truth(&scene, middle.t))
     });
     // one step of order 4 has an error of order 5
@@ -118,7 +97,7 @@ model! {
 #[test]
 fn order_radau_is_three_at_least_where_a_force_is_stiff() {
     let scene = led::Lead::default();
-    let errors = STEPS.map(|h| (equal_steps(&scene, 1.0, h).0.v[0] - 1.0_f64.cos()).abs());
+    let errors = STEPS.map(|h| (equal_steps(&scene, 1.0, h)[0].v[0] - 1.0_f64.cos()).abs());
     assert!(order(errors) >= 3.0 - ORDER_TOLERANCE, "order {:.2}: {errors:?}", order(errors));
 }
 

@@ -1,6 +1,8 @@
 //! The scenes that the tests run over.
 
 use ezy_core::model::Scene;
+use ezy_core::prelude::{Backend, State, System};
+use ezy_core::testing::{GivenSteps, StepsBy};
 use ezy_models::ezy_roller;
 pub use ezy_tests::garage::set;
 use ezy_tests::hand_roller::HandRoller;
@@ -46,4 +48,17 @@ pub fn rk4<const N: usize>(slope: impl Fn(f64, &[f64; N]) -> [f64; N], t: f64, y
     let k3 = slope(t + h / 2.0, &plus(&k2, h / 2.0));
     let k4 = slope(t + h, &plus(&k3, h));
     std::array::from_fn(|j| y[j] + h / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]))
+}
+
+/// The state after steps of these lengths from the start of a scene, without projection, and in the middle of the last one.
+pub fn stepped(scene: &dyn Scene, by: StepsBy, lengths: impl IntoIterator<Item = f64>) -> [State; 2] {
+    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let start = system.consistent_start(&system.scene_start()).unwrap();
+    let mut steps = GivenSteps::new(system, start, by).expect("the scene has what the method needs");
+    let mut end = None;
+    for h in lengths {
+        end = steps.step(h).unwrap().cloned();
+        assert!(end.is_some(), "{by:?} does not converge with {h} s");
+    }
+    [end.expect("a step"), steps.middle().unwrap()]
 }

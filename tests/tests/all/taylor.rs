@@ -1,11 +1,11 @@
 //! Taylor's method: its order, its dense output, its steps, and what it cannot run.
 
-use crate::scenes::{distance, set};
+use crate::scenes::{distance, set, stepped};
 use ezy_core::dynamics::State;
-use ezy_core::integrate::Taylor;
 use ezy_core::model;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
+use ezy_core::testing::StepsBy;
 use ezy_models::ezy_roller;
 use ezy_models::registry::MODELS;
 use ezy_tests::crank::Crank;
@@ -21,31 +21,16 @@ const EVERY_SCENE: f64 = 1e-10;
 /// Orders are slopes over steps that are not infinitely small.
 const ORDER_TOLERANCE: f64 = 0.5;
 
-/// The coasting roller after `n` steps of a fixed order to `t`, without projection, and in the middle of the last step.
-fn fixed_steps(order: usize, n: u32, t: f64) -> (State, State) {
-    let scene = HandRoller::coast();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
-    let mut now = system.consistent_start(&system.scene_start()).unwrap();
-    now.work.clear();
-    let (mut next, mut middle) = (now.clone(), now.clone());
-    let mut method = Taylor::new(&scene, order, 0).expect("a series");
-    let (mut a, mut lambda) = (vec![0.0; 6], vec![0.0; 4]);
-    let h = t / f64::from(n);
-    for _ in 0..n {
-        method.expand(&mut system, &now, &mut a, &mut lambda).unwrap();
-        method.accept();
-        method.advance(&system, &now, h, &mut next);
-        method.dense_at(&system, &now, 0.5 * h, &mut middle);
-        std::mem::swap(&mut now, &mut next);
-    }
-    (now, middle)
+/// The coasting roller after `n` steps of a fixed order to `t`, and in the middle of the last step.
+fn fixed_steps(order: usize, n: usize, t: f64) -> [State; 2] {
+    stepped(&HandRoller::coast(), StepsBy::Taylor(order), std::iter::repeat_n(t / n as f64, n))
 }
 
 #[test]
 fn order_taylor_is_the_one_that_is_asked_for() {
     let end = load("ezyroller_coast").pop().expect("a reference at the end");
     for order in [6, 9, 12] {
-        let [coarse, fine] = [10, 20].map(|n| distance(&fixed_steps(order, n, 1.0).0.v, &end.v));
+        let [coarse, fine] = [10, 20].map(|n| distance(&fixed_steps(order, n, 1.0)[0].v, &end.v));
         let slope = (coarse / fine).log2();
         assert!(slope >= order as f64 - ORDER_TOLERANCE, "order {order}: {slope:.2}");
     }
@@ -57,7 +42,7 @@ fn order_values_between_are_as_good_as_a_step() {
     let at = |t: f64| reference.iter().find(|r| (r.t - t).abs() < 1e-9).expect("a reference at this time");
     for order in [6, 9] {
         // in the middle of the first step
-        let [late, early] = [0.2, 0.1].map(|t| distance(&fixed_steps(order, 1, 2.0 * t).1.v, &at(t).v));
+        let [late, early] = [0.2, 0.1].map(|t| distance(&fixed_steps(order, 1, 2.0 * t)[1].v, &at(t).v));
         let slope = (late / early).log2();
         assert!(slope >= order as f64 + 1.0 - ORDER_TOLERANCE, "order {order}: {slope:.2}");
     }

@@ -17,7 +17,7 @@ impl<T: Scalar> Dop853<T> {
     /// [`MotionError`] of a stage.
     /// # Cost
     /// Three evaluations of the accelerations.
-    pub fn prepare_dense(
+    pub(crate) fn prepare_dense(
         &mut self,
         system: &mut impl Dynamics<T>,
         from: Node<'_, T>,
@@ -49,7 +49,7 @@ impl<T: Scalar> Dop853<T> {
     }
 
     /// The state at the part `s` of the step, between 0 and 1, not projected. The time is left alone.
-    pub fn dense_at(&mut self, s: f64, out: &mut State<T>) {
+    pub(crate) fn dense_at(&mut self, s: f64, out: &mut State<T>) {
         let (n, dense) = (WIDTH * self.n, self.dense.as_flattened());
         let ends = self.start.as_flattened().iter().zip(self.stage.as_flattened_mut());
         for (i, (start, stage)) in ends.enumerate() {

@@ -26,7 +26,7 @@ pub(crate) const ERROR_ORDER: i32 = 8;
 /// Prince, Dormand, J. Comp. Appl. Math. 7 (1981); Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I (1993),
 /// II.5, II.6 and II.10.
 #[derive(Debug)]
-pub struct Dop853<T = f64> {
+pub(crate) struct Dop853<T = f64> {
     n_q: usize,
     n_works: usize,
     /// Length of y in blocks.
@@ -49,7 +49,7 @@ impl<T: Scalar> Dop853<T> {
     const STAGES: [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] = stages();
 
     /// Storage for a scene with these sizes.
-    pub fn new(n_coordinates: usize, n_rows: usize, n_works: usize) -> Self {
+    pub(crate) fn new(n_coordinates: usize, n_rows: usize, n_works: usize) -> Self {
         let n = (2 * n_coordinates + n_works).div_ceil(WIDTH);
         let zero = |n: usize| vec![[T::from_f64(0.0); WIDTH]; n];
         Self {
@@ -79,7 +79,7 @@ impl<T: Scalar> Dop853<T> {
     /// [`MotionError`] of a stage; `to` is then unspecified.
     /// # Cost
     /// Eleven evaluations of the accelerations; no allocation.
-    pub fn attempt(
+    pub(crate) fn attempt(
         &mut self,
         system: &mut impl Dynamics<T>,
         from: Node<'_, T>,
@@ -104,7 +104,7 @@ impl<T: Scalar> Dop853<T> {
     }
 
     /// Keeps what rounding cut off the step that was tried last.
-    pub fn accept(&mut self) {
+    pub(crate) fn accept(&mut self) {
         std::mem::swap(&mut self.rest, &mut self.next_rest);
     }
 

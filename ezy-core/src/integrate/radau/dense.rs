@@ -11,7 +11,7 @@ impl Radau {
     ///
     /// The polynomial of degree 3 through the start and the stages, and its first remainder, which the error estimate knows:
     /// of order 4. What projection changed at the end is spread over the step.
-    pub fn dense_at(&self, from: &State, to: &State, s: f64, out: &mut State) {
+    pub(crate) fn dense_at(&self, from: &State, to: &State, s: f64, out: &mut State) {
         let (weights, left) = (through_start_and_nodes(s), remainder(s));
         let (stages, error, end) = (&self.before, &self.error, N_STAGES - 1);
         for (out, from, to, stages, error) in [

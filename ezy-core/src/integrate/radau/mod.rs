@@ -35,7 +35,7 @@ pub(crate) use control::{RadauControl, tolerance_of_estimate};
 ///
 /// # Source
 /// Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.5 and IV.8.
-pub struct Radau {
+pub(crate) struct Radau {
     n_works: usize,
     stages: Stages,
     /// Of the last accepted step.
@@ -74,7 +74,7 @@ pub struct Radau {
 
 /// Outcome of an attempted step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Attempt {
+pub(crate) enum Attempt {
     /// The iteration converged.
     Solved {
         /// Error over the tolerance: the step is good when that is at most 1.
@@ -106,7 +106,7 @@ impl Radau {
     ///
     /// # Errors
     /// [`SparseKktError`] when there is no memory for the analysis of a large scene.
-    pub fn new<S: Scene + ?Sized>(scene: &S, n_works: usize) -> Result<Option<Self>, SparseKktError> {
+    pub(crate) fn new<S: Scene + ?Sized>(scene: &S, n_works: usize) -> Result<Option<Self>, SparseKktError> {
         let info = scene.info();
         let Some(places) = scene.jacobian_places() else { return Ok(None) };
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
@@ -164,7 +164,7 @@ impl Radau {
     /// Three residuals and two solves a pass; two factorisations when the length of the step changes; no allocation. Where the
     /// iteration does not converge, in scenes with at most 50 equations, a factorisation of all stages together
     /// a pass.
-    pub fn attempt<S: Scene + ?Sized>(
+    pub(crate) fn attempt<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Node<'_>,
@@ -259,7 +259,7 @@ impl Radau {
     }
 
     /// Accepts the last attempt: the next step starts at its end.
-    pub fn accept(&mut self, h: f64) {
+    pub(crate) fn accept(&mut self, h: f64) {
         std::mem::swap(&mut self.stages, &mut self.before);
         std::mem::swap(&mut self.rest, &mut self.next_rest);
         self.before_s = Some(h);

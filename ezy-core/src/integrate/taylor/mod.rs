@@ -22,7 +22,7 @@ pub use precise::{PreciseError, PreciseMotion};
 ///
 /// # Source
 /// Jorba, Zou, Exp. Math. 14 (2005); for constrained motion see [`Series`].
-pub struct Taylor<'s> {
+pub(crate) struct Taylor<'s> {
     series: &'s dyn Series<f64>,
     order: usize,
     n_q: usize,
@@ -39,7 +39,7 @@ pub struct Taylor<'s> {
 
 impl<'s> Taylor<'s> {
     /// Storage for steps of an order, which is at least 4; none for a scene without a Taylor series.
-    pub fn new<S: Scene + ?Sized>(scene: &'s S, order: usize, n_works: usize) -> Option<Self> {
+    pub(crate) fn new<S: Scene + ?Sized>(scene: &'s S, order: usize, n_works: usize) -> Option<Self> {
         let series = scene.series()?;
         let size = series.series_size();
         let (n_q, n_c) = (size.n_coordinates, size.n_rows);
@@ -68,7 +68,7 @@ impl<'s> Taylor<'s> {
     /// [`MotionError`] when K is singular.
     /// # Cost
     /// One factorisation, and as many solves and sums of products as the order; no allocation.
-    pub fn expand<S: Scene + ?Sized>(
+    pub(crate) fn expand<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: &State,
@@ -97,18 +97,18 @@ impl<'s> Taylor<'s> {
     }
 
     /// The next step begins: it starts at the state that was expanded last.
-    pub fn accept(&mut self) {
+    pub(crate) fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);
     }
 
     /// The longest step that keeps to a tolerance, s; may be infinite.
-    pub fn longest_step(&mut self, tolerance: Tolerance) -> f64 {
+    pub(crate) fn longest_step(&mut self, tolerance: Tolerance) -> f64 {
         length::write_weights(&self.now, tolerance, &mut self.weights);
         length::longest_step(&self.now, self.order, &self.weights)
     }
 
     /// A step of length `h` from `from`; writes `to`, not yet projected.
-    pub fn advance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, h: f64, to: &mut State) {
+    pub(crate) fn advance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, h: f64, to: &mut State) {
         self.advance_motion(from, h, to);
         if !to.work.is_empty() {
             let Self { order, now: store, increment: by, rest, quadrature, .. } = self;
@@ -120,7 +120,13 @@ impl<'s> Taylor<'s> {
     }
 
     /// The state `s` after `from`, not projected, with works up to there.
-    pub fn dense_at<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, s: f64, out: &mut State) {
+    pub(crate) fn dense_at<S: Scene + ?Sized>(
+        &mut self,
+        system: &System<'_, S>,
+        from: &State,
+        s: f64,
+        out: &mut State,
+    ) {
         self.motion_at(from, s, out);
         out.work.copy_from_slice(&from.work);
         let Self { order, now: store, quadrature, .. } = self;

@@ -1,0 +1,154 @@
+//! Steps of given lengths, for tests of the methods: nothing chooses their length, nothing is projected.
+
+use crate::dynamics::{MotionError, State, System};
+use crate::integrate::{Attempt, Dop853, Node, Radau, Rk4, Taylor, Tolerance, interpolate};
+use crate::model::Scene;
+
+/// A method by its steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StepsBy {
+    /// The classical Runge–Kutta method.
+    Rk4,
+    /// DOP853 without error control.
+    Dop853,
+    /// Radau IIA; its iteration goes on to rounding.
+    Radau,
+    /// Taylor's method of this order.
+    Taylor(usize),
+}
+
+/// Any error will do: the step is given.
+const ANY: Tolerance = Tolerance { relative: 1.0, absolute: 1.0 };
+/// The iteration goes on to rounding.
+const CONVERGED: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-10 };
+
+enum Method<'s> {
+    Rk4(Rk4),
+    Dop853(Dop853),
+    Radau(Box<Radau>),
+    Taylor(Taylor<'s>),
+}
+
+/// Steps from one state to the next.
+pub struct GivenSteps<'s, S: Scene + ?Sized> {
+    system: System<'s, S>,
+    method: Method<'s>,
+    /// Where the next step begins.
+    state: State,
+    /// Where the step that was tried last ends; once it is taken, where it began.
+    other: State,
+    /// Accelerations and powers at the beginning of that step.
+    a: Vec<f64>,
+    power: Vec<f64>,
+    lambda: Vec<f64>,
+}
+
+impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
+    /// From `state`, with the works that it holds; none where the scene lacks what the method needs.
+    pub fn new(system: System<'s, S>, state: State, by: StepsBy) -> Option<Self> {
+        let (scene, info, n_works) = (system.scene(), system.info(), state.work.len());
+        let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
+        let method = match by {
+            StepsBy::Rk4 => Method::Rk4(Rk4::new(n_q, n_c, n_works)),
+            StepsBy::Dop853 => Method::Dop853(Dop853::new(n_q, n_c, n_works)),
+            StepsBy::Radau => Method::Radau(Box::new(Radau::new(scene, n_works).ok()??)),
+            StepsBy::Taylor(order) => Method::Taylor(Taylor::new(scene, order, n_works)?),
+        };
+        let (a, power, lambda) = (vec![0.0; n_q], vec![0.0; n_works], vec![0.0; n_c]);
+        Some(Self { system, method, other: state.clone(), state, a, power, lambda })
+    }
+
+    /// Begins anew at `state`: what rounding cut off and the steps before are forgotten.
+    pub fn place(&mut self, state: &State) {
+        self.state.copy_from(state);
+        match &mut self.method {
+            Method::Rk4(rk4) => rk4.restart(),
+            Method::Dop853(dop853) => dop853.restart(),
+            Method::Radau(radau) => radau.restart(),
+            Method::Taylor(taylor) => taylor.restart(),
+        }
+    }
+
+    /// Where a step of length `h`, s, leads, which is not taken; none where an iteration does not converge.
+    ///
+    /// # Errors
+    /// [`MotionError`] of a stage.
+    pub fn attempt(&mut self, h: f64) -> Result<Option<&State>, MotionError> {
+        let Self { system, method, state, other, a, power, lambda } = self;
+        if let Method::Taylor(taylor) = method {
+            taylor.expand(system, state, a, lambda)?;
+            taylor.accept();
+            taylor.advance(system, state, h, other);
+            return Ok(Some(other));
+        }
+        system.accelerations(state.t, &state.q, &state.v, a, lambda)?;
+        if !power.is_empty() {
+            system.power(state.t, &state.q, &state.v, lambda, power);
+        }
+        let from = Node { state, a, power };
+        let is_solved = match method {
+            Method::Rk4(rk4) => rk4.step(system, from, h, state.t + h, other).map(|()| true)?,
+            Method::Dop853(dop853) => dop853.attempt(system, from, h, ANY, other).map(|_| true)?,
+            Method::Radau(radau) => {
+                matches!(radau.attempt(system, from, h, CONVERGED, false, other)?, Attempt::Solved { .. })
+            }
+            Method::Taylor(_) => true,
+        };
+        Ok(is_solved.then_some(&*other))
+    }
+
+    /// Takes a step of length `h`, s; none where an iteration does not converge.
+    ///
+    /// # Errors
+    /// As [`GivenSteps::attempt`].
+    pub fn step(&mut self, h: f64) -> Result<Option<&State>, MotionError> {
+        if self.attempt(h)?.is_none() {
+            return Ok(None);
+        }
+        match &mut self.method {
+            Method::Dop853(dop853) => dop853.accept(),
+            Method::Radau(radau) => radau.accept(h),
+            Method::Rk4(_) | Method::Taylor(_) => {}
+        }
+        std::mem::swap(&mut self.state, &mut self.other);
+        Ok(Some(&self.state))
+    }
+
+    /// The state in the middle of the step that was taken last, by the interpolation of the method.
+    ///
+    /// # Errors
+    /// [`MotionError`] of a stage.
+    pub fn middle(&mut self) -> Result<State, MotionError> {
+        let Self { system, method, state, other: from, a, power, lambda } = self;
+        let (mut middle, h) = (from.clone(), state.t - from.t);
+        let (mut a_end, mut power_end) = (a.clone(), power.clone());
+        system.accelerations(state.t, &state.q, &state.v, &mut a_end, lambda)?;
+        if !power.is_empty() {
+            system.power(state.t, &state.q, &state.v, lambda, &mut power_end);
+        }
+        let (begin, end) = (Node { state: from, a, power }, Node { state, a: &a_end, power: &power_end });
+        match method {
+            Method::Rk4(_) => interpolate(begin, end, from.t + 0.5 * h, &mut middle),
+            Method::Dop853(dop853) => {
+                dop853.prepare_dense(system, begin, end)?;
+                dop853.dense_at(0.5, &mut middle);
+            }
+            Method::Radau(radau) => radau.dense_at(from, state, 0.5, &mut middle),
+            Method::Taylor(taylor) => taylor.dense_at(system, from, 0.5 * h, &mut middle),
+        }
+        middle.t = from.t + 0.5 * h;
+        Ok(middle)
+    }
+
+    /// The longest step of Taylor's method whose last terms are at most the state, s; none of another method.
+    ///
+    /// # Errors
+    /// [`MotionError`] when there are no accelerations.
+    pub fn radius(&mut self) -> Result<Option<f64>, MotionError> {
+        let Self { system, method: Method::Taylor(taylor), state, a, lambda, .. } = self else { return Ok(None) };
+        taylor.expand(system, state, a, lambda)?;
+        taylor.accept();
+        Ok(Some(taylor.longest_step(ANY)))
+    }
+}

@@ -3,6 +3,7 @@
 //! A description is made once for each set of counts and kept until the program ends, so that all scenes are
 //! described by `&'static` data.
 
+use crate::model::coordinate::place as place_of;
 use crate::model::{
     CoordinateInfo, Formula, LARGEST_N_MEMBERS, LayoutFault, OutputInfo, PointInfo, Repeats, RowInfo, SceneInfo,
     SparsityPattern, TemplateInfo,
@@ -153,7 +154,7 @@ impl Layout {
         for row in template.rows {
             let name = member(template.name, at, row.suffix);
             let rows = if row.position { &mut self.position_rows } else { &mut self.velocity_rows };
-            rows.columns.extend(row.entries.iter().map(|(place, _)| 3 * slots[place.slot] + place.component));
+            rows.columns.extend(row.entries.iter().map(|(place, _)| place_of(slots[place.slot], place.component)));
             rows.ends.push(rows.columns.len());
             rows.rows.push(RowInfo { name, ..row.row });
         }

@@ -8,6 +8,7 @@
 //! `n_p` points, `n_i` inputs, `n_o` outputs, `n_s` events. Kernels panic when a slice has another length; the layers above always
 //! pass the right ones.
 
+pub(crate) mod coordinate;
 mod derived;
 pub(crate) mod equations;
 mod event;
@@ -217,7 +218,7 @@ pub struct SceneInfo {
     pub name: &'static str,
     /// Doc comment of the scene.
     pub documentation: &'static str,
-    /// Bodies in declared order; body `i` has the coordinates `3 i`, `3 i + 1`, `3 i + 2`.
+    /// Bodies in declared order; body `i` has the coordinates x, y and φ at `3 i`, `3 i + 1`, `3 i + 2`.
     pub bodies: &'static [&'static str],
     /// `n_q` coordinates.
     pub coordinates: &'static [CoordinateInfo],

@@ -46,6 +46,9 @@ fn order_work_is_linear_in_the_number_of_bodies() {
     }
 }
 
+/// The vectors that a kernel opens.
+const VECTORS: usize = 15;
+
 /// rustc overflows its stack on some 3,000 `let` in one function.
 #[test]
 fn invariant_no_function_of_a_large_model_is_long() {
@@ -56,7 +59,7 @@ fn invariant_no_function_of_a_large_model_is_long() {
         let trees: Vec<_> = stream.into_iter().collect();
         let is_let = |tree: &&TokenTree| matches!(tree, TokenTree::Ident(ident) if ident == "let");
         let lets = trees.iter().filter(is_let).count();
-        assert!(lets <= LONGEST_WHOLE, "{lets} temporaries in one block");
+        assert!(lets <= LONGEST_WHOLE + VECTORS, "{lets} temporaries in one block");
         n_temporaries += lets;
         open.extend(trees.into_iter().filter_map(|tree| match tree {
             TokenTree::Group(group) => Some(group.stream()),

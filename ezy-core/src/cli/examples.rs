@@ -3,6 +3,7 @@
 use super::Models;
 use super::names::path;
 use super::selection::{first_scene, typed};
+use crate::model::coordinate::is_angle;
 use crate::model::{SceneEntry, SceneInfo};
 
 /// Examples: commands, each with what it does.
@@ -62,7 +63,7 @@ impl Examples {
                 let set = format!("run {scene} --set {}={}", parameter.name, parameter.default);
                 examples.push((set, "with another value of a parameter"));
             }
-            if let Some(angle) = info.coordinates.iter().find(|coordinate| coordinate.unit == "rad") {
+            if let Some((angle, _)) = info.coordinates.iter().zip(0..).find(|&(_, i)| is_angle(i)) {
                 examples.push((format!("run {scene} --start {}=pi/3", angle.name), "from another start"));
             }
         }

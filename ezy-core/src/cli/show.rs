@@ -4,6 +4,7 @@ mod json;
 mod latex;
 mod text;
 
+use crate::model::coordinate::{N_OF_BODY, body_and_component};
 use crate::model::{EliminationStep, SceneInfo, SeriesInfo};
 
 use super::Models;
@@ -62,8 +63,11 @@ fn series(info: &SceneInfo) -> String {
 
 /// For each row and body which of x, y and φ the row reads: `x.x`.
 fn pattern(info: &SceneInfo) -> Vec<Vec<String>> {
-    let mut signs = vec![vec![['.'; 3]; info.bodies.len()]; info.n_rows()];
-    info.jacobian.entries().for_each(|(_, row, column)| signs[row][column / 3][column % 3] = 'x');
+    let mut signs = vec![vec![['.'; N_OF_BODY]; info.bodies.len()]; info.n_rows()];
+    for (_, row, column) in info.jacobian.entries() {
+        let (body, component) = body_and_component(column);
+        signs[row][body][component] = 'x';
+    }
     signs.into_iter().map(|row| row.into_iter().map(|of_body| of_body.into_iter().collect()).collect()).collect()
 }
 

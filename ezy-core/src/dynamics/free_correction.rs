@@ -1,9 +1,9 @@
 //! Corrections of a start: given values stay, the others take the residual away.
 
 use super::System;
-use super::geometry::is_angle;
 use crate::linalg::{KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
 use crate::model::Scene;
+use crate::model::coordinate::is_angle;
 use nalgebra::{DMatrix, DVector};
 
 /// Directions whose singular value is below this fraction of the largest are left alone.

@@ -1,5 +1,6 @@
 //! How large a mechanism is, so that a watch and a crane are held to the same digits.
 
+use crate::model::coordinate::is_angle;
 use crate::model::{SceneInfo, Start};
 
 /// Residual of a row, as a share of its size, that counts as zero; a size beyond 1 counts as 1.
@@ -105,11 +106,6 @@ impl Geometry {
 /// |C| that counts as zero where the largest coordinate is `size`, of rows whose sizes are not known.
 pub(super) fn tolerance_at(size: f64) -> f64 {
     TOLERANCE.max((ROUNDING_OF_ROWS * size).min(LARGEST_TOLERANCE))
-}
-
-/// Every body has x, y and φ.
-pub(super) const fn is_angle(coordinate: usize) -> bool {
-    coordinate % 3 == 2
 }
 
 fn worst(x: impl Iterator<Item = f64>) -> f64 {

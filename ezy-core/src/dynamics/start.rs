@@ -1,7 +1,7 @@
 //! A start that fulfils the constraints, from values that are given only in part.
 
-use super::geometry::is_angle;
 use super::{StartError, State, System, max_abs};
+use crate::model::coordinate::is_angle;
 use crate::model::{Scene, Start};
 
 /// Gauss–Newton passes: far guesses need some tens, with a step that is halved when it overshoots.
@@ -146,7 +146,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
             let is_last = left.is_met();
             self.position_residual(t, q);
             let Some(step) = self.free_correction(t, q, n_h, &start.q_given) else { break };
-            let turn = step.iter().skip(2).step_by(3).fold(0.0, |turn: f64, angle| turn.max(angle.abs()));
+            let turns = step.iter().enumerate().filter(|(i, _)| is_angle(*i));
+            let turn = turns.fold(0.0, |turn: f64, (_, angle)| turn.max(angle.abs()));
             // a least-squares step shortens the vector of residuals, not always the largest of them
             let mut fraction = (LARGEST_TURN / turn).min(1.0);
             let mut improved = false;

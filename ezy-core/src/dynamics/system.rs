@@ -5,6 +5,7 @@ use super::euclidean::Euclidean;
 use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
 use crate::linalg::{Backend, LARGEST_DENSE, SparseKkt};
+use crate::model::coordinate::{body_and_component, is_angle};
 use crate::model::{Scene, SceneInfo, Start};
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
@@ -222,5 +223,5 @@ fn sparse(info: &'static SceneInfo) -> Result<Solver, SystemError> {
 
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.
 fn body_of(info: &'static SceneInfo, i: usize) -> (&'static str, &'static str) {
-    (info.bodies[i / 3], if i % 3 == 2 { "inertia" } else { "mass" })
+    (info.bodies[body_and_component(i).0], if is_angle(i) { "inertia" } else { "mass" })
 }

@@ -3,6 +3,7 @@
 use super::equation_residual::EquationResidual;
 use super::{KktFactorization, Left, VanishedPivot};
 use crate::model::SparsityPattern;
+use crate::model::coordinate::is_angle;
 
 /// Solves `K [x; y] = [r; s]` by `[M Gᵀ; G −ε D]` in passes, each for what the passes before have left; `D` is the
 /// diagonal of `G M⁻¹ Gᵀ`, with substitutes for massless coordinates.
@@ -114,11 +115,11 @@ pub(crate) fn write_diagonal(
 /// The diagonal of M; a coordinate without mass takes the smallest positive entry of its kind, or one.
 pub(crate) fn weights(mass: &[f64]) -> Vec<f64> {
     let substitute = |angle: bool| {
-        let of_kind = mass.iter().enumerate().filter(|(i, m)| (i % 3 == 2) == angle && **m > 0.0).map(|(_, m)| *m);
+        let of_kind = mass.iter().enumerate().filter(|(i, m)| is_angle(*i) == angle && **m > 0.0).map(|(_, m)| *m);
         of_kind.min_by(f64::total_cmp).unwrap_or(1.0)
     };
     let (length, angle) = (substitute(false), substitute(true));
-    let weight = |(i, m): (usize, &f64)| match (*m > 0.0, i % 3 == 2) {
+    let weight = |(i, m): (usize, &f64)| match (*m > 0.0, is_angle(i)) {
         (true, _) => *m,
         (false, false) => length,
         (false, true) => angle,

@@ -3,6 +3,7 @@
 use super::Check;
 use crate::dynamics::{System, SystemError};
 use crate::linalg::Backend;
+use crate::model::coordinate::is_angle;
 use crate::model::{Scene, SceneInfo};
 
 /// Number of random states, of a scene with at most sixty unknowns.
@@ -37,13 +38,13 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
         let info = scene.info();
         let mut random = SplitMix64(0x9E37_79B9_7F4A_7C15);
         // lengths and speeds of the order of one, angles all around
-        let size = |unit: &str| if unit == "rad" { std::f64::consts::PI } else { 2.0 };
+        let size = |i| if is_angle(i) { std::f64::consts::PI } else { 2.0 };
         let n = info.n_unknowns().max(1) as f64;
         let n_states = ((N_STATES as f64 * (60.0 / n).powi(3)) as usize).clamp(FEWEST_STATES, N_STATES);
         let states = (0..n_states)
             .map(|_| RandomState {
                 t: info.until_s * 0.5 * (1.0 + random.symmetric()),
-                q: info.coordinates.iter().map(|c| size(c.unit) * random.symmetric()).collect(),
+                q: (0..info.n_coordinates()).map(|i| size(i) * random.symmetric()).collect(),
                 v: info.coordinates.iter().map(|_| 2.0 * random.symmetric()).collect(),
             })
             .collect();

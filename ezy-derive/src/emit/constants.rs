@@ -1,59 +1,142 @@
-//! The function that computes everything that depends on parameters alone.
+//! What depends on parameters alone: the function that computes it, and its names.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Span, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
 
-use super::kernel::{self, LONGEST_WHOLE, Numbers};
+use super::kernel::{Numbers, RESERVED};
+use super::parts::{LONGEST_WHOLE, sequence};
+use crate::mechanics::Derived;
 use crate::model::{Model, ParameterId};
 use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode, Coefficients};
-use crate::symbolic::lower::ConstantPool;
 
-/// Writes the function for a scene with these parameters.
+/// The constants of a scene.
 pub struct Constants<'a> {
-    pub model: &'a Model,
-    pub parameters: &'a [ParameterId],
-    pub coefficients: &'a Coefficients,
+    model: &'a Model,
+    parameters: &'a [ParameterId],
+    coefficients: &'a Coefficients,
+    /// In the order of the vector `c` behind its inputs.
+    stored: &'a [CoefficientId],
+    n_inputs: usize,
+    /// Of all that is computed, ascending: operands have smaller ids than what is computed from them.
+    names: BTreeMap<CoefficientId, String>,
 }
 
-impl Constants<'_> {
-    /// The method that writes the vector `c` behind its inputs.
-    pub fn method(&self, pool: &ConstantPool, n_inputs: usize) -> TokenStream {
+impl<'a> Constants<'a> {
+    pub fn new(model: &'a Model, derived: &'a Derived<'_>) -> Self {
+        let stored = derived.constants.coefficients();
+        let (parameters, coefficients) = (derived.parameters(), &derived.algebra().coefficients);
+        let (n_inputs, names) = (derived.inputs().len(), BTreeMap::new());
+        let mut constants = Self { model, parameters, coefficients, stored, n_inputs, names };
         let mut needed = BTreeSet::new();
-        for &id in pool.coefficients() {
-            self.collect(id, &mut needed);
+        stored.iter().for_each(|&id| constants.collect(id, &mut needed));
+        let mut taken = BTreeSet::new();
+        for id in needed {
+            let name = constants.wording(id).map(|wording| wording.text).filter(|name| name.len() <= LONGEST_NAME);
+            let mut name = name.unwrap_or_else(|| format!("k{}", id.0));
+            if RESERVED.contains(&name.as_str()) {
+                name = format!("parameter_{name}");
+            }
+            while !taken.insert(name.clone()) {
+                name.push('_');
+            }
+            constants.names.insert(id, name);
         }
-        // operands have smaller ids than what is computed from them
-        let needed: Vec<CoefficientId> = needed.into_iter().collect();
-        let is_long = needed.len() > LONGEST_WHOLE;
-        let writer = Values { constants: self, needed: is_long.then_some(&needed) };
-        let temporaries = needed.iter().map(|&id| {
-            let (name, value) = (writer.temporary(id), writer.value(id));
+        constants
+    }
+
+    /// Of the constant at this place behind the inputs.
+    pub fn name(&self, place: usize) -> String {
+        self.names[&self.stored[place]].clone()
+    }
+
+    /// The method that writes the vector `c` behind its inputs.
+    pub fn method(&self) -> TokenStream {
+        let is_long = self.names.len() > LONGEST_WHOLE;
+        let places = is_long.then(|| self.names.keys().enumerate().map(|(place, &id)| (id, place)).collect());
+        let writer = Values { constants: self, places };
+        let computed = self.names.keys().filter(|&&id| !writer.is_literal(id)).map(|&id| {
+            let (name, value) = (writer.operand(id), writer.value(id));
             if is_long { quote!(#name = #value;) } else { quote!(let #name = #value;) }
         });
-        let temporaries: Vec<TokenStream> = temporaries.collect();
-        let temporaries = if is_long {
-            let (n, zero) = (needed.len(), Numbers::Any.literal(0.0));
-            let computed = kernel::sequence(temporaries);
+        let computed: Vec<TokenStream> = computed.collect();
+        let computed = if is_long {
+            let (n, zero, computed) = (self.names.len(), Numbers::Any.literal(0.0), sequence(computed));
             quote!(let mut k = [#zero; #n]; #computed)
         } else {
-            quote!(#(#temporaries)*)
+            quote!(#(#computed)*)
         };
-        let writes = pool.coefficients().iter().enumerate().map(|(i, &id)| {
-            let (name, i) = (writer.temporary(id), n_inputs + i);
-            quote!(c[#i] = #name;)
+        let writes = self.stored.iter().enumerate().map(|(i, &id)| {
+            let (value, i) = (writer.operand(id), self.n_inputs + i);
+            quote!(c[#i] = #value;)
         });
-        let writes = kernel::sequence(writes);
-        let (n_parameters, n_fixed) = (self.parameters.len(), n_inputs + pool.coefficients().len());
+        let writes = sequence(writes);
+        let (n_parameters, n_fixed) = (self.parameters.len(), self.n_inputs + self.stored.len());
         quote! {
             fn constants(&self, parameters: &[T], c: &mut [T]) {
                 let parameters = ezy::array::<#n_parameters, T>(parameters);
                 let c = ezy::array_mut::<#n_fixed, T>(c);
-                #temporaries
+                #computed
                 #writes
             }
         }
+    }
+
+    /// A constant in words of its parameters; none where that is long or could be read in two ways.
+    fn wording(&self, id: CoefficientId) -> Option<Wording> {
+        use Shape::{Product, Quotient, Sum};
+        let operand = |id: CoefficientId| match self.names.get(&id) {
+            Some(name) if name.starts_with('k') && name[1..].parse::<u32>().is_ok() => None,
+            _ => self.wording(id).filter(|wording| wording.text.len() <= LONGEST_NAME),
+        };
+        let (text, shape) = match self.coefficients.node(id) {
+            CoefficientNode::Number(x) => {
+                let known = [(0.5, "half"), (1.0, "one"), (2.0, "two"), (3.0, "three"), (4.0, "four")];
+                (known.iter().find(|(number, _)| number == x)?.1.to_owned(), Product)
+            }
+            CoefficientNode::Pi => ("pi".to_owned(), Product),
+            CoefficientNode::Parameter(index) => {
+                let parameter = self.model.parameters.get(*index).map(|parameter| &parameter.name);
+                let name = parameter.or_else(|| {
+                    let count = self.model.counts.get(*index - self.model.parameters.len());
+                    count.map(|count| &count.name)
+                })?;
+                (name.to_string().replace("r#", "parameter_"), Product)
+            }
+            CoefficientNode::Add(a, b) => {
+                let (x, y) = (operand(a.id)?, operand(b.id)?);
+                let text = match (x.shape == Sum || y.shape == Sum, a.negative, b.negative) {
+                    (false, false, false) => format!("{}_plus_{}", x.text, y.text),
+                    (false, false, true) => format!("{}_minus_{}", x.text, y.text),
+                    (false, true, false) => format!("{}_minus_{}", y.text, x.text),
+                    _ => return None,
+                };
+                (text, Sum)
+            }
+            CoefficientNode::Mul(a, b) => {
+                let (x, y) = (operand(*a)?, operand(*b)?);
+                match (x.shape, y.shape) {
+                    (Product, Product) if a == b => (format!("{}_squared", x.text), Product),
+                    (Product, Product) => (format!("{}_{}", x.text, y.text), Product),
+                    (Product, Quotient) => (over(&x.text, &y.text), Quotient),
+                    (Quotient, Product) => (over(&y.text, &x.text), Quotient),
+                    _ => return None,
+                }
+            }
+            CoefficientNode::Div(a, b) => {
+                let (x, y) = (operand(*a)?, operand(*b)?);
+                match (x.shape, y.shape) {
+                    (Product, Product) => (format!("{}_over_{}", x.text, y.text), Quotient),
+                    _ => return None,
+                }
+            }
+            CoefficientNode::Call(function, arguments) => match &arguments[..] {
+                [x] if !x.negative => (format!("{}_{}", function.name(), operand(x.id)?.text), Product),
+                _ => return None,
+            },
+        };
+        Some(Wording { text, shape })
     }
 
     fn collect(&self, id: CoefficientId, needed: &mut BTreeSet<CoefficientId>) {
@@ -72,30 +155,60 @@ impl Constants<'_> {
     }
 }
 
-/// What temporaries hold, and where.
+/// Longer names of constants give way to a number.
+const LONGEST_NAME: usize = 28;
+
+/// A name, and what it is read as.
+struct Wording {
+    text: String,
+    shape: Shape,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Shape {
+    Product,
+    Quotient,
+    Sum,
+}
+
+/// A factor before a quotient, within its numerator.
+fn over(factor: &str, quotient: &str) -> String {
+    match quotient.strip_prefix("one_over_") {
+        Some(divisor) => format!("{factor}_over_{divisor}"),
+        None => format!("{factor}_{quotient}"),
+    }
+}
+
+/// What is computed, and where it is.
 struct Values<'a> {
     constants: &'a Constants<'a>,
-    /// All of them, ascending, where they are too many for names of their own: they are then entries of an array.
-    needed: Option<&'a Vec<CoefficientId>>,
+    /// Places in an array, where there are too many for names of their own.
+    places: Option<BTreeMap<CoefficientId, usize>>,
 }
 
 impl Values<'_> {
+    /// Whether it is written where it is read.
+    fn is_literal(&self, id: CoefficientId) -> bool {
+        matches!(self.constants.coefficients.node(id), CoefficientNode::Number(_) | CoefficientNode::Pi)
+    }
+
     fn value(&self, id: CoefficientId) -> TokenStream {
-        match self.constants.coefficients.node(id) {
+        let of = self.constants;
+        match of.coefficients.node(id) {
             CoefficientNode::Number(x) => Numbers::Any.literal(*x),
             CoefficientNode::Pi => quote!(T::PI),
-            CoefficientNode::Parameter(index) => match self.constants.model.parameters.get(*index) {
+            CoefficientNode::Parameter(index) => match of.model.parameters.get(*index) {
                 Some(_) => {
-                    let place = self.constants.parameters.iter().position(|id| id.0 == *index).unwrap_or(0);
+                    let place = of.parameters.iter().position(|id| id.0 == *index).unwrap_or(0);
                     quote!(parameters[#place])
                 }
                 None => {
-                    let field = &self.constants.model.counts[*index - self.constants.model.parameters.len()].name;
+                    let field = &of.model.counts[*index - of.model.parameters.len()].name;
                     quote!(T::from_f64(self.#field as f64))
                 }
             },
             CoefficientNode::Add(a, b) => {
-                let (x, y) = (self.temporary(a.id), self.temporary(b.id));
+                let (x, y) = (self.operand(a.id), self.operand(b.id));
                 match (a.negative, b.negative) {
                     (false, false) => quote!(#x + #y),
                     (false, true) => quote!(#x - #y),
@@ -104,11 +217,11 @@ impl Values<'_> {
                 }
             }
             CoefficientNode::Mul(a, b) => {
-                let (x, y) = (self.temporary(*a), self.temporary(*b));
+                let (x, y) = (self.operand(*a), self.operand(*b));
                 quote!(#x * #y)
             }
             CoefficientNode::Div(a, b) => {
-                let (x, y) = (self.temporary(*a), self.temporary(*b));
+                let (x, y) = (self.operand(*a), self.operand(*b));
                 quote!(#x / #y)
             }
             CoefficientNode::Call(function, arguments) => {
@@ -119,23 +232,19 @@ impl Values<'_> {
     }
 
     fn signed(&self, k: &Coefficient) -> TokenStream {
-        let name = self.temporary(k.id);
-        if k.negative { quote!(-#name) } else { quote!(#name) }
+        let operand = self.operand(k.id);
+        if k.negative { quote!(-#operand) } else { operand }
     }
 
-    fn temporary(&self, id: CoefficientId) -> TokenStream {
-        if let Some(needed) = self.needed {
-            let place = needed.binary_search(&id).unwrap_or_default();
+    fn operand(&self, id: CoefficientId) -> TokenStream {
+        if self.is_literal(id) {
+            return self.value(id);
+        }
+        if let Some(places) = &self.places {
+            let place = places[&id];
             return quote!(k[#place]);
         }
-        let parameter = match self.constants.coefficients.node(id) {
-            CoefficientNode::Parameter(index) => self.constants.model.parameters.get(*index),
-            _ => None,
-        };
-        let name = match parameter {
-            Some(parameter) => format_ident!("parameter_{}", parameter.name, span = Span::mixed_site()),
-            None => format_ident!("k{}", id.0, span = Span::mixed_site()),
-        };
+        let name = Ident::new(&self.constants.names[&id], Span::mixed_site());
         quote!(#name)
     }
 }

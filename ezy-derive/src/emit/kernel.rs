@@ -3,8 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
+use super::constants::Constants;
+use super::parts::{LONGEST_WHOLE, Parts};
 use crate::function::Path;
 use crate::mechanics::symbols::{Meaning, Symbols};
 use crate::symbolic::program::{Node, NodeId, Program};
@@ -65,34 +67,82 @@ impl Numbers {
     }
 }
 
+/// What symbols and constants of a scene are called.
+#[derive(Clone, Copy)]
+pub struct Vocabulary<'a> {
+    pub symbols: &'a Symbols,
+    pub constants: &'a Constants<'a>,
+    /// Outputs are computed where their operands are, not where they are written. Series have many outputs: their operands
+    /// would fill the registers, which costs up to 2 % more instructions of a step.
+    pub outputs_early: bool,
+}
+
 /// Statements of a kernel and the expression of each output.
 pub struct Body {
     pub statements: TokenStream,
-    pub outputs: Vec<TokenStream>,
+    pub outputs: Vec<Expression>,
+}
+
+/// How tightly the outermost operator of an expression binds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+/// An expression of emitted code.
+#[derive(Debug, Clone)]
+pub struct Expression {
+    tokens: TokenStream,
+    binding: Binding,
+}
+
+impl Expression {
+    fn atom(tokens: TokenStream) -> Self {
+        Self { tokens, binding: Binding::Atom }
+    }
+
+    /// In brackets if its outermost operator binds less tightly.
+    pub fn within(&self, binding: Binding) -> TokenStream {
+        let tokens = &self.tokens;
+        if self.binding < binding { quote!((#tokens)) } else { tokens.clone() }
+    }
+}
+
+impl ToTokens for Expression {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        self.tokens.to_tokens(tokens);
+    }
 }
 
 /// Writes a program; `other` says where inputs besides time, coordinates and velocities are found.
-pub fn body(numbers: Numbers, program: &Program, symbols: &Symbols, other: &dyn Fn(Symbol) -> TokenStream) -> Body {
-    body_at(numbers, program, symbols, &|i| quote!(#i), other)
+pub fn body(
+    numbers: Numbers,
+    program: &Program,
+    vocabulary: Vocabulary<'_>,
+    other: &dyn Fn(Symbol) -> TokenStream,
+) -> Body {
+    body_at(numbers, program, vocabulary, &|i| quote!(#i), other)
 }
 
 /// As [`body`], with coordinates and velocities at the indices that `place` says.
 pub fn body_at(
     numbers: Numbers,
     program: &Program,
-    symbols: &Symbols,
+    vocabulary: Vocabulary<'_>,
     place: &dyn Fn(usize) -> TokenStream,
     other: &dyn Fn(Symbol) -> TokenStream,
 ) -> Body {
-    let fused = match numbers {
-        Numbers::F64 => BTreeMap::new(),
-        Numbers::Any => fused(program),
-    };
-    let taken_in = fused.values().copied().collect();
-    let (live, names, taken, passed) = (program.live(), BTreeMap::new(), BTreeSet::new(), BTreeMap::new());
-    let sources = Sources { place, other };
-    let mut writer = Writer { numbers, program, symbols, sources, live, fused, taken_in, names, taken, passed };
-    let statements = match Parts::new(&writer) {
+    let (live, sources) = (program.live(), Sources { place, other });
+    let in_one = Writing::new(numbers, program, &live, vocabulary.outputs_early);
+    let is_long = live.iter().filter(|&&id| in_one.is_statement(id)).count() > LONGEST_WHOLE;
+    let writing = if is_long { Writing::new(numbers, program, &live, true) } else { in_one };
+    let parts = is_long.then(|| Parts::new(program, &live, &writing));
+    let (names, taken, passed) = (BTreeMap::new(), BTreeSet::new(), BTreeMap::new());
+    let mut writer = Writer { numbers, program, vocabulary, sources, live, writing, names, taken, passed };
+    let statements = match parts {
         None => writer.in_one(),
         Some(parts) => writer.in_parts(&parts),
     };
@@ -100,17 +150,67 @@ pub fn body_at(
     Body { statements, outputs }
 }
 
-/// Sums and differences that take in the product among their operands, each with that product: one which nothing else
-/// reads and which has no name.
-fn fused(program: &Program) -> BTreeMap<NodeId, NodeId> {
-    let uses = program.uses();
-    let free =
-        |id: &NodeId| matches!(program.node(*id), Node::Mul(..)) && uses[id.0] == 1 && program.name(*id).is_none();
-    let products = program.live().into_iter().filter_map(|id| match program.node(id) {
-        Node::Add(a, b) | Node::Sub(a, b) => [*b, *a].into_iter().find(free).map(|product| (id, product)),
-        _ => None,
-    });
-    products.collect()
+/// What is no statement of its own.
+pub struct Writing {
+    /// Sums and differences that take in the product among their operands, each with that product: one which nothing else
+    /// reads and which has no name.
+    fused: BTreeMap<NodeId, NodeId>,
+    /// What is written where it is read.
+    in_place: BTreeSet<NodeId>,
+}
+
+/// Most operations of an expression within another one.
+const MOST_IN_PLACE: usize = 2;
+
+impl Writing {
+    /// What is short and read once is written in place, and so is a sign; an output only if it need not be kept.
+    fn new(numbers: Numbers, program: &Program, live: &[NodeId], keep_outputs: bool) -> Self {
+        let uses = program.uses();
+        let read_once = |id: NodeId| uses[id.0] == 1 && program.name(id).is_none();
+        let free = |id: &NodeId| matches!(program.node(*id), Node::Mul(..)) && read_once(*id);
+        let products = live.iter().filter_map(|&id| match program.node(id) {
+            Node::Add(a, b) | Node::Sub(a, b) => [*b, *a].into_iter().find(free).map(|product| (id, product)),
+            _ => None,
+        });
+        let fused: BTreeMap<NodeId, NodeId> = products.filter(|_| numbers == Numbers::Any).collect();
+        let taken_in: BTreeSet<NodeId> = fused.values().copied().collect();
+        let outputs: BTreeSet<NodeId> = program.outputs().iter().map(|output| output.node).collect();
+        let mut kept = if keep_outputs { outputs.clone() } else { BTreeSet::new() };
+        kept.extend(live.iter().filter(|id| uses[id.0] > 1).filter_map(|&id| match program.node(id) {
+            Node::Neg(a) => Some(*a),
+            _ => None,
+        }));
+        let mut in_place: BTreeMap<NodeId, usize> = BTreeMap::new();
+        for &id in live {
+            let inside = program.node(id).operands().iter().filter_map(|operand| in_place.get(operand)).sum::<usize>();
+            let operations = inside + usize::from(!taken_in.contains(&id));
+            let is_in_place = match program.node(id) {
+                Node::Literal(_) => true,
+                Node::Input(_) | Node::Constant(_) | Node::Sin(_) | Node::Cos(_) => false,
+                Node::Neg(_) => !kept.contains(&id),
+                _ if taken_in.contains(&id) => true,
+                _ => read_once(id) && !kept.contains(&id) && (operations <= MOST_IN_PLACE || outputs.contains(&id)),
+            };
+            if is_in_place {
+                in_place.insert(id, operations);
+            }
+        }
+        Self { fused, in_place: in_place.into_keys().collect() }
+    }
+
+    /// Whether a statement computes or names a node.
+    pub fn is_statement(&self, id: NodeId) -> bool {
+        !self.in_place.contains(&id)
+    }
+
+    /// What the statement of a node reads.
+    pub fn reads(&self, program: &Program, id: NodeId) -> Vec<NodeId> {
+        let through = |operand| match self.in_place.contains(&operand) {
+            true => self.reads(program, operand),
+            false => vec![operand],
+        };
+        program.node(id).operands().into_iter().flat_map(through).collect()
+    }
 }
 
 /// Where inputs are found.
@@ -123,89 +223,14 @@ struct Sources<'a> {
 struct Writer<'a> {
     numbers: Numbers,
     program: &'a Program,
-    symbols: &'a Symbols,
+    vocabulary: Vocabulary<'a>,
     sources: Sources<'a>,
     live: Vec<NodeId>,
-    /// What [`fused`] found.
-    fused: BTreeMap<NodeId, NodeId>,
-    /// The products in it.
-    taken_in: BTreeSet<NodeId>,
+    writing: Writing,
     names: BTreeMap<NodeId, Ident>,
     taken: BTreeSet<String>,
     /// Places of the values that a part passes to later ones.
     passed: BTreeMap<NodeId, usize>,
-}
-
-/// A long kernel in parts. Each `let` opens a scope, and rustc overflows its stack on some thousand scopes in each other.
-struct Parts {
-    /// The nodes that each part computes, ascending.
-    homes: Vec<Vec<NodeId>>,
-    /// The inputs that each part reads.
-    inputs: Vec<BTreeSet<NodeId>>,
-    /// What later parts or the outputs read, by part.
-    passed: Vec<BTreeSet<NodeId>>,
-}
-
-/// A kernel of so many statements stays in one piece. rustc 1.95 with debug information overflows its stack at some 3,000.
-pub const LONGEST_WHOLE: usize = 1500;
-/// Statements of a part of a longer one.
-const LONGEST_PART: usize = 300;
-
-/// Statements that declare nothing, in parts where they are many.
-pub fn sequence(statements: impl IntoIterator<Item = TokenStream>) -> TokenStream {
-    let statements: Vec<TokenStream> = statements.into_iter().collect();
-    if statements.len() <= LONGEST_WHOLE {
-        return quote!(#(#statements)*);
-    }
-    statements.chunks(LONGEST_PART).map(|part| quote!((|| { #(#part)* })();)).collect()
-}
-
-impl Parts {
-    fn new(writer: &Writer<'_>) -> Option<Self> {
-        let program = writer.program;
-        let is_input = |id: NodeId| matches!(program.node(id), Node::Input(_));
-        let is_computed = |id: &NodeId| {
-            let stands_alone = matches!(program.node(*id), Node::Constant(_) | Node::Literal(_) | Node::Input(_));
-            !stands_alone && !writer.taken_in.contains(id)
-        };
-        let computed: Vec<NodeId> = writer.live.iter().copied().filter(is_computed).collect();
-        if computed.len() <= LONGEST_WHOLE {
-            return None;
-        }
-        let mut homes: Vec<Vec<NodeId>> = computed.chunks(LONGEST_PART).map(<[NodeId]>::to_vec).collect();
-        let mut home: BTreeMap<NodeId, usize> = BTreeMap::new();
-        for (part, ids) in homes.iter().enumerate() {
-            for &id in ids {
-                home.entry(id).or_insert(part);
-                // a sine and a cosine are found together
-                if let Some(partner) = writer.partner(id) {
-                    home.entry(partner).or_insert(part);
-                }
-            }
-        }
-        homes.iter_mut().enumerate().for_each(|(part, ids)| ids.retain(|id| home[id] == part));
-        let last = homes.len() - 1;
-        let mut inputs = vec![BTreeSet::new(); homes.len()];
-        let mut passed = vec![BTreeSet::new(); homes.len()];
-        for (part, ids) in homes.iter().enumerate() {
-            for operand in ids.iter().flat_map(|&id| writer.operands(id)) {
-                if is_input(operand) {
-                    inputs[part].insert(operand);
-                } else if let Some(&home) = home.get(&operand).filter(|home| **home < part) {
-                    passed[home].insert(operand);
-                }
-            }
-        }
-        for output in program.outputs() {
-            if is_input(output.node) {
-                inputs[last].insert(output.node);
-                passed[last].insert(output.node);
-            } else if let Some(&home) = home.get(&output.node) {
-                passed[home].insert(output.node);
-            }
-        }
-        Some(Self { homes, inputs, passed })
-    }
 }
 
 impl Writer<'_> {
@@ -219,34 +244,24 @@ impl Writer<'_> {
 
     /// Closures one after the other, which pass values through an array.
     fn in_parts(&mut self, parts: &Parts) -> TokenStream {
-        let n_passed: usize = parts.passed.iter().map(BTreeSet::len).sum();
-        let zero = self.numbers.literal(0.0);
+        let (zero, n_passed) = (self.numbers.literal(0.0), parts.n_passed());
         let mut statements = quote!(let mut passed = [#zero; #n_passed];);
-        for ((home, inputs), passed) in parts.homes.iter().zip(&parts.inputs).zip(&parts.passed) {
+        for part in &parts.0 {
             self.names.clear();
             self.taken.clear();
-            let mut part = TokenStream::new();
-            for &id in inputs.iter().chain(home) {
-                part.extend(self.statement(id));
+            let mut inside = TokenStream::new();
+            for &id in part.inputs.iter().chain(&part.computed) {
+                inside.extend(self.statement(id));
             }
-            for &id in passed {
+            for &id in &part.passed {
                 let (i, name) = (self.passed.len(), self.operand(id));
-                part.extend(quote!(passed[#i] = #name;));
+                inside.extend(quote!(passed[#i] = #name;));
                 self.passed.insert(id, i);
             }
-            statements.extend(quote!((|| { #part })();));
+            statements.extend(quote!((|| { #inside })();));
         }
         self.names.clear();
         statements
-    }
-
-    /// The cosine of a sine's angle, and the reverse, where it is needed.
-    fn partner(&self, id: NodeId) -> Option<NodeId> {
-        match *self.program.node(id) {
-            Node::Sin(angle) => self.find(&Node::Cos(angle)),
-            Node::Cos(angle) => self.find(&Node::Sin(angle)),
-            _ => None,
-        }
     }
 
     /// A node that is needed.
@@ -254,21 +269,15 @@ impl Writer<'_> {
         self.program.find(wanted).filter(|id| self.live.binary_search(id).is_ok())
     }
 
-    /// What a statement reads.
-    fn operands(&self, id: NodeId) -> Vec<NodeId> {
-        let operands = self.program.node(id).operands().into_iter();
-        let read = |operand| match self.fused.get(&id) {
-            Some(&product) if product == operand => self.program.node(product).operands(),
-            _ => vec![operand],
-        };
-        operands.flat_map(read).collect()
-    }
-
     fn statement(&mut self, id: NodeId) -> TokenStream {
         work::count(1);
         let value = match self.program.node(id) {
-            Node::Constant(_) | Node::Literal(_) => return TokenStream::new(),
-            Node::Input(symbol) => match self.symbols.meaning(*symbol) {
+            _ if !self.writing.is_statement(id) => return TokenStream::new(),
+            Node::Constant(i) => {
+                let i = self.vocabulary.symbols.n_inputs() + i;
+                quote!(c[#i])
+            }
+            Node::Input(symbol) => match self.vocabulary.symbols.meaning(*symbol) {
                 Meaning::Time => {
                     self.names.insert(id, Ident::new("t", Span::call_site()));
                     return TokenStream::new();
@@ -285,20 +294,7 @@ impl Writer<'_> {
                 Meaning::Index(_) | Meaning::Named(_) => (self.sources.other)(*symbol),
             },
             Node::Sin(angle) | Node::Cos(angle) => return self.trigonometry(id, *angle),
-            Node::Mul(..) if self.taken_in.contains(&id) => return TokenStream::new(),
-            Node::Add(a, b) | Node::Sub(a, b) if self.fused.contains_key(&id) => self.fuse(id, *a, *b),
-            Node::Add(a, b) => self.infix(*a, &quote!(+), *b),
-            Node::Sub(a, b) => self.infix(*a, &quote!(-), *b),
-            Node::Mul(a, b) => self.infix(*a, &quote!(*), *b),
-            Node::Div(a, b) => self.infix(*a, &quote!(/), *b),
-            Node::Neg(a) => {
-                let a = self.operand(*a);
-                quote!(-#a)
-            }
-            Node::Call(function, arguments) => {
-                let arguments: Vec<TokenStream> = arguments.iter().map(|&a| self.operand(a)).collect();
-                self.numbers.call(*function, &arguments)
-            }
+            _ => self.expression(id).into_token_stream(),
         };
         let name = self.declare(id, self.suggestion(id));
         quote!(let #name = #value;)
@@ -311,10 +307,7 @@ impl Writer<'_> {
         }
         let (sin, cos) = (self.find(&Node::Sin(angle)), self.find(&Node::Cos(angle)));
         let (number, argument) = (self.numbers.name(), self.operand(angle));
-        let label = match self.program.node(angle) {
-            Node::Input(symbol) => self.symbols.code_name(*symbol),
-            _ => angle.0.to_string(),
-        };
+        let label = self.label(angle).filter(|label| label.len() < LONGEST_NAME).unwrap_or_else(|| angle.0.to_string());
         match (sin, cos) {
             (Some(sin), Some(cos)) => {
                 let sin = self.declare(sin, format!("sin_{label}"));
@@ -333,29 +326,44 @@ impl Writer<'_> {
     }
 
     fn suggestion(&self, id: NodeId) -> String {
-        if let Some(name) = self.program.name(id) {
-            return name.to_owned();
-        }
         let kind = match self.program.node(id) {
-            Node::Input(symbol) => return self.symbols.code_name(*symbol),
+            Node::Input(symbol) if self.program.name(id).is_none() => {
+                return self.vocabulary.symbols.code_name(*symbol);
+            }
+            Node::Constant(i) => return self.vocabulary.constants.name(*i),
             Node::Add(..) => "sum",
             Node::Sub(..) => "difference",
-            Node::Mul(a, b) => match (self.label(*a), self.label(*b)) {
-                (Some(a), Some(b)) if a.len() + b.len() < LONGEST_NAME => return format!("{a}_{b}"),
-                _ => "product",
-            },
+            Node::Mul(..) => "product",
             Node::Div(..) => "quotient",
             _ => "value",
         };
-        format!("{kind}_{}", id.0)
+        let name = self.program.name(id).map(str::to_owned);
+        let name = name.or_else(|| self.joined(id).filter(|name| name.len() < LONGEST_NAME));
+        name.or_else(|| self.program.hint(id).map(str::to_owned)).unwrap_or_else(|| format!("{kind}_{}", id.0))
     }
 
-    /// What an operand is called within the name of a product: `c[3]` is `c3`.
+    /// An operation by its operands.
+    fn joined(&self, id: NodeId) -> Option<String> {
+        let (a, sign, b) = match self.program.node(id) {
+            Node::Mul(a, b) if a == b => return Some(format!("{}_squared", self.label(*a)?)),
+            Node::Mul(a, b) => (a, "", b),
+            Node::Div(a, b) => (a, "over_", b),
+            Node::Add(a, b) => (a, "plus_", b),
+            Node::Sub(a, b) => (a, "minus_", b),
+            _ => return None,
+        };
+        Some(format!("{}_{sign}{}", self.label(*a)?, self.label(*b)?))
+    }
+
+    /// What an operand is called within the name of an operation: its name if that says what it is, or its factors if it
+    /// is a product in place.
     fn label(&self, id: NodeId) -> Option<String> {
-        match self.program.node(id) {
-            Node::Constant(i) => Some(format!("c{}", self.symbols.n_inputs() + i)),
-            _ => self.names.get(&id).map(Ident::to_string),
-        }
+        let name = self.names.get(&id).map(Ident::to_string).filter(|name| !name.ends_with(&format!("_{}", id.0)));
+        name.or_else(|| match self.program.node(id) {
+            Node::Mul(..) => self.joined(id),
+            Node::Literal(bits) if f64::from_bits(*bits) == 1.0 => Some("one".to_owned()),
+            _ => None,
+        })
     }
 
     fn declare(&mut self, id: NodeId, suggestion: String) -> Ident {
@@ -368,48 +376,74 @@ impl Writer<'_> {
         ident
     }
 
-    fn operand(&self, id: NodeId) -> TokenStream {
-        match self.program.node(id) {
-            Node::Constant(i) => {
-                let i = self.symbols.n_inputs() + i;
-                quote!(c[#i])
-            }
-            Node::Literal(bits) => self.numbers.literal(f64::from_bits(*bits)),
-            _ => {
-                let name = self.names.get(&id).map(|name| quote!(#name));
-                let value = name.or_else(|| self.passed.get(&id).map(|i| quote!(passed[#i])));
-                quote!(#value)
-            }
+    /// A node where it is read.
+    fn operand(&self, id: NodeId) -> Expression {
+        if !self.writing.is_statement(id) {
+            return self.expression(id);
         }
+        let name = self.names.get(&id).map(|name| quote!(#name));
+        let value = name.or_else(|| self.passed.get(&id).map(|i| quote!(passed[#i])));
+        Expression::atom(value.into_token_stream())
+    }
+
+    /// A node from its operands.
+    fn expression(&self, id: NodeId) -> Expression {
+        let (tokens, binding) = match self.program.node(id) {
+            Node::Literal(bits) => (self.numbers.literal(f64::from_bits(*bits)), Binding::Atom),
+            Node::Add(a, b) | Node::Sub(a, b) if self.writing.fused.contains_key(&id) => {
+                (self.fuse(id, *a, *b), Binding::Atom)
+            }
+            Node::Add(a, b) => self.infix(*a, quote!(+), *b, Binding::Sum),
+            Node::Sub(a, b) => self.infix(*a, quote!(-), *b, Binding::Sum),
+            Node::Mul(a, b) => self.infix(*a, quote!(*), *b, Binding::Product),
+            Node::Div(a, b) => self.infix(*a, quote!(/), *b, Binding::Product),
+            Node::Neg(a) => {
+                let a = self.operand(*a).within(Binding::Sign);
+                (quote!(-#a), Binding::Sign)
+            }
+            Node::Call(function, arguments) => {
+                let arguments: Vec<TokenStream> =
+                    arguments.iter().map(|&a| self.operand(a).into_token_stream()).collect();
+                (self.numbers.call(*function, &arguments), Binding::Atom)
+            }
+            // these have names
+            Node::Input(_) | Node::Constant(_) | Node::Sin(_) | Node::Cos(_) => return self.operand(id),
+        };
+        Expression { tokens, binding }
     }
 
     /// `a + b` or `a − b` with the product among them.
     fn fuse(&self, id: NodeId, a: NodeId, b: NodeId) -> TokenStream {
-        let product = self.fused[&id];
+        let product = self.writing.fused[&id];
         let Node::Mul(x, y) = *self.program.node(product) else { return TokenStream::new() };
         let (x, y, first, last) = (self.operand(x), self.operand(y), self.operand(a), self.operand(b));
+        let (minus_x, minus_last) = (x.within(Binding::Sign), last.within(Binding::Sign));
         match (self.program.node(id), product == b) {
-            (Node::Sub(..), true) => quote!(T::fused(-#x, #y, #first)),
-            (Node::Sub(..), false) => quote!(T::fused(#x, #y, -#last)),
+            (Node::Sub(..), true) => quote!(T::fused(-#minus_x, #y, #first)),
+            (Node::Sub(..), false) => quote!(T::fused(#x, #y, -#minus_last)),
             (_, true) => quote!(T::fused(#x, #y, #first)),
             (_, false) => quote!(T::fused(#x, #y, #last)),
         }
     }
 
-    fn infix(&self, a: NodeId, operator: &TokenStream, b: NodeId) -> TokenStream {
-        let (a, b) = (self.operand(a), self.operand(b));
-        quote!(#a #operator #b)
+    fn infix(&self, a: NodeId, operator: TokenStream, b: NodeId, binding: Binding) -> (TokenStream, Binding) {
+        let tighter = if binding == Binding::Sum { Binding::Product } else { Binding::Sign };
+        let (a, b) = (self.operand(a).within(binding), self.operand(b).within(tighter));
+        (quote!(#a #operator #b), binding)
     }
 }
 
-/// Products with longer names are numbered.
-const LONGEST_NAME: usize = 24;
+/// Names of operations are shorter; longer ones give way to a number.
+const LONGEST_NAME: usize = 28;
 
-/// Arguments of kernels, which temporaries must not shadow.
-const RESERVED: [&str; 11] = ["t", "c", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed"];
+/// Arguments of kernels and what a pattern cannot name, which temporaries must not shadow.
+pub const RESERVED: [&str; 17] = [
+    "t", "c", "k", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed", "MODEL", "None", "Some", "Ok",
+    "Err",
+];
 
 /// The value that takes note of each pivot, from pivots and thresholds in turns.
-pub fn pivots(rows: &[Vec<usize>], pivots: &[TokenStream]) -> TokenStream {
+pub fn pivots(rows: &[Vec<usize>], pivots: &[Expression]) -> TokenStream {
     let seen = rows.iter().zip(pivots.chunks(2)).map(|(rows, pair)| {
         let (pivot, threshold) = (&pair[0], &pair[1]);
         quote!(.see(&[#(#rows),*], T::least_ratio(#pivot, #threshold)))

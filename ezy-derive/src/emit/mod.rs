@@ -5,6 +5,7 @@ mod constants;
 mod info;
 mod kernel;
 mod page;
+mod parts;
 mod repeated;
 mod scene;
 mod series;
@@ -14,7 +15,7 @@ mod templates;
 mod type_names;
 
 #[cfg(test)]
-pub use kernel::LONGEST_WHOLE;
+pub use parts::LONGEST_WHOLE;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::abbreviations::Abbreviations;
 use super::constants::Constants;
+use super::kernel::Vocabulary;
 use super::signature::{self, Trait};
 use super::type_names::{module_of_modes, scene_type};
 use super::{info, page, repeated, series, straight};
@@ -19,21 +20,23 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let Described { inherent, access, page } = describe(model, derived, &type_name);
     let access_to_counts = model.is_repeated().then(|| repeated::access_to_counts(model));
     let structure = structure(model, derived, &type_name, &page);
-    let (parameters, coefficients) = (derived.parameters(), &derived.algebra().coefficients);
-    let constants = Constants { model, parameters, coefficients }.method(&derived.constants, derived.inputs().len());
+    let constants = Constants::new(model, derived);
+    let vocabulary = Vocabulary { symbols: derived.symbols(), constants: &constants, outputs_early: false };
+    let of_series = Vocabulary { outputs_early: true, ..vocabulary };
     let [equations, of_derived, methods] =
-        [Trait::Equations, Trait::Derived, Trait::Scene].map(|of| methods(model, derived, of));
-    let parameters: Vec<&Ident> = parameters.iter().map(|id| &model.parameters[id.0].name).collect();
+        [Trait::Equations, Trait::Derived, Trait::Scene].map(|of| methods(model, derived, vocabulary, of));
+    let constants = constants.method();
+    let parameters: Vec<&Ident> = derived.parameters().iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
     let modes = access_to_modes(derived, &parameters);
     let series = match &derived.form {
         Form::Straight(of) => {
             let series = of.series.as_ref().ok();
-            series.map(|series| series::implementation(&type_name, &of.equations, series, derived.n_fixed()))
+            series.map(|series| series::implementation(&type_name, &of.equations, series, derived.n_fixed(), of_series))
         }
         Form::Counted(of) => {
             let series = of.series.as_ref().ok();
-            series.map(|series| repeated::series::implementation(&type_name, model, &of.templates, series))
+            series.map(|series| repeated::series::implementation(&type_name, model, &of.templates, series, of_series))
         }
     };
     let access_to_series = series.is_some().then(access_to_series);
@@ -121,13 +124,13 @@ fn describe(model: &Model, derived: &Derived<'_>, type_name: &Ident) -> Describe
 }
 
 /// The methods of a trait that compute.
-fn methods(model: &Model, derived: &Derived<'_>, of: Trait) -> TokenStream {
+fn methods(model: &Model, derived: &Derived<'_>, vocabulary: Vocabulary<'_>, of: Trait) -> TokenStream {
     let of_trait = signature::ALL.iter().filter(|signature| signature.of == of);
     let kernels = of_trait.filter_map(|signature| Some((signature, derived.kernels.get(&signature.quantity)?)));
     let methods = kernels.map(|(signature, kernel)| {
         let body = match &derived.form {
-            Form::Straight(of) => straight::body(of, derived.n_fixed(), signature, kernel),
-            Form::Counted(_) => repeated::kernels::body(model, derived.symbols(), signature, kernel),
+            Form::Straight(of) => straight::body(of, derived.n_fixed(), vocabulary, signature, kernel),
+            Form::Counted(_) => repeated::kernels::body(model, vocabulary, signature, kernel),
         };
         let places = (signature.quantity == Quantity::Jacobians).then(|| jacobian_places(model, derived));
         let method = signature.method(body);

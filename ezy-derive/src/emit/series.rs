@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::kernel::{self, Body, Numbers};
+use super::kernel::{self, Body, Numbers, Vocabulary};
+use super::parts::sequence;
 use crate::mechanics::Equations;
 use crate::mechanics::series::{Ahead, Kernel, Series, Slot};
 use crate::symbolic::Symbol;
@@ -14,10 +15,16 @@ use crate::symbolic::Symbol;
 const PRODUCT_GROUP: usize = 8;
 
 /// The implementation for the type of a scene.
-pub fn implementation(type_name: &Ident, equations: &Equations, series: &Series, n_fixed: usize) -> TokenStream {
+pub fn implementation(
+    type_name: &Ident,
+    equations: &Equations,
+    series: &Series,
+    n_fixed: usize,
+    vocabulary: Vocabulary<'_>,
+) -> TokenStream {
     let sizes = Sizes::new(equations, series);
     let Sizes { n_coordinates, n_rows, n_products, n_base, n_kept } = sizes;
-    let writer = Writer { equations, series, sizes, n_fixed };
+    let writer = Writer { vocabulary, series, sizes, n_fixed };
     let begin = writer.begin();
     let right_side = writer.method(&series.recurrences.right_side);
     let solve = series.solution.as_ref().map(|solution| writer.method(&solution.kernel));
@@ -97,7 +104,7 @@ impl Array {
 }
 
 struct Writer<'a> {
-    equations: &'a Equations,
+    vocabulary: Vocabulary<'a>,
     series: &'a Series,
     sizes: Sizes,
     n_fixed: usize,
@@ -142,7 +149,7 @@ impl Writer<'_> {
     fn method(&self, kernel: &Kernel) -> TokenStream {
         let order = |ahead: Ahead| quote!(k + #ahead);
         let Body { statements, outputs } =
-            kernel::body(Numbers::Any, &kernel.program, &self.equations.symbols, &|symbol| self.read(symbol));
+            kernel::body(Numbers::Any, &kernel.program, self.vocabulary, &|symbol| self.read(symbol));
         let read = self.arrays_read(kernel, &order);
         let written = self.written(&kernel.targets, &outputs, &order);
         let c = self.constants(kernel);
@@ -158,7 +165,7 @@ impl Writer<'_> {
             quote!(#order)
         };
         let Body { statements, outputs } =
-            kernel::body(Numbers::Any, &kernel.program, &self.equations.symbols, &|symbol| self.read(symbol));
+            kernel::body(Numbers::Any, &kernel.program, self.vocabulary, &|symbol| self.read(symbol));
         let (written, pivots) = outputs.split_at(kernel.targets.len());
         let written = self.written(&kernel.targets, written, &order);
         let seen = match &self.series.solution {
@@ -199,7 +206,12 @@ impl Writer<'_> {
     }
 
     /// Writes of all outputs, array by array.
-    fn written(&self, targets: &[Slot], outputs: &[TokenStream], order: &dyn Fn(Ahead) -> TokenStream) -> TokenStream {
+    fn written(
+        &self,
+        targets: &[Slot],
+        outputs: &[kernel::Expression],
+        order: &dyn Fn(Ahead) -> TokenStream,
+    ) -> TokenStream {
         let mut arrays: BTreeMap<Array, (usize, Vec<TokenStream>)> = BTreeMap::new();
         for (&target, output) in targets.iter().zip(outputs) {
             let Some((array, i, n)) = self.place(target) else { continue };
@@ -210,7 +222,7 @@ impl Writer<'_> {
             .into_iter()
             .map(|(array, (n, writes))| {
                 let field = Ident::new(array.name, Span::call_site());
-                let writes = kernel::sequence(writes);
+                let writes = sequence(writes);
                 match array.ahead.map(order) {
                     None => quote! {
                         let target = ezy::array_mut::<#n, T>(&mut store.#field);

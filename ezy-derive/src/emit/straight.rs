@@ -3,7 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::kernel::{self, Body};
+use super::kernel::{self, Body, Vocabulary};
+use super::parts::sequence;
 use super::signature::{Signature, Writes, argument, give};
 use crate::mechanics::derived::Straight;
 use crate::mechanics::jacobians::{JacobianEntry, Jacobians};
@@ -11,11 +12,18 @@ use crate::mechanics::kernels::{Kernel, Pass, Put, Read};
 use crate::symbolic::Symbol;
 
 /// What a kernel does.
-pub fn body(of: &Straight, n_fixed: usize, signature: &Signature, kernel: &Kernel<'_>) -> TokenStream {
-    let (symbols, numbers) = (&of.equations.symbols, signature.numbers());
+pub fn body(
+    of: &Straight,
+    n_fixed: usize,
+    vocabulary: Vocabulary<'_>,
+    signature: &Signature,
+    kernel: &Kernel<'_>,
+) -> TokenStream {
+    let numbers = signature.numbers();
     let vectors = signature.writes.vectors();
     let passes = kernel.passes.iter().map(|pass| {
-        let Body { statements, outputs } = kernel::body(numbers, &pass.program, symbols, &|symbol| read(pass, symbol));
+        let Body { statements, outputs } =
+            kernel::body(numbers, &pass.program, vocabulary, &|symbol| read(pass, symbol));
         let (put, pivots) = outputs.split_at(pass.puts.len());
         let mut filled = vec![0_usize; vectors.len()];
         let puts = pass.puts.iter().zip(put).map(|(put, value)| match *put {
@@ -29,10 +37,10 @@ pub fn body(of: &Straight, n_fixed: usize, signature: &Signature, kernel: &Kerne
                 quote!(start.#give(#index, #value);)
             }
             // a straight line adds nothing up
-            Put::Total | Put::Coordinate(_) | Put::Group(_) => value.clone(),
+            Put::Total | Put::Coordinate(_) | Put::Group(_) => quote!(#value),
         });
         // a value is no statement
-        let puts = if matches!(signature.writes, Writes::Value) { puts.collect() } else { kernel::sequence(puts) };
+        let puts = if matches!(signature.writes, Writes::Value) { puts.collect() } else { sequence(puts) };
         let seen = matches!(signature.writes, Writes::Solution(_)).then(|| kernel::pivots(&kernel.pivots, pivots));
         quote!(#statements #puts #seen)
     });

@@ -253,21 +253,32 @@ impl Elimination {
             lowering.program.set_name(value, &name_of(step.symbol));
             lowering.bind(step.symbol, value);
         }
+        let row_name = |i: usize| {
+            let name = name_of(reduced.multipliers[reduced.rest[i]]);
+            name.split_once("lambda_").map_or_else(|| name.clone(), |(_, row)| row.to_owned())
+        };
         let mut matrix = Vec::new();
-        for row in &reduced.matrix {
+        for (i, row) in reduced.matrix.iter().enumerate() {
             let mut values = Vec::new();
             for (place, &(j, entry)) in row.iter().enumerate() {
                 if place < j {
                     lowering.lower(SumId::ZERO);
                 }
-                values.push((j, lowering.lower(entry)));
+                let value = lowering.lower(entry);
+                lowering.program.set_hint(value, &format!("A_{}_{}", row_name(i), row_name(j)));
+                values.push((j, value));
             }
             if row.len() < reduced.rest.len() {
                 lowering.lower(SumId::ZERO);
             }
             matrix.push(values);
         }
-        let right_side = reduced.right_side.iter().map(|&r| lowering.lower(r)).collect();
+        let mut right_side = Vec::new();
+        for (i, &entry) in reduced.right_side.iter().enumerate() {
+            let value = lowering.lower(entry);
+            lowering.program.set_hint(value, &format!("right_side_{}", row_name(i)));
+            right_side.push(value);
+        }
         let system = System::new(&mut lowering.program, matrix, right_side);
         let Solved { solution: found, pivots } = system.solve(blocks);
 
@@ -293,6 +304,8 @@ impl Elimination {
         }
         for (i, pivot) in pivots {
             let rows: Vec<usize> = blocks[i].iter().map(|&i| reduced.rest[i]).collect();
+            let names: Vec<String> = blocks[i].iter().map(|&i| row_name(i)).collect();
+            lowering.program.set_hint(pivot, &format!("pivot_{}", names.join("_")));
             watched.push((rows.clone(), pivot, lowering.lower(thresholds.moving[i])));
             order.push((rows, false));
         }

@@ -48,6 +48,7 @@ pub struct Program {
     nodes: Vec<Node>,
     ids: FxHashMap<Node, NodeId>,
     names: FxHashMap<NodeId, String>,
+    hints: FxHashMap<NodeId, String>,
     outputs: Vec<Value>,
 }
 
@@ -97,6 +98,17 @@ impl Program {
     pub fn set_name(&mut self, value: Value, name: &str) {
         let name = if value.negative { format!("minus_{name}") } else { name.to_owned() };
         self.names.entry(value.node).or_insert(name);
+    }
+
+    /// Name for a temporary whose operands give it none.
+    pub fn hint(&self, id: NodeId) -> Option<&str> {
+        self.hints.get(&id).map(String::as_str)
+    }
+
+    /// Names a value in passing: it may still be written within another expression. The first hint stays.
+    pub fn set_hint(&mut self, value: Value, name: &str) {
+        let name = if value.negative { format!("minus_{name}") } else { name.to_owned() };
+        self.hints.entry(value.node).or_insert(name);
     }
 
     pub fn outputs(&self) -> &[Value] {

@@ -8,18 +8,17 @@ use quote::quote;
 
 use super::loops::{looped, members, whole};
 use super::slots::{coordinate, firsts, slot_places};
-use crate::emit::kernel::{self, Body};
+use crate::emit::kernel::{self, Binding, Body, Expression, Vocabulary};
 use crate::emit::signature::{Signature, Writes, argument, give};
 use crate::mechanics::kernels::{Kernel, Over, Pass, Put, Quantity, Read};
-use crate::mechanics::symbols::Symbols;
 use crate::model::Model;
 use crate::model::whole::Whole;
 use crate::symbolic::Symbol;
 
 /// What a kernel does.
-pub fn body(model: &Model, symbols: &Symbols, signature: &Signature, kernel: &Kernel<'_>) -> TokenStream {
+pub fn body(model: &Model, vocabulary: Vocabulary<'_>, signature: &Signature, kernel: &Kernel<'_>) -> TokenStream {
     let passes: Vec<TokenStream> =
-        kernel.passes.iter().map(|pass| Writer { model, symbols, signature, pass }.pass()).collect();
+        kernel.passes.iter().map(|pass| Writer { model, vocabulary, signature, pass }.pass()).collect();
     let firsts = kernel.passes.iter().any(|pass| !matches!(pass.over, Over::Members(_))).then(|| firsts(model));
     let counters = counters(signature, kernel);
     let zero = signature.numbers().convert(quote!(0.0));
@@ -52,7 +51,7 @@ fn counter(vector: &str) -> &'static str {
 
 struct Writer<'a> {
     model: &'a Model,
-    symbols: &'a Symbols,
+    vocabulary: Vocabulary<'a>,
     signature: &'a Signature,
     pass: &'a Pass<'a>,
 }
@@ -62,8 +61,8 @@ impl Writer<'_> {
         let Pass { over, slots, program, puts, n_rows, .. } = self.pass;
         let place = |i| coordinate(slots, i);
         let Body { statements, outputs } =
-            kernel::body_at(self.signature.numbers(), program, self.symbols, &place, &|symbol| self.read(symbol));
-        let puts = puts.iter().zip(outputs).map(|(put, value)| self.put(*put, value));
+            kernel::body_at(self.signature.numbers(), program, self.vocabulary, &place, &|symbol| self.read(symbol));
+        let puts = puts.iter().zip(outputs).map(|(put, value)| self.put(*put, &value));
         let rows = (*n_rows > 0).then(|| quote!(place += #n_rows;));
         match over {
             Over::Loops(loops) => {
@@ -78,7 +77,7 @@ impl Writer<'_> {
         }
     }
 
-    fn put(&self, put: Put, value: TokenStream) -> TokenStream {
+    fn put(&self, put: Put, value: &Expression) -> TokenStream {
         match put {
             Put::Next(vector) => {
                 let vector = self.signature.writes.vectors()[vector];
@@ -86,7 +85,7 @@ impl Writer<'_> {
                 quote!(#vector[#counter] = #value; #counter += 1;)
             }
             Put::Coordinate(i) => {
-                let place = coordinate(&self.pass.slots, i);
+                let (place, value) = (coordinate(&self.pass.slots, i), value.within(Binding::Product));
                 quote!(out[#place] = out[#place] + #value;)
             }
             Put::Group(i) => quote!(out[#i] += #value;),
@@ -100,7 +99,7 @@ impl Writer<'_> {
 
     /// What the pass reads besides time, coordinates, velocities and inputs.
     fn read(&self, symbol: Symbol) -> TokenStream {
-        if let Some(id) = self.symbols.index_of(symbol) {
+        if let Some(id) = self.vocabulary.symbols.index_of(symbol) {
             let value = whole(self.model, &Whole::Index(id));
             return self.signature.numbers().convert(quote!((#value as f64)));
         }

@@ -7,9 +7,8 @@ use quote::{format_ident, quote};
 
 use super::loops::{looped, whole};
 use super::slots::{coordinate, firsts, slot_places};
-use crate::emit::kernel::{self, Body, Numbers};
+use crate::emit::kernel::{self, Binding, Body, Numbers, Vocabulary};
 use crate::mechanics::series::{Ahead, Kernel, Recurrences, Slot};
-use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Item, Templates};
 use crate::model::Model;
 use crate::model::whole::Whole;
@@ -21,12 +20,13 @@ pub fn implementation(
     model: &Model,
     templates: &Templates<'_>,
     recurrences: &[Recurrences],
+    vocabulary: Vocabulary<'_>,
 ) -> TokenStream {
     let firsts = firsts(model);
     let opening = opening();
     let writers = || {
         let items = templates.items().zip(recurrences);
-        items.map(|(item, recurrences)| Writer { model, symbols: &templates.symbols, item, recurrences })
+        items.map(|(item, recurrences)| Writer { model, vocabulary, item, recurrences })
     };
     let sizes = writers().map(|writer| writer.sizes());
     let (begin, right_side, finish) = (
@@ -102,7 +102,7 @@ enum Phase {
 
 struct Writer<'a> {
     model: &'a Model,
-    symbols: &'a Symbols,
+    vocabulary: Vocabulary<'a>,
     item: Item<'a, 'a>,
     recurrences: &'a Recurrences,
 }
@@ -120,12 +120,16 @@ impl Writer<'_> {
         let n_rows = self.item.n_rows();
         let read = |symbol: Symbol| self.read(phase, symbol);
         let place = |i| coordinate(self.item.slots, i);
-        let Body { statements, outputs } = kernel::body_at(Numbers::Any, &kernel.program, self.symbols, &place, &read);
+        let Body { statements, outputs } =
+            kernel::body_at(Numbers::Any, &kernel.program, self.vocabulary, &place, &read);
         let written = kernel.targets.iter().zip(outputs).map(|(&target, value)| {
             let place = self.place(phase, target);
             match target {
                 // several items may push the same body
-                Slot::Force(_) => quote!(#place = #place + #value;),
+                Slot::Force(_) => {
+                    let value = value.within(Binding::Product);
+                    quote!(#place = #place + #value;)
+                }
                 _ => quote!(#place = #value;),
             }
         });
@@ -143,7 +147,7 @@ impl Writer<'_> {
     }
 
     fn read(&self, phase: Phase, symbol: Symbol) -> TokenStream {
-        if let Some(id) = self.symbols.index_of(symbol) {
+        if let Some(id) = self.vocabulary.symbols.index_of(symbol) {
             let value = whole(self.model, &Whole::Index(id));
             return quote!(T::from_f64(#value as f64));
         }

@@ -3,37 +3,36 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
     fn constants(&self, parameters: &[T], c: &mut [T]) {
         let parameters = ezy::array::<3usize, T>(parameters);
         let c = ezy::array_mut::<7usize, T>(c);
-        let k1 = T::from_f64(1f64);
         let parameter_m = parameters[1usize];
-        let parameter_l = parameters[0usize];
-        let k4 = T::from_f64(2f64);
-        let k5 = parameter_l * parameter_l;
-        let k6 = parameter_m * k5;
-        let k7 = T::from_f64(12f64);
-        let k9 = k6 / k7;
-        let parameter_g = parameters[2usize];
-        let k11 = parameter_m * parameter_g;
-        let k13 = parameter_l / k4;
-        let k14 = T::from_f64(self.n as f64);
-        let k15 = k14 * parameter_l;
-        let k16 = k1 / k15;
-        let k17 = k13 / k15;
+        let l = parameters[0usize];
+        let l_squared = l * l;
+        let m_l_squared = parameter_m * l_squared;
+        let k9 = m_l_squared / T::from_f64(12f64);
+        let g = parameters[2usize];
+        let m_g = parameter_m * g;
+        let l_over_two = l / T::from_f64(2f64);
+        let n = T::from_f64(self.n as f64);
+        let n_l = n * l;
+        let one_over_n_l = T::from_f64(1f64) / n_l;
+        let k17 = l_over_two / n_l;
         c[0usize] = parameter_m;
         c[1usize] = k9;
-        c[2usize] = k13;
-        c[3usize] = k11;
-        c[4usize] = k16;
+        c[2usize] = l_over_two;
+        c[3usize] = m_g;
+        c[4usize] = one_over_n_l;
         c[5usize] = k17;
-        c[6usize] = parameter_l;
+        c[6usize] = l;
     }
     fn mass_matrix(&self, c: &[T], out: &mut [T]) {
         let mut place = 0;
         for _ in 0..(self.n as i64) {
-            out[place] = c[0usize];
+            let parameter_m = c[0usize];
+            let k9 = c[1usize];
+            out[place] = parameter_m;
             place += 1;
-            out[place] = c[0usize];
+            out[place] = parameter_m;
             place += 1;
-            out[place] = c[1usize];
+            out[place] = k9;
             place += 1;
         }
     }
@@ -43,14 +42,13 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let link_0_x = q[slots[0] + 0];
+            let l_over_two = c[2usize];
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
-            let difference_7 = T::fused(c[2usize], cos_link_0_phi, -link_0_x);
             let link_0_y = q[slots[0] + 1];
-            let difference_11 = T::fused(c[2usize], sin_link_0_phi, -link_0_y);
-            out[place] = difference_7;
+            out[place] = T::fused(l_over_two, cos_link_0_phi, -link_0_x);
             place += 1;
-            out[place] = difference_11;
+            out[place] = T::fused(l_over_two, sin_link_0_phi, -link_0_y);
             place += 1;
         }
         for at_i in 1..(self.n as i64) {
@@ -62,19 +60,22 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
             let link_i_phi = q[slots[1] + 2];
             let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
-            let sum_6 = cos_link_i_1_phi + cos_link_i_phi;
+            let l_over_two = c[2usize];
             let link_i_1_x = q[slots[0] + 0];
-            let sum_10 = T::fused(sum_6, c[2usize], link_i_1_x);
             let link_i_x = q[slots[1] + 0];
-            let difference_12 = sum_10 - link_i_x;
-            let sum_15 = sin_link_i_1_phi + sin_link_i_phi;
             let link_i_1_y = q[slots[0] + 1];
-            let sum_18 = T::fused(c[2usize], sum_15, link_i_1_y);
             let link_i_y = q[slots[1] + 1];
-            let difference_20 = sum_18 - link_i_y;
-            out[place] = difference_12;
+            out[place] = T::fused(
+                cos_link_i_1_phi + cos_link_i_phi,
+                l_over_two,
+                link_i_1_x,
+            ) - link_i_x;
             place += 1;
-            out[place] = difference_20;
+            out[place] = T::fused(
+                l_over_two,
+                sin_link_i_1_phi + sin_link_i_phi,
+                link_i_1_y,
+            ) - link_i_y;
             place += 1;
         }
     }
@@ -84,17 +85,15 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let link_0_vx = v[slots[0] + 0];
+            let l_over_two = c[2usize];
             let link_0_omega = v[slots[0] + 2];
-            let c2_link_0_omega = c[2usize] * link_0_omega;
+            let l_over_two_link_0_omega = l_over_two * link_0_omega;
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
-            let sum_9 = T::fused(c2_link_0_omega, sin_link_0_phi, link_0_vx);
             let link_0_vy = v[slots[0] + 1];
-            let difference_13 = T::fused(c2_link_0_omega, cos_link_0_phi, -link_0_vy);
-            let value_14 = -sum_9;
-            out[place] = value_14;
+            out[place] = -T::fused(l_over_two_link_0_omega, sin_link_0_phi, link_0_vx);
             place += 1;
-            out[place] = difference_13;
+            out[place] = T::fused(l_over_two_link_0_omega, cos_link_0_phi, -link_0_vy);
             place += 1;
         }
         for at_i in 1..(self.n as i64) {
@@ -105,24 +104,35 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
             let link_i_1_omega = v[slots[0] + 2];
             let link_i_1_phi = q[slots[0] + 2];
             let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
-            let product_5 = link_i_1_omega * sin_link_i_1_phi;
             let link_i_omega = v[slots[1] + 2];
             let link_i_phi = q[slots[1] + 2];
             let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
-            let sum_10 = T::fused(link_i_omega, sin_link_i_phi, product_5);
+            let l_over_two = c[2usize];
             let link_i_1_vx = v[slots[0] + 0];
-            let difference_14 = T::fused(-sum_10, c[2usize], link_i_1_vx);
+            let difference_14 = T::fused(
+                -T::fused(
+                    link_i_omega,
+                    sin_link_i_phi,
+                    link_i_1_omega * sin_link_i_1_phi,
+                ),
+                l_over_two,
+                link_i_1_vx,
+            );
             let link_i_vx = v[slots[1] + 0];
-            let difference_16 = difference_14 - link_i_vx;
-            let product_18 = link_i_1_omega * cos_link_i_1_phi;
-            let sum_21 = T::fused(link_i_omega, cos_link_i_phi, product_18);
             let link_i_1_vy = v[slots[0] + 1];
-            let sum_24 = T::fused(c[2usize], sum_21, link_i_1_vy);
+            let sum_24 = T::fused(
+                l_over_two,
+                T::fused(
+                    link_i_omega,
+                    cos_link_i_phi,
+                    link_i_1_omega * cos_link_i_1_phi,
+                ),
+                link_i_1_vy,
+            );
             let link_i_vy = v[slots[1] + 1];
-            let difference_26 = sum_24 - link_i_vy;
-            out[place] = difference_16;
+            out[place] = difference_14 - link_i_vx;
             place += 1;
-            out[place] = difference_26;
+            out[place] = sum_24 - link_i_vy;
             place += 1;
         }
     }
@@ -131,19 +141,16 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
         let mut place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
+            let l_over_two = c[2usize];
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
-            let c2_sin_link_0_phi = c[2usize] * sin_link_0_phi;
-            let c2_cos_link_0_phi = c[2usize] * cos_link_0_phi;
-            let value_7 = -T::from_f64(1f64);
-            let value_8 = -c2_sin_link_0_phi;
-            out[place] = value_7;
+            out[place] = -T::from_f64(1f64);
             place += 1;
-            out[place] = value_8;
+            out[place] = -(l_over_two * sin_link_0_phi);
             place += 1;
-            out[place] = value_7;
+            out[place] = -T::from_f64(1f64);
             place += 1;
-            out[place] = c2_cos_link_0_phi;
+            out[place] = l_over_two * cos_link_0_phi;
             place += 1;
         }
         for at_i in 1..(self.n as i64) {
@@ -151,32 +158,26 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
                 3 * (first_link + (at_i - 1)) as usize,
                 3 * (first_link + at_i) as usize,
             ];
+            let l_over_two = c[2usize];
             let link_i_1_phi = q[slots[0] + 2];
             let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
-            let c2_sin_link_i_1_phi = c[2usize] * sin_link_i_1_phi;
             let link_i_phi = q[slots[1] + 2];
             let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
-            let c2_sin_link_i_phi = c[2usize] * sin_link_i_phi;
-            let c2_cos_link_i_1_phi = c[2usize] * cos_link_i_1_phi;
-            let c2_cos_link_i_phi = c[2usize] * cos_link_i_phi;
-            let value_12 = -c2_sin_link_i_1_phi;
-            let value_13 = -T::from_f64(1f64);
-            let value_14 = -c2_sin_link_i_phi;
             out[place] = T::from_f64(1f64);
             place += 1;
-            out[place] = value_12;
+            out[place] = -(l_over_two * sin_link_i_1_phi);
             place += 1;
-            out[place] = value_13;
+            out[place] = -T::from_f64(1f64);
             place += 1;
-            out[place] = value_14;
+            out[place] = -(l_over_two * sin_link_i_phi);
             place += 1;
             out[place] = T::from_f64(1f64);
             place += 1;
-            out[place] = c2_cos_link_i_1_phi;
+            out[place] = l_over_two * cos_link_i_1_phi;
             place += 1;
-            out[place] = value_13;
+            out[place] = -T::from_f64(1f64);
             place += 1;
-            out[place] = c2_cos_link_i_phi;
+            out[place] = l_over_two * cos_link_i_phi;
             place += 1;
         }
     }
@@ -185,18 +186,14 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
         let mut place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
+            let l_over_two = c[2usize];
             let link_0_omega = v[slots[0] + 2];
-            let c2_link_0_omega = c[2usize] * link_0_omega;
-            let product_3 = link_0_omega * c2_link_0_omega;
+            let product_3 = link_0_omega * (l_over_two * link_0_omega);
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
-            let product_3_cos_link_0_phi = product_3 * cos_link_0_phi;
-            let product_3_sin_link_0_phi = product_3 * sin_link_0_phi;
-            let value_10 = -product_3_cos_link_0_phi;
-            let value_11 = -product_3_sin_link_0_phi;
-            out[place] = value_10;
+            out[place] = -(product_3 * cos_link_0_phi);
             place += 1;
-            out[place] = value_11;
+            out[place] = -(product_3 * sin_link_0_phi);
             place += 1;
         }
         for at_i in 1..(self.n as i64) {
@@ -205,24 +202,28 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
                 3 * (first_link + at_i) as usize,
             ];
             let link_i_1_omega = v[slots[0] + 2];
-            let product_3 = link_i_1_omega * link_i_1_omega;
+            let link_i_1_omega_squared = link_i_1_omega * link_i_1_omega;
             let link_i_1_phi = q[slots[0] + 2];
             let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
-            let product_6 = product_3 * cos_link_i_1_phi;
             let link_i_omega = v[slots[1] + 2];
-            let product_8 = link_i_omega * link_i_omega;
+            let link_i_omega_squared = link_i_omega * link_i_omega;
             let link_i_phi = q[slots[1] + 2];
             let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
-            let sum_12 = T::fused(product_8, cos_link_i_phi, product_6);
-            let sum_12_c2 = sum_12 * c[2usize];
-            let product_16 = product_3 * sin_link_i_1_phi;
-            let sum_19 = T::fused(product_8, sin_link_i_phi, product_16);
-            let c2_sum_19 = c[2usize] * sum_19;
-            let value_21 = -sum_12_c2;
-            let value_22 = -c2_sum_19;
-            out[place] = value_21;
+            let l_over_two = c[2usize];
+            let product_14 = T::fused(
+                link_i_omega_squared,
+                cos_link_i_phi,
+                link_i_1_omega_squared * cos_link_i_1_phi,
+            ) * l_over_two;
+            let product_20 = l_over_two
+                * T::fused(
+                    link_i_omega_squared,
+                    sin_link_i_phi,
+                    link_i_1_omega_squared * sin_link_i_1_phi,
+                );
+            out[place] = -product_14;
             place += 1;
-            out[place] = value_22;
+            out[place] = -product_20;
             place += 1;
         }
     }
@@ -231,8 +232,8 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
         out.fill(T::from_f64(0.0));
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
-            let value_1 = -c[3usize];
-            out[slots[0] + 1] = out[slots[0] + 1] + value_1;
+            let m_g = c[3usize];
+            out[slots[0] + 1] = out[slots[0] + 1] + -m_g;
         }
     }
 }

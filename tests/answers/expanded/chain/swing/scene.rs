@@ -44,31 +44,25 @@ impl ezy::Scene for Swing {
         {
             let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
             let link_n_1_x = q[slots[0] + 0];
+            let l_over_two = c[2usize];
             let link_n_1_phi = q[slots[0] + 2];
             let (sin_link_n_1_phi, cos_link_n_1_phi) = f64::sin_cos(link_n_1_phi);
-            let c2_cos_link_n_1_phi = c[2usize] * cos_link_n_1_phi;
-            let sum_7 = link_n_1_x + c2_cos_link_n_1_phi;
             let link_n_1_y = q[slots[0] + 1];
-            let c2_sin_link_n_1_phi = c[2usize] * sin_link_n_1_phi;
-            let sum_11 = link_n_1_y + c2_sin_link_n_1_phi;
-            out[place] = sum_7;
+            out[place] = link_n_1_x + l_over_two * cos_link_n_1_phi;
             place += 1;
-            out[place] = sum_11;
+            out[place] = link_n_1_y + l_over_two * sin_link_n_1_phi;
             place += 1;
         }
         for at_i in 1..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + (at_i - 1)) as usize];
             let link_i_1_x = q[slots[0] + 0];
+            let l_over_two = c[2usize];
             let link_i_1_phi = q[slots[0] + 2];
             let (sin_link_i_1_phi, cos_link_i_1_phi) = f64::sin_cos(link_i_1_phi);
-            let c2_cos_link_i_1_phi = c[2usize] * cos_link_i_1_phi;
-            let sum_7 = link_i_1_x + c2_cos_link_i_1_phi;
             let link_i_1_y = q[slots[0] + 1];
-            let c2_sin_link_i_1_phi = c[2usize] * sin_link_i_1_phi;
-            let sum_11 = link_i_1_y + c2_sin_link_i_1_phi;
-            out[place] = sum_7;
+            out[place] = link_i_1_x + l_over_two * cos_link_i_1_phi;
             place += 1;
-            out[place] = sum_11;
+            out[place] = link_i_1_y + l_over_two * sin_link_i_1_phi;
             place += 1;
         }
     }
@@ -77,14 +71,13 @@ impl ezy::Scene for Swing {
         let mut place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
+            let one_over_n_l = c[4usize];
             let link_n_1_y = q[slots[0] + 1];
-            let c4_link_n_1_y = c[4usize] * link_n_1_y;
+            let k17 = c[5usize];
             let link_n_1_phi = q[slots[0] + 2];
             let sin_link_n_1_phi = f64::sin(link_n_1_phi);
-            let c5_sin_link_n_1_phi = c[5usize] * sin_link_n_1_phi;
-            let sum_9 = c4_link_n_1_y + c5_sin_link_n_1_phi;
-            let value_10 = -sum_9;
-            out[place] = value_10;
+            let sum_9 = one_over_n_l * link_n_1_y + k17 * sin_link_n_1_phi;
+            out[place] = -sum_9;
             place += 1;
         }
     }
@@ -93,9 +86,9 @@ impl ezy::Scene for Swing {
         let mut total = 0.0;
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
+            let m_g = c[3usize];
             let link_i_y = q[slots[0] + 1];
-            let c3_link_i_y = c[3usize] * link_i_y;
-            total += c3_link_i_y;
+            total += m_g * link_i_y;
         }
         total
     }

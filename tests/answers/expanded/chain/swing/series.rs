@@ -54,16 +54,16 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
         force.fill(T::from_f64(0f64));
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
+            let l_over_two = c[2usize];
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = T::sin_cos(link_0_phi);
             let link_0_omega = v[slots[0] + 2];
-            let c2_link_0_omega = c[2usize] * link_0_omega;
-            let product_14 = link_0_omega * c2_link_0_omega;
+            let product_14 = link_0_omega * (l_over_two * link_0_omega);
             let product_15 = cos_link_0_phi * product_14;
             let product_16 = sin_link_0_phi * product_14;
-            let product_17 = cos_link_0_phi * link_0_omega;
-            let product_18 = sin_link_0_phi * link_0_omega;
-            let value_19 = -product_18;
+            let cos_link_0_phi_link_0_omega = cos_link_0_phi * link_0_omega;
+            let sin_link_0_phi_link_0_omega = sin_link_0_phi * link_0_omega;
+            let value_19 = -sin_link_0_phi_link_0_omega;
             base[base_place + 0] = cos_link_0_phi;
             base[base_place + 1] = sin_link_0_phi;
             force[slots[0] + 0] = force[slots[0] + 0] + T::from_f64(0f64);
@@ -71,12 +71,12 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             force[slots[0] + 2] = force[slots[0] + 2] + T::from_f64(0f64);
             row[row_place + 0] = product_15;
             row[row_place + 1] = product_16;
-            left[1 * n_products + product_place + 0] = product_17;
+            left[1 * n_products + product_place + 0] = cos_link_0_phi_link_0_omega;
             right[1 * n_products + product_place + 0] = T::from_f64(0f64);
             left[1 * n_products + product_place + 1] = value_19;
             right[1 * n_products + product_place + 1] = T::from_f64(0f64);
             left[1 * n_products + product_place + 2] = link_0_omega;
-            right[1 * n_products + product_place + 2] = product_17;
+            right[1 * n_products + product_place + 2] = cos_link_0_phi_link_0_omega;
             left[1 * n_products + product_place + 3] = link_0_omega;
             right[1 * n_products + product_place + 3] = value_19;
             row_place += 2usize;
@@ -93,22 +93,29 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             let (sin_link_i_1_phi, cos_link_i_1_phi) = T::sin_cos(link_i_1_phi);
             let link_i_phi = q[slots[1] + 2];
             let (sin_link_i_phi, cos_link_i_phi) = T::sin_cos(link_i_phi);
+            let l_over_two = c[2usize];
             let link_i_1_omega = v[slots[0] + 2];
-            let product_22 = link_i_1_omega * link_i_1_omega;
-            let product_23 = cos_link_i_1_phi * product_22;
+            let link_i_1_omega_squared = link_i_1_omega * link_i_1_omega;
             let link_i_omega = v[slots[1] + 2];
-            let product_25 = link_i_omega * link_i_omega;
-            let sum_27 = T::fused(cos_link_i_phi, product_25, product_23);
-            let c2_sum_27 = c[2usize] * sum_27;
-            let product_29 = sin_link_i_1_phi * product_22;
-            let sum_31 = T::fused(sin_link_i_phi, product_25, product_29);
-            let c2_sum_31 = c[2usize] * sum_31;
+            let link_i_omega_squared = link_i_omega * link_i_omega;
+            let product_28 = l_over_two
+                * T::fused(
+                    cos_link_i_phi,
+                    link_i_omega_squared,
+                    cos_link_i_1_phi * link_i_1_omega_squared,
+                );
+            let product_32 = l_over_two
+                * T::fused(
+                    sin_link_i_phi,
+                    link_i_omega_squared,
+                    sin_link_i_1_phi * link_i_1_omega_squared,
+                );
             let product_33 = cos_link_i_1_phi * link_i_1_omega;
             let product_34 = sin_link_i_1_phi * link_i_1_omega;
-            let product_35 = cos_link_i_phi * link_i_omega;
-            let product_36 = sin_link_i_phi * link_i_omega;
+            let cos_link_i_phi_link_i_omega = cos_link_i_phi * link_i_omega;
+            let sin_link_i_phi_link_i_omega = sin_link_i_phi * link_i_omega;
             let value_37 = -product_34;
-            let value_38 = -product_36;
+            let value_38 = -sin_link_i_phi_link_i_omega;
             base[base_place + 0] = cos_link_i_1_phi;
             base[base_place + 1] = sin_link_i_1_phi;
             base[base_place + 2] = cos_link_i_phi;
@@ -119,20 +126,20 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             force[slots[1] + 0] = force[slots[1] + 0] + T::from_f64(0f64);
             force[slots[1] + 1] = force[slots[1] + 1] + T::from_f64(0f64);
             force[slots[1] + 2] = force[slots[1] + 2] + T::from_f64(0f64);
-            row[row_place + 0] = c2_sum_27;
-            row[row_place + 1] = c2_sum_31;
+            row[row_place + 0] = product_28;
+            row[row_place + 1] = product_32;
             left[1 * n_products + product_place + 0] = product_33;
             right[1 * n_products + product_place + 0] = T::from_f64(0f64);
             left[1 * n_products + product_place + 1] = value_37;
             right[1 * n_products + product_place + 1] = T::from_f64(0f64);
-            left[1 * n_products + product_place + 2] = product_35;
+            left[1 * n_products + product_place + 2] = cos_link_i_phi_link_i_omega;
             right[1 * n_products + product_place + 2] = T::from_f64(0f64);
             left[1 * n_products + product_place + 3] = value_38;
             right[1 * n_products + product_place + 3] = T::from_f64(0f64);
             left[1 * n_products + product_place + 4] = link_i_1_omega;
             right[1 * n_products + product_place + 4] = product_33;
             left[1 * n_products + product_place + 5] = link_i_omega;
-            right[1 * n_products + product_place + 5] = product_35;
+            right[1 * n_products + product_place + 5] = cos_link_i_phi_link_i_omega;
             left[1 * n_products + product_place + 6] = link_i_1_omega;
             right[1 * n_products + product_place + 6] = value_37;
             left[1 * n_products + product_place + 7] = link_i_omega;
@@ -144,7 +151,8 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
         }
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
-            let value_1 = -c[3usize];
+            let m_g = c[3usize];
+            let value_1 = -m_g;
             force[slots[0] + 1] = force[slots[0] + 1] + value_1;
             row_place += 0usize;
             product_place += 0usize;
@@ -178,22 +186,24 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
         force.fill(T::from_f64(0f64));
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
+            let l_over_two = c[2usize];
             let convolved_0 = sums[product_place + 0];
-            let c2_convolved_0 = c[2usize] * convolved_0;
             let convolved_1 = sums[product_place + 1];
-            let difference_6 = T::fused(-c[2usize], convolved_1, c2_convolved_0);
+            let difference_6 = T::fused(
+                -l_over_two,
+                convolved_1,
+                l_over_two * convolved_0,
+            );
             let convolved_2 = sums[product_place + 2];
             let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2) as f64);
-            let product_9 = convolved_2 * inverse_order_ahead;
-            let c2_product_9 = c[2usize] * product_9;
             let order_next = T::from_f64((k + 1) as f64);
             let order_ahead = T::from_f64((k + 2) as f64);
             let order_next_order_ahead = order_next * order_ahead;
-            let product_14 = c2_product_9 * order_next_order_ahead;
+            let product_14 = l_over_two * (convolved_2 * inverse_order_ahead)
+                * order_next_order_ahead;
             let convolved_3 = sums[product_place + 3];
-            let product_16 = inverse_order_ahead * convolved_3;
-            let c2_product_16 = c[2usize] * product_16;
-            let product_18 = order_next_order_ahead * c2_product_16;
+            let product_18 = order_next_order_ahead
+                * (l_over_two * (inverse_order_ahead * convolved_3));
             let value_19 = -product_18;
             force[slots[0] + 0] = force[slots[0] + 0] + T::from_f64(0f64);
             force[slots[0] + 1] = force[slots[0] + 1] + T::from_f64(0f64);
@@ -210,31 +220,43 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
                 3 * (first_link + (at_i - 1)) as usize,
                 3 * (first_link + at_i) as usize,
             ];
+            let l_over_two = c[2usize];
             let convolved_0 = sums[product_place + 0];
-            let c2_convolved_0 = c[2usize] * convolved_0;
             let convolved_1 = sums[product_place + 1];
-            let difference_6 = T::fused(-c[2usize], convolved_1, c2_convolved_0);
+            let difference_6 = T::fused(
+                -l_over_two,
+                convolved_1,
+                l_over_two * convolved_0,
+            );
             let convolved_2 = sums[product_place + 2];
-            let c2_convolved_2 = c[2usize] * convolved_2;
             let convolved_3 = sums[product_place + 3];
-            let difference_11 = T::fused(-c[2usize], convolved_3, c2_convolved_2);
+            let difference_11 = T::fused(
+                -l_over_two,
+                convolved_3,
+                l_over_two * convolved_2,
+            );
             let convolved_4 = sums[product_place + 4];
             let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2) as f64);
-            let product_14 = convolved_4 * inverse_order_ahead;
             let convolved_5 = sums[product_place + 5];
-            let sum_17 = T::fused(inverse_order_ahead, convolved_5, product_14);
-            let c2_sum_17 = c[2usize] * sum_17;
+            let product_18 = l_over_two
+                * T::fused(
+                    inverse_order_ahead,
+                    convolved_5,
+                    convolved_4 * inverse_order_ahead,
+                );
             let order_next = T::from_f64((k + 1) as f64);
             let order_ahead = T::from_f64((k + 2) as f64);
             let order_next_order_ahead = order_next * order_ahead;
-            let product_22 = c2_sum_17 * order_next_order_ahead;
+            let product_22 = product_18 * order_next_order_ahead;
             let convolved_6 = sums[product_place + 6];
-            let product_24 = inverse_order_ahead * convolved_6;
             let convolved_7 = sums[product_place + 7];
-            let sum_27 = T::fused(inverse_order_ahead, convolved_7, product_24);
-            let c2_sum_27 = c[2usize] * sum_27;
-            let product_29 = order_next_order_ahead * c2_sum_27;
-            let value_30 = -product_29;
+            let product_28 = l_over_two
+                * T::fused(
+                    inverse_order_ahead,
+                    convolved_7,
+                    inverse_order_ahead * convolved_6,
+                );
+            let value_30 = -(order_next_order_ahead * product_28);
             force[slots[0] + 0] = force[slots[0] + 0] + T::from_f64(0f64);
             force[slots[0] + 1] = force[slots[0] + 1] + T::from_f64(0f64);
             force[slots[0] + 2] = force[slots[0] + 2] + difference_6;
@@ -290,15 +312,13 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             let lambda_0 = lambda[(k + 0) * n_c + row_place + 0];
             let convolved_3 = sums[product_place + 3];
             let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2) as f64);
-            let product_5 = convolved_3 * inverse_order_ahead;
             let q_8_ahead = q[(k + 2) * n_q + slots[0] + 2];
             let base_0 = base[base_place + 0];
-            let sum_9 = T::fused(q_8_ahead, base_0, product_5);
+            let sum_9 = T::fused(q_8_ahead, base_0, convolved_3 * inverse_order_ahead);
             let lambda_1 = lambda[(k + 0) * n_c + row_place + 1];
             let convolved_2 = sums[product_place + 2];
-            let product_12 = inverse_order_ahead * convolved_2;
             let base_1 = base[base_place + 1];
-            let sum_15 = T::fused(q_8_ahead, base_1, product_12);
+            let sum_15 = T::fused(q_8_ahead, base_1, inverse_order_ahead * convolved_2);
             let order_ahead = T::from_f64((k + 2) as f64);
             let q_8_ahead_order_ahead = q_8_ahead * order_ahead;
             let value_18 = -sum_15;
@@ -323,24 +343,20 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             let lambda_0 = lambda[(k + 0) * n_c + row_place + 0];
             let convolved_6 = sums[product_place + 6];
             let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2) as f64);
-            let product_5 = convolved_6 * inverse_order_ahead;
             let q_11_ahead = q[(k + 2) * n_q + slots[0] + 2];
             let base_0 = base[base_place + 0];
-            let sum_9 = T::fused(q_11_ahead, base_0, product_5);
+            let sum_9 = T::fused(q_11_ahead, base_0, convolved_6 * inverse_order_ahead);
             let lambda_1 = lambda[(k + 0) * n_c + row_place + 1];
             let convolved_4 = sums[product_place + 4];
-            let product_12 = inverse_order_ahead * convolved_4;
             let base_1 = base[base_place + 1];
-            let sum_15 = T::fused(q_11_ahead, base_1, product_12);
+            let sum_15 = T::fused(q_11_ahead, base_1, inverse_order_ahead * convolved_4);
             let convolved_7 = sums[product_place + 7];
-            let product_17 = inverse_order_ahead * convolved_7;
             let q_14_ahead = q[(k + 2) * n_q + slots[1] + 2];
             let base_2 = base[base_place + 2];
-            let sum_21 = T::fused(q_14_ahead, base_2, product_17);
+            let sum_21 = T::fused(q_14_ahead, base_2, inverse_order_ahead * convolved_7);
             let convolved_5 = sums[product_place + 5];
-            let product_23 = inverse_order_ahead * convolved_5;
             let base_3 = base[base_place + 3];
-            let sum_26 = T::fused(q_14_ahead, base_3, product_23);
+            let sum_26 = T::fused(q_14_ahead, base_3, inverse_order_ahead * convolved_5);
             let order_ahead = T::from_f64((k + 2) as f64);
             let q_11_ahead_order_ahead = q_11_ahead * order_ahead;
             let q_14_ahead_order_ahead = q_14_ahead * order_ahead;

@@ -50,31 +50,22 @@ impl ezy::Scene for Coast {
         let q = ezy::array::<6usize, f64>(q);
         let out = ezy::array_mut::<6usize, f64>(out);
         let seat_x = q[0usize];
+        let parameter_a = c[21usize];
         let seat_phi = q[2usize];
         let (sin_seat_phi, cos_seat_phi) = f64::sin_cos(seat_phi);
-        let c21_cos_seat_phi = c[21usize] * cos_seat_phi;
-        let difference_7 = seat_x - c21_cos_seat_phi;
         let seat_y = q[1usize];
-        let c21_sin_seat_phi = c[21usize] * sin_seat_phi;
-        let difference_11 = seat_y - c21_sin_seat_phi;
         let bar_x = q[3usize];
+        let parameter_c = c[22usize];
         let bar_phi = q[5usize];
         let (sin_bar_phi, cos_bar_phi) = f64::sin_cos(bar_phi);
-        let c22_cos_bar_phi = c[22usize] * cos_bar_phi;
-        let sum_17 = bar_x + c22_cos_bar_phi;
         let bar_y = q[4usize];
-        let c22_sin_bar_phi = c[22usize] * sin_bar_phi;
-        let sum_21 = bar_y + c22_sin_bar_phi;
-        let cos_seat_phi_c4 = cos_seat_phi * c[4usize];
-        let sum_24 = seat_x + cos_seat_phi_c4;
-        let sin_seat_phi_c4 = sin_seat_phi * c[4usize];
-        let sum_26 = seat_y + sin_seat_phi_c4;
-        out[0usize] = difference_7;
-        out[1usize] = difference_11;
-        out[2usize] = sum_17;
-        out[3usize] = sum_21;
-        out[4usize] = sum_24;
-        out[5usize] = sum_26;
+        let b = c[4usize];
+        out[0usize] = seat_x - parameter_a * cos_seat_phi;
+        out[1usize] = seat_y - parameter_a * sin_seat_phi;
+        out[2usize] = bar_x + parameter_c * cos_bar_phi;
+        out[3usize] = bar_y + parameter_c * sin_bar_phi;
+        out[4usize] = seat_x + cos_seat_phi * b;
+        out[5usize] = seat_y + sin_seat_phi * b;
     }
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let c = ezy::array::<32usize, f64>(c);
@@ -87,10 +78,12 @@ impl ezy::Scene for Coast {
     }
     fn start(&self, c: &[f64], start: &mut ezy::Start) {
         let c = ezy::array::<32usize, f64>(c);
-        start.give_position(0usize, c[21usize]);
+        let parameter_a = c[21usize];
+        let pi_over_two = c[29usize];
+        start.give_position(0usize, parameter_a);
         start.give_position(1usize, 0f64);
         start.give_position(2usize, 0f64);
-        start.give_position(5usize, c[29usize]);
+        start.give_position(5usize, pi_over_two);
         start.give_velocity(0usize, 1f64);
         start.give_velocity(2usize, 0f64);
     }

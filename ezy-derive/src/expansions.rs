@@ -19,15 +19,18 @@ const MODELS: [&str; 4] = [
     "tests/src/random_models.rs",
 ];
 
-/// Parts that are kept as examples, by the beginning of their names: a scene, what a limit and a scene of its own for
-/// each mode add to it, and a scene with counts.
-const EXAMPLES: [&str; 6] = [
+/// Parts that are kept as examples, by the beginning of their names: a scene, what a limit adds to it, and what loops make of
+/// the same in a scene with counts.
+const EXAMPLES: [&str; 9] = [
     "ezy_roller/module.",
     "ezy_roller/coast/",
     "ezy_roller/skid/derived.rs",
-    "ezy_roller/modes_of_skid/slides_left/equations.rs",
     "chain/module.",
-    "chain/swing/",
+    "chain/swing/page.",
+    "chain/swing/equations.rs",
+    "chain/swing/scene.rs",
+    "chain/swing/derived.rs",
+    "chain/swing/series.rs",
 ];
 
 /// The parts of an expansion by name, such as `chain/swing/equations.rs`.

@@ -23,11 +23,11 @@ const fn f(text: &'static str) -> Formula {
     Formula { text, latex: text, mathml: text }
 }
 
-const fn on(slot: usize, component: usize, text: &'static str) -> SlotCoordinate {
-    SlotCoordinate { slot, component, symbol: f(text) }
+const fn on(slot: usize, component: usize) -> SlotCoordinate {
+    SlotCoordinate { slot, component }
 }
 
-const fn row(name: &'static str, suffix: &'static str, entries: &'static [(SlotCoordinate, Formula)]) -> RowTemplate {
+const fn row(name: &'static str, suffix: &'static str, entries: &'static [SlotCoordinate]) -> RowTemplate {
     let (constraint, convective_term) = (f("end - beginning"), f("centripetal"));
     RowTemplate {
         suffix,
@@ -37,43 +37,29 @@ const fn row(name: &'static str, suffix: &'static str, entries: &'static [(SlotC
     }
 }
 
-const fn hinge(name: &'static str, ranges: &'static [&'static str], rows: &'static [RowTemplate]) -> TemplateInfo {
-    TemplateInfo { name, word: "hinge", ranges, effect: None, rows, forces: &[], masses: &[] }
+const fn hinge(
+    name: &'static str,
+    title: &'static str,
+    ranges: &'static [&'static str],
+    rows: &'static [RowTemplate],
+) -> TemplateInfo {
+    TemplateInfo { name, word: "hinge", ranges, title, rows, equations: &[] }
 }
 
 static TOP: TemplateInfo = hinge(
     "top",
+    "hinge top",
     &[],
-    &[
-        row("top.x", ".x", &[(on(0, 0, "rod[0].x"), f("-1")), (on(0, 2, "rod[0].phi"), f("-l/2*sin(rod[0].phi)"))]),
-        row("top.y", ".y", &[(on(0, 1, "rod[0].y"), f("-1")), (on(0, 2, "rod[0].phi"), f("l/2*cos(rod[0].phi)"))]),
-    ],
+    &[row("top.x", ".x", &[on(0, 0), on(0, 2)]), row("top.y", ".y", &[on(0, 1), on(0, 2)])],
 );
 
 static PIN: TemplateInfo = hinge(
     "pin",
+    "hinge pin, i in 1..n",
     &["i in 1..n"],
     &[
-        row(
-            "pin[i].x",
-            ".x",
-            &[
-                (on(0, 0, "rod[i-1].x"), f("1")),
-                (on(0, 2, "rod[i-1].phi"), f("-l/2*sin(rod[i-1].phi)")),
-                (on(1, 0, "rod[i].x"), f("-1")),
-                (on(1, 2, "rod[i].phi"), f("-l/2*sin(rod[i].phi)")),
-            ],
-        ),
-        row(
-            "pin[i].y",
-            ".y",
-            &[
-                (on(0, 1, "rod[i-1].y"), f("1")),
-                (on(0, 2, "rod[i-1].phi"), f("l/2*cos(rod[i-1].phi)")),
-                (on(1, 1, "rod[i].y"), f("-1")),
-                (on(1, 2, "rod[i].phi"), f("l/2*cos(rod[i].phi)")),
-            ],
-        ),
+        row("pin[i].x", ".x", &[on(0, 0), on(0, 2), on(1, 0), on(1, 2)]),
+        row("pin[i].y", ".y", &[on(0, 1), on(0, 2), on(1, 1), on(1, 2)]),
     ],
 );
 
@@ -101,6 +87,7 @@ static FIXED: SceneInfo = SceneInfo {
     force_entries: &[],
     potential_energy: Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
     abbreviations: &[],
+    equations: &[],
     elimination: &[],
     acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
     correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

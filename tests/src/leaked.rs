@@ -89,6 +89,7 @@ pub fn info(description: Description<'_>) -> &'static SceneInfo {
         force_entries: &[],
         potential_energy: Formula { text: "0", latex: "0", mathml: "" },
         abbreviations: &[],
+        equations: &[],
         elimination: leak(vec![EliminationStep { rows: leak((0..n_rows).collect()), constant_pivot: false }]),
         acceleration_operations: Operations::default(),
         correction_operations: Operations::default(),

@@ -141,6 +141,7 @@ const fn scene(
         force_entries,
         potential_energy: f("0"),
         abbreviations: &[],
+        equations: &[],
         elimination: &[EliminationStep { rows: &[0, 1, 2, 3], constant_pivot: false }],
         acceleration_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
         correction_operations: Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

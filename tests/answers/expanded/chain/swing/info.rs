@@ -94,6 +94,14 @@ impl Swing {
             mathml: "<mn>0</mn>",
         },
         abbreviations: &[],
+        equations: &[
+            ezy::Equation {
+                name: "equations of motion",
+                text: "[ M    C_q^T ] [ a        ] = [ F  ]\n[ C_q  0     ] [ lambda_C ]   [ -h ]\n",
+                latex: "\\begin{bmatrix} M & C_q^T \\\\ C_q & 0 \\end{bmatrix}\\begin{bmatrix} a \\\\ \\lambda_C \\end{bmatrix} = \\begin{bmatrix} F \\\\ -h \\end{bmatrix}",
+                mathml: "<math display=\"block\"><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mi>M</mi></mtd><mtd><msubsup><mi>C</mi><mi>q</mi><mi>T</mi></msubsup></mtd></mtr><mtr><mtd><msub><mi>C</mi><mi>q</mi></msub></mtd><mtd><mn>0</mn></mtd></mtr></mtable><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mi>a</mi></mtd></mtr><mtr><mtd><msub><mi>λ</mi><mi>C</mi></msub></mtd></mtr></mtable><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mi>F</mi></mtd></mtr><mtr><mtd><mrow><mo>−</mo><mi>h</mi></mrow></mtd></mtr></mtable></math>",
+            },
+        ],
         elimination: &[],
         acceleration_operations: ezy::Operations {
             add: 0,
@@ -137,65 +145,22 @@ impl Swing {
             name: "link",
             word: "body",
             ranges: &["i in 0..n"],
-            effect: ::core::option::Option::None,
+            title: "body link, i in 0..n",
             rows: &[],
-            forces: &[],
-            masses: &[
-                (
-                    ezy::SlotCoordinate {
-                        slot: 0,
-                        component: 0usize,
-                        symbol: ezy::Formula {
-                            text: "link[i].x",
-                            latex: "x_{\\mathrm{link[i]}}",
-                            mathml: "<msub><mi>x</mi><mtext>link[i]</mtext></msub>",
-                        },
-                    },
-                    ezy::Formula {
-                        text: "m",
-                        latex: "m",
-                        mathml: "<mrow><mi>m</mi></mrow>",
-                    },
-                ),
-                (
-                    ezy::SlotCoordinate {
-                        slot: 0,
-                        component: 1usize,
-                        symbol: ezy::Formula {
-                            text: "link[i].y",
-                            latex: "y_{\\mathrm{link[i]}}",
-                            mathml: "<msub><mi>y</mi><mtext>link[i]</mtext></msub>",
-                        },
-                    },
-                    ezy::Formula {
-                        text: "m",
-                        latex: "m",
-                        mathml: "<mrow><mi>m</mi></mrow>",
-                    },
-                ),
-                (
-                    ezy::SlotCoordinate {
-                        slot: 0,
-                        component: 2usize,
-                        symbol: ezy::Formula {
-                            text: "link[i].phi",
-                            latex: "\\varphi_{\\mathrm{link[i]}}",
-                            mathml: "<msub><mi>φ</mi><mtext>link[i]</mtext></msub>",
-                        },
-                    },
-                    ezy::Formula {
-                        text: "m*l^2/12",
-                        latex: "\\frac{m \\, l^{2}}{12}",
-                        mathml: "<mrow><mfrac><mrow><mi>m</mi><mspace width=\"0.17em\"/><msup><mrow><mi>l</mi></mrow><mn>2</mn></msup></mrow><mrow><mn>12</mn></mrow></mfrac></mrow>",
-                    },
-                ),
+            equations: &[
+                ezy::Equation {
+                    name: "mass matrix",
+                    text: "         [ m        ]   link[i].x\ndiag M = [ m        ]   link[i].y\n         [ m*l^2/12 ]   link[i].phi\n",
+                    latex: "\\mathrm{diag}\\,M = \\begin{bmatrix} m \\\\ m \\\\ \\frac{m \\, l^{2}}{12} \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mtext>diag </mtext><mi>M</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mi>m</mi></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>link[i].x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mi>m</mi></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>link[i].y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mfrac><mrow><mi>m</mi><mspace width=\"0.17em\"/><msup><mrow><mi>l</mi></mrow><mn>2</mn></msup></mrow><mrow><mn>12</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>link[i].phi</mtext></mtd></mtr></mtable></math>",
+                },
             ],
         },
         ezy::TemplateInfo {
             name: "top",
             word: "hinge",
             ranges: &[],
-            effect: ::core::option::Option::None,
+            title: "hinge top",
             rows: &[
                 ezy::RowTemplate {
                     suffix: ".x",
@@ -216,38 +181,14 @@ impl Swing {
                     },
                     position: true,
                     entries: &[
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 0usize,
-                                component: 0usize,
-                                symbol: ezy::Formula {
-                                    text: "link[0].x",
-                                    latex: "x_{\\mathrm{link[0]}}",
-                                    mathml: "<msub><mi>x</mi><mtext>link[0]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "-1",
-                                latex: "-1",
-                                mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
-                            },
-                        ),
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 0usize,
-                                component: 2usize,
-                                symbol: ezy::Formula {
-                                    text: "link[0].phi",
-                                    latex: "\\varphi_{\\mathrm{link[0]}}",
-                                    mathml: "<msub><mi>φ</mi><mtext>link[0]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "-l*sin(link[0].phi)/2",
-                                latex: "-\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[0]}}}}{2}",
-                                mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
-                            },
-                        ),
+                        ezy::SlotCoordinate {
+                            slot: 0usize,
+                            component: 0usize,
+                        },
+                        ezy::SlotCoordinate {
+                            slot: 0usize,
+                            component: 2usize,
+                        },
                     ],
                 },
                 ezy::RowTemplate {
@@ -269,49 +210,43 @@ impl Swing {
                     },
                     position: true,
                     entries: &[
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 0usize,
-                                component: 1usize,
-                                symbol: ezy::Formula {
-                                    text: "link[0].y",
-                                    latex: "y_{\\mathrm{link[0]}}",
-                                    mathml: "<msub><mi>y</mi><mtext>link[0]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "-1",
-                                latex: "-1",
-                                mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
-                            },
-                        ),
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 0usize,
-                                component: 2usize,
-                                symbol: ezy::Formula {
-                                    text: "link[0].phi",
-                                    latex: "\\varphi_{\\mathrm{link[0]}}",
-                                    mathml: "<msub><mi>φ</mi><mtext>link[0]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "l*cos(link[0].phi)/2",
-                                latex: "\\frac{l \\, \\cos{\\varphi_{\\mathrm{link[0]}}}}{2}",
-                                mathml: "<mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
-                            },
-                        ),
+                        ezy::SlotCoordinate {
+                            slot: 0usize,
+                            component: 1usize,
+                        },
+                        ezy::SlotCoordinate {
+                            slot: 0usize,
+                            component: 2usize,
+                        },
                     ],
                 },
             ],
-            forces: &[],
-            masses: &[],
+            equations: &[
+                ezy::Equation {
+                    name: "position constraint",
+                    text: "0 = C = [ -link[0].x + l*cos(link[0].phi)/2 ]   top.x\n        [ -link[0].y + l*sin(link[0].phi)/2 ]   top.y\n",
+                    latex: "0 = C = \\begin{bmatrix} -x_{\\mathrm{link[0]}} + \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[0]}}}}{2} \\\\ -y_{\\mathrm{link[0]}} + \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[0]}}}}{2} \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mn>0</mn><mo>=</mo><mi>C</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><msub><mi>x</mi><mtext>link[0]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>top.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mo>−</mo><msub><mi>y</mi><mtext>link[0]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>top.y</mtext></mtd></mtr></mtable></math>",
+                },
+                ezy::Equation {
+                    name: "its Jacobian",
+                    text: "G = top.x  link[0].x: -1, link[0].phi: -l*sin(link[0].phi)/2\n    top.y  link[0].y: -1, link[0].phi: l*cos(link[0].phi)/2\n",
+                    latex: "G = \\begin{array}{ll} \\text{top.x} & x_{\\mathrm{link[0]}}\\colon -1,\\; \\varphi_{\\mathrm{link[0]}}\\colon -\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[0]}}}}{2} \\\\ \\text{top.y} & y_{\\mathrm{link[0]}}\\colon -1,\\; \\varphi_{\\mathrm{link[0]}}\\colon \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[0]}}}}{2} \\end{array}",
+                    mathml: "<math display=\"block\"><mi>G</mi><mo>=</mo><mtable><mtr><mtd><mtext>top.x</mtext></mtd><mtd><msub><mi>x</mi><mtext>link[0]</mtext></msub><mo>:</mo><mrow><mo>−</mo><mn>1</mn></mrow><mo>,</mo><mspace width=\"0.8em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub><mo>:</mo><mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd></mtr><mtr><mtd><mtext>top.y</mtext></mtd><mtd><msub><mi>y</mi><mtext>link[0]</mtext></msub><mo>:</mo><mrow><mo>−</mo><mn>1</mn></mrow><mo>,</mo><mspace width=\"0.8em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub><mo>:</mo><mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd></mtr></mtable></math>",
+                },
+                ezy::Equation {
+                    name: "its convective term",
+                    text: "h = [ -l*link[0].omega^2*cos(link[0].phi)/2 ]   top.x\n    [ -l*link[0].omega^2*sin(link[0].phi)/2 ]   top.y\n",
+                    latex: "h = \\begin{bmatrix} -\\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[0]}}^{2} \\, \\cos{\\varphi_{\\mathrm{link[0]}}}}{2} \\\\ -\\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[0]}}^{2} \\, \\sin{\\varphi_{\\mathrm{link[0]}}}}{2} \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mi>h</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[0]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>top.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[0]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[0]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>top.y</mtext></mtd></mtr></mtable></math>",
+                },
+            ],
         },
         ezy::TemplateInfo {
             name: "pin",
             word: "hinge",
             ranges: &["i in 1..n"],
-            effect: ::core::option::Option::None,
+            title: "hinge pin, i in 1..n",
             rows: &[
                 ezy::RowTemplate {
                     suffix: ".x",
@@ -332,70 +267,22 @@ impl Swing {
                     },
                     position: true,
                     entries: &[
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 0usize,
-                                component: 0usize,
-                                symbol: ezy::Formula {
-                                    text: "link[i-1].x",
-                                    latex: "x_{\\mathrm{link[i-1]}}",
-                                    mathml: "<msub><mi>x</mi><mtext>link[i-1]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "1",
-                                latex: "1",
-                                mathml: "<mrow><mn>1</mn></mrow>",
-                            },
-                        ),
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 0usize,
-                                component: 2usize,
-                                symbol: ezy::Formula {
-                                    text: "link[i-1].phi",
-                                    latex: "\\varphi_{\\mathrm{link[i-1]}}",
-                                    mathml: "<msub><mi>φ</mi><mtext>link[i-1]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "-l*sin(link[i-1].phi)/2",
-                                latex: "-\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i-1]}}}}{2}",
-                                mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
-                            },
-                        ),
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 1usize,
-                                component: 0usize,
-                                symbol: ezy::Formula {
-                                    text: "link[i].x",
-                                    latex: "x_{\\mathrm{link[i]}}",
-                                    mathml: "<msub><mi>x</mi><mtext>link[i]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "-1",
-                                latex: "-1",
-                                mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
-                            },
-                        ),
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 1usize,
-                                component: 2usize,
-                                symbol: ezy::Formula {
-                                    text: "link[i].phi",
-                                    latex: "\\varphi_{\\mathrm{link[i]}}",
-                                    mathml: "<msub><mi>φ</mi><mtext>link[i]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "-l*sin(link[i].phi)/2",
-                                latex: "-\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i]}}}}{2}",
-                                mathml: "<mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
-                            },
-                        ),
+                        ezy::SlotCoordinate {
+                            slot: 0usize,
+                            component: 0usize,
+                        },
+                        ezy::SlotCoordinate {
+                            slot: 0usize,
+                            component: 2usize,
+                        },
+                        ezy::SlotCoordinate {
+                            slot: 1usize,
+                            component: 0usize,
+                        },
+                        ezy::SlotCoordinate {
+                            slot: 1usize,
+                            component: 2usize,
+                        },
                     ],
                 },
                 ezy::RowTemplate {
@@ -417,146 +304,134 @@ impl Swing {
                     },
                     position: true,
                     entries: &[
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 0usize,
-                                component: 1usize,
-                                symbol: ezy::Formula {
-                                    text: "link[i-1].y",
-                                    latex: "y_{\\mathrm{link[i-1]}}",
-                                    mathml: "<msub><mi>y</mi><mtext>link[i-1]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "1",
-                                latex: "1",
-                                mathml: "<mrow><mn>1</mn></mrow>",
-                            },
-                        ),
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 0usize,
-                                component: 2usize,
-                                symbol: ezy::Formula {
-                                    text: "link[i-1].phi",
-                                    latex: "\\varphi_{\\mathrm{link[i-1]}}",
-                                    mathml: "<msub><mi>φ</mi><mtext>link[i-1]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "l*cos(link[i-1].phi)/2",
-                                latex: "\\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i-1]}}}}{2}",
-                                mathml: "<mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
-                            },
-                        ),
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 1usize,
-                                component: 1usize,
-                                symbol: ezy::Formula {
-                                    text: "link[i].y",
-                                    latex: "y_{\\mathrm{link[i]}}",
-                                    mathml: "<msub><mi>y</mi><mtext>link[i]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "-1",
-                                latex: "-1",
-                                mathml: "<mrow><mo>−</mo><mn>1</mn></mrow>",
-                            },
-                        ),
-                        (
-                            ezy::SlotCoordinate {
-                                slot: 1usize,
-                                component: 2usize,
-                                symbol: ezy::Formula {
-                                    text: "link[i].phi",
-                                    latex: "\\varphi_{\\mathrm{link[i]}}",
-                                    mathml: "<msub><mi>φ</mi><mtext>link[i]</mtext></msub>",
-                                },
-                            },
-                            ezy::Formula {
-                                text: "l*cos(link[i].phi)/2",
-                                latex: "\\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i]}}}}{2}",
-                                mathml: "<mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow>",
-                            },
-                        ),
+                        ezy::SlotCoordinate {
+                            slot: 0usize,
+                            component: 1usize,
+                        },
+                        ezy::SlotCoordinate {
+                            slot: 0usize,
+                            component: 2usize,
+                        },
+                        ezy::SlotCoordinate {
+                            slot: 1usize,
+                            component: 1usize,
+                        },
+                        ezy::SlotCoordinate {
+                            slot: 1usize,
+                            component: 2usize,
+                        },
                     ],
                 },
             ],
-            forces: &[],
-            masses: &[],
+            equations: &[
+                ezy::Equation {
+                    name: "position constraint",
+                    text: "0 = C = [ link[i-1].x + l*cos(link[i-1].phi)/2 - link[i].x + l*cos(link[i].phi)/2 ]   pin[i].x\n        [ link[i-1].y + l*sin(link[i-1].phi)/2 - link[i].y + l*sin(link[i].phi)/2 ]   pin[i].y\n",
+                    latex: "0 = C = \\begin{bmatrix} x_{\\mathrm{link[i-1]}} + \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i-1]}}}}{2} - x_{\\mathrm{link[i]}} + \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i]}}}}{2} \\\\ y_{\\mathrm{link[i-1]}} + \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i-1]}}}}{2} - y_{\\mathrm{link[i]}} + \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i]}}}}{2} \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mn>0</mn><mo>=</mo><mi>C</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><msub><mi>x</mi><mtext>link[i-1]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac><mo>−</mo><msub><mi>x</mi><mtext>link[i]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>pin[i].x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><msub><mi>y</mi><mtext>link[i-1]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac><mo>−</mo><msub><mi>y</mi><mtext>link[i]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>pin[i].y</mtext></mtd></mtr></mtable></math>",
+                },
+                ezy::Equation {
+                    name: "its Jacobian",
+                    text: "G = pin[i].x  link[i-1].x: 1, link[i-1].phi: -l*sin(link[i-1].phi)/2, link[i].x: -1, link[i].phi: -l*sin(link[i].phi)/2\n    pin[i].y  link[i-1].y: 1, link[i-1].phi: l*cos(link[i-1].phi)/2, link[i].y: -1, link[i].phi: l*cos(link[i].phi)/2\n",
+                    latex: "G = \\begin{array}{ll} \\text{pin[i].x} & x_{\\mathrm{link[i-1]}}\\colon 1,\\; \\varphi_{\\mathrm{link[i-1]}}\\colon -\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i-1]}}}}{2},\\; x_{\\mathrm{link[i]}}\\colon -1,\\; \\varphi_{\\mathrm{link[i]}}\\colon -\\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i]}}}}{2} \\\\ \\text{pin[i].y} & y_{\\mathrm{link[i-1]}}\\colon 1,\\; \\varphi_{\\mathrm{link[i-1]}}\\colon \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i-1]}}}}{2},\\; y_{\\mathrm{link[i]}}\\colon -1,\\; \\varphi_{\\mathrm{link[i]}}\\colon \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i]}}}}{2} \\end{array}",
+                    mathml: "<math display=\"block\"><mi>G</mi><mo>=</mo><mtable><mtr><mtd><mtext>pin[i].x</mtext></mtd><mtd><msub><mi>x</mi><mtext>link[i-1]</mtext></msub><mo>:</mo><mrow><mn>1</mn></mrow><mo>,</mo><mspace width=\"0.8em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub><mo>:</mo><mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow><mo>,</mo><mspace width=\"0.8em\"/><msub><mi>x</mi><mtext>link[i]</mtext></msub><mo>:</mo><mrow><mo>−</mo><mn>1</mn></mrow><mo>,</mo><mspace width=\"0.8em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub><mo>:</mo><mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd></mtr><mtr><mtd><mtext>pin[i].y</mtext></mtd><mtd><msub><mi>y</mi><mtext>link[i-1]</mtext></msub><mo>:</mo><mrow><mn>1</mn></mrow><mo>,</mo><mspace width=\"0.8em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub><mo>:</mo><mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow><mo>,</mo><mspace width=\"0.8em\"/><msub><mi>y</mi><mtext>link[i]</mtext></msub><mo>:</mo><mrow><mo>−</mo><mn>1</mn></mrow><mo>,</mo><mspace width=\"0.8em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub><mo>:</mo><mrow><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd></mtr></mtable></math>",
+                },
+                ezy::Equation {
+                    name: "its convective term",
+                    text: "h = [ -l*link[i-1].omega^2*cos(link[i-1].phi)/2 - l*link[i].omega^2*cos(link[i].phi)/2 ]   pin[i].x\n    [ -l*link[i-1].omega^2*sin(link[i-1].phi)/2 - l*link[i].omega^2*sin(link[i].phi)/2 ]   pin[i].y\n",
+                    latex: "h = \\begin{bmatrix} -\\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[i-1]}}^{2} \\, \\cos{\\varphi_{\\mathrm{link[i-1]}}}}{2} - \\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[i]}}^{2} \\, \\cos{\\varphi_{\\mathrm{link[i]}}}}{2} \\\\ -\\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[i-1]}}^{2} \\, \\sin{\\varphi_{\\mathrm{link[i-1]}}}}{2} - \\frac{l \\, \\dot{\\varphi}_{\\mathrm{link[i]}}^{2} \\, \\sin{\\varphi_{\\mathrm{link[i]}}}}{2} \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mi>h</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[i-1]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[i]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>pin[i].x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[i-1]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>link[i]</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>pin[i].y</mtext></mtd></mtr></mtable></math>",
+                },
+            ],
         },
         ezy::TemplateInfo {
             name: "",
             word: "gravity",
             ranges: &["i in 0..n"],
-            effect: ::core::option::Option::None,
+            title: "gravity, i in 0..n",
             rows: &[],
-            forces: &[
-                (
-                    ezy::SlotCoordinate {
-                        slot: 0usize,
-                        component: 1usize,
-                        symbol: ezy::Formula {
-                            text: "link[i].y",
-                            latex: "y_{\\mathrm{link[i]}}",
-                            mathml: "<msub><mi>y</mi><mtext>link[i]</mtext></msub>",
-                        },
-                    },
-                    ezy::Formula {
-                        text: "-m*g",
-                        latex: "-m \\, g",
-                        mathml: "<mrow><mo>−</mo><mi>m</mi><mspace width=\"0.17em\"/><mi>g</mi></mrow>",
-                    },
-                ),
+            equations: &[
+                ezy::Equation {
+                    name: "applied force",
+                    text: "F = [ -m*g ]   link[i].y\n",
+                    latex: "F = \\begin{bmatrix} -m \\, g \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mi>F</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em .7em .7em\"><mrow><mo>−</mo><mi>m</mi><mspace width=\"0.17em\"/><mi>g</mi></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>link[i].y</mtext></mtd></mtr></mtable></math>",
+                },
+                ezy::Equation {
+                    name: "potential energy",
+                    text: "V = m*g*link[i].y\n",
+                    latex: "V = m \\, g \\, y_{\\mathrm{link[i]}}",
+                    mathml: "<math display=\"block\"><mi>V</mi><mo>=</mo><mrow><mi>m</mi><mspace width=\"0.17em\"/><mi>g</mi><mspace width=\"0.17em\"/><msub><mi>y</mi><mtext>link[i]</mtext></msub></mrow></math>",
+                },
             ],
-            masses: &[],
         },
         ezy::TemplateInfo {
             name: "top",
             word: "point",
             ranges: &[],
-            effect: ::core::option::Option::None,
+            title: "point top",
             rows: &[],
-            forces: &[],
-            masses: &[],
+            equations: &[
+                ezy::Equation {
+                    name: "position",
+                    text: "top = [ 0 ]\n      [ 0 ]\n",
+                    latex: "\\mathrm{top} = \\begin{bmatrix} 0 \\\\ 0 \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mtext>top</mtext><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><mn>0</mn></mrow></mtd></mtr><mtr><mtd><mrow><mn>0</mn></mrow></mtd></mtr></mtable></math>",
+                },
+            ],
         },
         ezy::TemplateInfo {
             name: "tip",
             word: "point",
             ranges: &[],
-            effect: ::core::option::Option::None,
+            title: "point tip",
             rows: &[],
-            forces: &[],
-            masses: &[],
+            equations: &[
+                ezy::Equation {
+                    name: "position",
+                    text: "tip = [ link[n-1].x + l*cos(link[n-1].phi)/2 ]\n      [ link[n-1].y + l*sin(link[n-1].phi)/2 ]\n",
+                    latex: "\\mathrm{tip} = \\begin{bmatrix} x_{\\mathrm{link[n-1]}} + \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[n-1]}}}}{2} \\\\ y_{\\mathrm{link[n-1]}} + \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[n-1]}}}}{2} \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mtext>tip</mtext><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>link[n-1]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[n-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>link[n-1]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[n-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd></mtr></mtable></math>",
+                },
+            ],
         },
         ezy::TemplateInfo {
             name: "pin",
             word: "point",
             ranges: &["i in 1..n"],
-            effect: ::core::option::Option::None,
+            title: "point pin, i in 1..n",
             rows: &[],
-            forces: &[],
-            masses: &[],
+            equations: &[
+                ezy::Equation {
+                    name: "position",
+                    text: "pin = [ link[i-1].x + l*cos(link[i-1].phi)/2 ]\n      [ link[i-1].y + l*sin(link[i-1].phi)/2 ]\n",
+                    latex: "\\mathrm{pin} = \\begin{bmatrix} x_{\\mathrm{link[i-1]}} + \\frac{l \\, \\cos{\\varphi_{\\mathrm{link[i-1]}}}}{2} \\\\ y_{\\mathrm{link[i-1]}} + \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[i-1]}}}}{2} \\end{bmatrix}",
+                    mathml: "<math display=\"block\"><mtext>pin</mtext><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>link[i-1]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>link[i-1]</mtext></msub><mo>+</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[i-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn></mrow></mfrac></mrow></mtd></mtr></mtable></math>",
+                },
+            ],
         },
         ezy::TemplateInfo {
             name: "sag",
             word: "output",
             ranges: &[],
-            effect: ::core::option::Option::None,
+            title: "output sag",
             rows: &[],
-            forces: &[],
-            masses: &[],
+            equations: &[
+                ezy::Equation {
+                    name: "value",
+                    text: "sag = -link[n-1].y/(n*l) - l*sin(link[n-1].phi)/(2*n*l)\n",
+                    latex: "\\mathrm{sag} = -\\frac{y_{\\mathrm{link[n-1]}}}{n \\, l} - \\frac{l \\, \\sin{\\varphi_{\\mathrm{link[n-1]}}}}{2 \\, n \\, l}",
+                    mathml: "<math display=\"block\"><mtext>sag</mtext><mo>=</mo><mrow><mo>−</mo><mfrac><mrow><msub><mi>y</mi><mtext>link[n-1]</mtext></msub></mrow><mrow><mi>n</mi><mspace width=\"0.17em\"/><mi>l</mi></mrow></mfrac><mo>−</mo><mfrac><mrow><mi>l</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>link[n-1]</mtext></msub></mrow></mrow><mrow><mn>2</mn><mspace width=\"0.17em\"/><mi>n</mi><mspace width=\"0.17em\"/><mi>l</mi></mrow></mfrac></mrow></math>",
+                },
+            ],
         },
         ezy::TemplateInfo {
             name: "",
             word: "start",
             ranges: &["i in 0..n"],
-            effect: ::core::option::Option::None,
+            title: "start, i in 0..n",
             rows: &[],
-            forces: &[],
-            masses: &[],
+            equations: &[],
         },
     ];
     fn describe(&self, layout: &mut ezy::Layout) {

@@ -154,7 +154,7 @@ impl Layout {
         for row in template.rows {
             let name = member(template.name, at, row.suffix);
             let rows = if row.position { &mut self.position_rows } else { &mut self.velocity_rows };
-            rows.columns.extend(row.entries.iter().map(|(place, _)| place_of(slots[place.slot], place.component)));
+            rows.columns.extend(row.entries.iter().map(|place| place_of(slots[place.slot], place.component)));
             rows.ends.push(rows.columns.len());
             rows.rows.push(RowInfo { name, ..row.row });
         }

@@ -24,8 +24,6 @@ pub(crate) use pivots::{PIVOT_TOLERANCE, Pivots};
 pub(crate) use repeats::LARGEST_N_MEMBERS;
 pub use repeats::{CountInfo, LayoutFault};
 pub(crate) use repeats::{Repeats, TemplateInfo};
-#[cfg(feature = "cli")]
-pub(crate) use repeats::{RowTemplate, SlotCoordinate};
 pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
 
@@ -37,6 +35,19 @@ pub struct Formula {
     /// LaTeX, without delimiters.
     pub latex: &'static str,
     /// MathML, one `<mrow>` element.
+    pub mathml: &'static str,
+}
+
+/// One equation of a scene in the three renderings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Equation {
+    /// What it is, in words: `position constraint`.
+    pub name: &'static str,
+    /// Plain text, several aligned lines.
+    pub text: &'static str,
+    /// LaTeX, to stand in display mode.
+    pub latex: &'static str,
+    /// A `<math>` element.
     pub mathml: &'static str,
 }
 
@@ -261,6 +272,9 @@ pub struct SceneInfo {
     pub potential_energy: Formula,
     /// Definitions of the symbols in these formulas, besides coordinates, parameters and inputs.
     pub abbreviations: &'static [Abbreviation],
+    /// All of this as equations, from the coordinates to the equations of motion; of a scene with counts these alone: its
+    /// items have their own.
+    pub equations: &'static [Equation],
     /// Order in which the generated elimination takes the rows; empty without one.
     pub elimination: &'static [EliminationStep],
     /// Operations of [`Equations::accelerations`].

@@ -46,6 +46,7 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     force_entries: &[],
     potential_energy: f("0"),
     abbreviations: &[],
+    equations: &[],
     elimination: &[],
     acceleration_operations: NO_OPERATIONS,
     correction_operations: NO_OPERATIONS,

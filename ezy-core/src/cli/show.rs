@@ -5,7 +5,7 @@ mod latex;
 mod text;
 
 use crate::model::coordinate::{N_OF_BODY, body_and_component};
-use crate::model::{EliminationStep, SceneInfo, SeriesInfo};
+use crate::model::{EliminationStep, SceneInfo, SeriesInfo, TemplateInfo};
 
 use super::Models;
 use super::arguments::{Format, ShowArguments};
@@ -59,6 +59,12 @@ fn series(info: &SceneInfo) -> String {
         }
         SeriesInfo::Absent => "no Taylor series".to_owned(),
     }
+}
+
+/// The items of a scene with counts that have equations.
+fn with_equations(info: &SceneInfo) -> impl Iterator<Item = &'static TemplateInfo> {
+    let items = info.repeats.map_or::<&[TemplateInfo], _>(&[], |repeats| repeats.templates);
+    items.iter().filter(|item| !item.equations.is_empty())
 }
 
 /// For each row and body which of x, y and φ the row reads: `x.x`.

@@ -1,6 +1,6 @@
 //! Scenes with counts: numbers of a run that say how often bodies, constraints and forces are repeated.
 
-use super::{Formula, RowInfo};
+use super::{Equation, RowInfo};
 
 /// A count: a whole number, at least one, that can be changed without compiling again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,8 +20,6 @@ pub struct SlotCoordinate {
     pub slot: usize,
     /// 0 for x, 1 for y, 2 for the angle.
     pub component: usize,
-    /// How the coordinate is printed: `link[i-1].x`.
-    pub symbol: Formula,
 }
 
 /// One scalar row of a template.
@@ -33,8 +31,8 @@ pub struct RowTemplate {
     pub row: RowInfo,
     /// Whether it is a position constraint.
     pub position: bool,
-    /// Coordinates and entries of the row of G, in the order in which the kernel writes them.
-    pub entries: &'static [(SlotCoordinate, Formula)],
+    /// Coordinates of the entries of the row of G, in the order in which the kernel writes them.
+    pub entries: &'static [SlotCoordinate],
 }
 
 /// Equations that all members of one repeated item share, written with its index.
@@ -46,14 +44,12 @@ pub struct TemplateInfo {
     pub word: &'static str,
     /// The ranges of its indices as written, outermost first: `i in 1..n`. Empty outside `for`.
     pub ranges: &'static [&'static str],
-    /// The effect that declares it; `None` when the model itself does.
-    pub effect: Option<&'static str>,
+    /// `hinge pin, i in 1..n`
+    pub title: &'static str,
     /// Its rows.
     pub rows: &'static [RowTemplate],
-    /// What it adds to F, by coordinate.
-    pub forces: &'static [(SlotCoordinate, Formula)],
-    /// Diagonal of M for a body, none for other items.
-    pub masses: &'static [(SlotCoordinate, Formula)],
+    /// With the indices of the item in them.
+    pub equations: &'static [Equation],
 }
 
 /// Additional data of a scene with counts: sizes of this run, and equations by template.

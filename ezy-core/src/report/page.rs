@@ -40,6 +40,12 @@ th, td { padding: .25rem .8rem; border-bottom: 1px solid #ddd; text-align: left;
 }
 ";
 
+/// A matrix in MathML from its rows, `<mtr>` elements, in brackets like those of the equations of a scene.
+pub fn bracketed(rows: &str) -> String {
+    let border = "border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em";
+    format!("<mtable style=\"{border}\">{rows}</mtable>")
+}
+
 impl Page {
     /// An empty page with its headline.
     pub fn new(title: &str) -> Self {

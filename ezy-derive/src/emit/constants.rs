@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::kernel::{Numbers, RESERVED};
+use super::numbers::Numbers;
 use super::parts::{LONGEST_WHOLE, sequence};
 use crate::mechanics::Derived;
 use crate::model::{Model, ParameterId};
@@ -157,6 +157,12 @@ impl<'a> Constants<'a> {
 
 /// Longer names of constants give way to a number.
 const LONGEST_NAME: usize = 28;
+
+/// Arguments of kernels and what a pattern cannot name, which temporaries must not shadow.
+pub const RESERVED: [&str; 17] = [
+    "t", "c", "k", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed", "MODEL", "None", "Some", "Ok",
+    "Err",
+];
 
 /// A name, and what it is read as.
 struct Wording {

@@ -4,6 +4,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::abbreviations::Abbreviations;
+use super::equation::Equation;
+use super::equations;
 use crate::function::Function;
 use crate::mechanics::derived::Straight;
 use crate::mechanics::kernels::{Kernel, Quantity};
@@ -48,6 +50,8 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let mass_entries: Vec<_> = equations.mass_entries.iter().map(|&mass| formula_of(names, mass)).collect();
     let force_entries: Vec<_> = equations.force.iter().map(|&force| formula_of(names, force)).collect();
     let potential_energy = formula_of(names, equations.potential);
+    let written = equations::of_scene(equations, names);
+    let written = written.iter().map(Equation::tokens);
     // last, since they are what printing met
     let abbreviations = names.definitions().into_iter().map(|(symbol, value)| {
         let (symbol, formula) = (formula(&symbol), formula(&value));
@@ -85,6 +89,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             force_entries: &[#(#force_entries),*],
             potential_energy: #potential_energy,
             abbreviations: &[#(#abbreviations),*],
+            equations: &[#(#written),*],
             elimination: &[#(#elimination),*],
             acceleration_operations: #acceleration_operations,
             correction_operations: #correction_operations,

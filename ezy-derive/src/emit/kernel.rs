@@ -5,67 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::constants::Constants;
-use super::parts::{LONGEST_WHOLE, Parts};
-use crate::function::Path;
+use super::constants::{Constants, RESERVED};
+use super::numbers::Numbers;
+use super::parts::{LONGEST_WHOLE, Parts, Writing};
 use crate::mechanics::symbols::{Meaning, Symbols};
+use crate::symbolic::Symbol;
 use crate::symbolic::program::{Node, NodeId, Program};
-use crate::symbolic::{Function, Symbol};
 use crate::work;
-
-/// The numbers that a kernel computes with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Numbers {
-    F64,
-    /// Any `T` that is a `Scalar`.
-    Any,
-}
-
-impl Numbers {
-    /// Their type.
-    pub fn name(self) -> TokenStream {
-        match self {
-            Self::F64 => quote!(f64),
-            Self::Any => quote!(T),
-        }
-    }
-
-    /// A number; what overflowed while numbers were folded has no literal.
-    pub fn literal(self, x: f64) -> TokenStream {
-        let number = if x.is_nan() {
-            quote!(f64::NAN)
-        } else if x.is_infinite() {
-            quote!(f64::INFINITY)
-        } else {
-            quote!(#x)
-        };
-        self.convert(number)
-    }
-
-    /// From an expression that is an `f64`.
-    pub fn convert(self, x: TokenStream) -> TokenStream {
-        match self {
-            Self::F64 => x,
-            Self::Any => quote!(T::from_f64(#x)),
-        }
-    }
-
-    /// A call of a function of the model language.
-    pub fn call(self, function: Function, arguments: &[TokenStream]) -> TokenStream {
-        let ident = |segment: &str| Ident::new(segment, Span::call_site());
-        let path = match (self, function.path()) {
-            (Self::F64, Path::OfKernel(name)) => {
-                let name = ident(name);
-                quote!(ezy::#name)
-            }
-            (_, Path::OfNumber(name) | Path::OfKernel(name)) => {
-                let (number, name) = (self.name(), ident(name));
-                quote!(#number::#name)
-            }
-        };
-        quote!(#path(#(#arguments),*))
-    }
-}
 
 /// What symbols and constants of a scene are called.
 #[derive(Clone, Copy)]
@@ -148,69 +94,6 @@ pub fn body_at(
     };
     let outputs = program.outputs().iter().map(|output| writer.operand(output.node)).collect();
     Body { statements, outputs }
-}
-
-/// What is no statement of its own.
-pub struct Writing {
-    /// Sums and differences that take in the product among their operands, each with that product: one which nothing else
-    /// reads and which has no name.
-    fused: BTreeMap<NodeId, NodeId>,
-    /// What is written where it is read.
-    in_place: BTreeSet<NodeId>,
-}
-
-/// Most operations of an expression within another one.
-const MOST_IN_PLACE: usize = 2;
-
-impl Writing {
-    /// What is short and read once is written in place, and so is a sign; an output only if it need not be kept.
-    fn new(numbers: Numbers, program: &Program, live: &[NodeId], keep_outputs: bool) -> Self {
-        let uses = program.uses();
-        let read_once = |id: NodeId| uses[id.0] == 1 && program.name(id).is_none();
-        let free = |id: &NodeId| matches!(program.node(*id), Node::Mul(..)) && read_once(*id);
-        let products = live.iter().filter_map(|&id| match program.node(id) {
-            Node::Add(a, b) | Node::Sub(a, b) => [*b, *a].into_iter().find(free).map(|product| (id, product)),
-            _ => None,
-        });
-        let fused: BTreeMap<NodeId, NodeId> = products.filter(|_| numbers == Numbers::Any).collect();
-        let taken_in: BTreeSet<NodeId> = fused.values().copied().collect();
-        let outputs: BTreeSet<NodeId> = program.outputs().iter().map(|output| output.node).collect();
-        let mut kept = if keep_outputs { outputs.clone() } else { BTreeSet::new() };
-        kept.extend(live.iter().filter(|id| uses[id.0] > 1).filter_map(|&id| match program.node(id) {
-            Node::Neg(a) => Some(*a),
-            _ => None,
-        }));
-        let mut in_place: BTreeMap<NodeId, usize> = BTreeMap::new();
-        for &id in live {
-            let inside = program.node(id).operands().iter().filter_map(|operand| in_place.get(operand)).sum::<usize>();
-            let operations = inside + usize::from(!taken_in.contains(&id));
-            let is_in_place = match program.node(id) {
-                Node::Literal(_) => true,
-                Node::Input(_) | Node::Constant(_) | Node::Sin(_) | Node::Cos(_) => false,
-                Node::Neg(_) => !kept.contains(&id),
-                _ if taken_in.contains(&id) => true,
-                _ => read_once(id) && !kept.contains(&id) && (operations <= MOST_IN_PLACE || outputs.contains(&id)),
-            };
-            if is_in_place {
-                in_place.insert(id, operations);
-            }
-        }
-        Self { fused, in_place: in_place.into_keys().collect() }
-    }
-
-    /// Whether a statement computes or names a node.
-    pub fn is_statement(&self, id: NodeId) -> bool {
-        !self.in_place.contains(&id)
-    }
-
-    /// What the statement of a node reads.
-    pub fn reads(&self, program: &Program, id: NodeId) -> Vec<NodeId> {
-        let through = |operand| match self.in_place.contains(&operand) {
-            true => self.reads(program, operand),
-            false => vec![operand],
-        };
-        program.node(id).operands().into_iter().flat_map(through).collect()
-    }
 }
 
 /// Where inputs are found.
@@ -435,12 +318,6 @@ impl Writer<'_> {
 
 /// Names of operations are shorter; longer ones give way to a number.
 const LONGEST_NAME: usize = 28;
-
-/// Arguments of kernels and what a pattern cannot name, which temporaries must not shadow.
-pub const RESERVED: [&str; 17] = [
-    "t", "c", "k", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed", "MODEL", "None", "Some", "Ok",
-    "Err",
-];
 
 /// The value that takes note of each pivot, from pivots and thresholds in turns.
 pub fn pivots(rows: &[Vec<usize>], pivots: &[Expression]) -> TokenStream {

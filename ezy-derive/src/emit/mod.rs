@@ -2,8 +2,11 @@
 
 mod abbreviations;
 mod constants;
+mod equation;
+mod equations;
 mod info;
 mod kernel;
+mod numbers;
 mod page;
 mod parts;
 mod repeated;

@@ -3,15 +3,15 @@
 //! The page is an attribute that only rustdoc reads, so that an editor shows the short text alone. Equations are
 //! MathML in one line, which passes through Markdown untouched and needs no script and no style sheet.
 
-mod equations;
-mod items;
-mod mathml;
 mod tables;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::abbreviations::Abbreviations;
+use super::equation::Equation;
+use super::equations::{self, OfItems};
+use super::templates;
 use super::type_names::scene_type;
 use crate::mechanics::derived::{Form, Straight};
 use crate::mechanics::kernels::{Kernel, Quantity};
@@ -58,7 +58,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     page.section("Parameters", tables::parameters(model, &equations.parameters, &equations.symbols));
     page.section("Inputs", tables::inputs(model, &equations.inputs, &equations.symbols));
     page.section("Rows", tables::rows(equations));
-    equations::write(&mut page, equations, names);
+    page.equations(&equations::of_scene(equations, names));
     page.section("Outputs", tables::outputs(model, equations, names));
     page.section("Sparsity of the Jacobian", tables::sparsity(model, equations));
     if derived.kernels.contains_key(&Quantity::Accelerations) {
@@ -79,7 +79,15 @@ pub fn repeated(model: &Model, templates: &Templates<'_>) -> TokenStream {
     page.section("Counts", tables::counts(model));
     page.section("Parameters", tables::parameters(model, &templates.parameters, &templates.symbols));
     page.section("Inputs", tables::inputs(model, &templates.inputs, &templates.symbols));
-    items::write(&mut page, model, templates);
+    let of = OfItems { model, templates };
+    for item in templates::all(model, templates) {
+        let equations = item.equations(&of);
+        if !equations.is_empty() {
+            page.heading(&item.title(model));
+            page.equations(&equations);
+        }
+    }
+    page.equations(&[equations::motion_of(templates)]);
     page.attribute()
 }
 
@@ -108,6 +116,15 @@ impl Page {
             self.heading(title);
             self.0.push(String::new());
             self.0.extend(lines);
+        }
+    }
+
+    /// Each on a line of its own that scrolls when it is too long.
+    fn equations(&mut self, equations: &[Equation]) {
+        for Equation { name, mathml, .. } in equations {
+            self.heading(&format!("{}{}", name[..1].to_uppercase(), &name[1..]));
+            let math = format!("<math display=\"block\">{mathml}</math>");
+            self.paragraph(format!("<div style=\"overflow-x: auto; padding: .3em 0\">{math}</div>"));
         }
     }
 

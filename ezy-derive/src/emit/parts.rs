@@ -1,11 +1,12 @@
-//! Long kernels in parts. Each `let` opens a scope, and rustc overflows its stack on some thousand scopes in each other.
+//! What the statements of a kernel are, and long kernels in parts. Each `let` opens a scope, and rustc overflows its stack on
+//! some thousand scopes in each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::kernel::Writing;
+use super::numbers::Numbers;
 use crate::symbolic::program::{Node, NodeId, Program};
 
 /// A kernel of so many statements stays in one piece. rustc 1.95 with debug information overflows its stack at some 3,000;
@@ -21,6 +22,69 @@ pub fn sequence(statements: impl IntoIterator<Item = TokenStream>) -> TokenStrea
         return quote!(#(#statements)*);
     }
     statements.chunks(LONGEST_PART).map(|part| quote!((|| { #(#part)* })();)).collect()
+}
+
+/// What is no statement of its own.
+pub struct Writing {
+    /// Sums and differences that take in the product among their operands, each with that product: one which nothing else
+    /// reads and which has no name.
+    pub fused: BTreeMap<NodeId, NodeId>,
+    /// What is written where it is read.
+    in_place: BTreeSet<NodeId>,
+}
+
+/// Most operations of an expression within another one.
+const MOST_IN_PLACE: usize = 2;
+
+impl Writing {
+    /// What is short and read once is written in place, and so is a sign; an output only if it need not be kept.
+    pub fn new(numbers: Numbers, program: &Program, live: &[NodeId], keep_outputs: bool) -> Self {
+        let uses = program.uses();
+        let read_once = |id: NodeId| uses[id.0] == 1 && program.name(id).is_none();
+        let free = |id: &NodeId| matches!(program.node(*id), Node::Mul(..)) && read_once(*id);
+        let products = live.iter().filter_map(|&id| match program.node(id) {
+            Node::Add(a, b) | Node::Sub(a, b) => [*b, *a].into_iter().find(free).map(|product| (id, product)),
+            _ => None,
+        });
+        let fused: BTreeMap<NodeId, NodeId> = products.filter(|_| numbers == Numbers::Any).collect();
+        let taken_in: BTreeSet<NodeId> = fused.values().copied().collect();
+        let outputs: BTreeSet<NodeId> = program.outputs().iter().map(|output| output.node).collect();
+        let mut kept = if keep_outputs { outputs.clone() } else { BTreeSet::new() };
+        kept.extend(live.iter().filter(|id| uses[id.0] > 1).filter_map(|&id| match program.node(id) {
+            Node::Neg(a) => Some(*a),
+            _ => None,
+        }));
+        let mut in_place: BTreeMap<NodeId, usize> = BTreeMap::new();
+        for &id in live {
+            let inside = program.node(id).operands().iter().filter_map(|operand| in_place.get(operand)).sum::<usize>();
+            let operations = inside + usize::from(!taken_in.contains(&id));
+            let is_in_place = match program.node(id) {
+                Node::Literal(_) => true,
+                Node::Input(_) | Node::Constant(_) | Node::Sin(_) | Node::Cos(_) => false,
+                Node::Neg(_) => !kept.contains(&id),
+                _ if taken_in.contains(&id) => true,
+                _ => read_once(id) && !kept.contains(&id) && (operations <= MOST_IN_PLACE || outputs.contains(&id)),
+            };
+            if is_in_place {
+                in_place.insert(id, operations);
+            }
+        }
+        Self { fused, in_place: in_place.into_keys().collect() }
+    }
+
+    /// Whether a statement computes or names a node.
+    pub fn is_statement(&self, id: NodeId) -> bool {
+        !self.in_place.contains(&id)
+    }
+
+    /// What the statement of a node reads.
+    pub fn reads(&self, program: &Program, id: NodeId) -> Vec<NodeId> {
+        let through = |operand| match self.in_place.contains(&operand) {
+            true => self.reads(program, operand),
+            false => vec![operand],
+        };
+        program.node(id).operands().into_iter().flat_map(through).collect()
+    }
 }
 
 /// The parts of a kernel, in order.

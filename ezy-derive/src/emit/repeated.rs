@@ -11,7 +11,8 @@ mod slots;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::{info, templates};
+use super::equations::OfItems;
+use super::{equations, info, templates};
 use crate::mechanics::derived::Counted;
 use crate::mechanics::{Derived, EventTemplate};
 use crate::model::Model;
@@ -22,7 +23,8 @@ use describe::describe;
 pub fn description(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream {
     let templates = &of.templates;
     let all = templates::all(model, templates);
-    let infos = all.iter().map(|template| template.info(model, templates));
+    let of_items = OfItems { model, templates };
+    let infos = all.iter().map(|template| template.info(&of_items));
     let fixed = fixed(model, derived, of);
     let describe = describe(model, templates, &all);
     quote! {
@@ -80,6 +82,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
     });
     let defaults = model.counts.iter().map(|count| count.default as usize);
     let series = info::series(of.series_cost());
+    let motion = equations::motion_of(templates).tokens();
     quote! {
         ezy::SceneInfo {
             model: #model_name,
@@ -105,6 +108,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
             force_entries: &[],
             potential_energy: ezy::Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
             abbreviations: &[],
+            equations: &[#motion],
             elimination: &[],
             acceleration_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             correction_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

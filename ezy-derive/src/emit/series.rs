@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::kernel::{self, Body, Numbers, Vocabulary};
+use super::kernel::{self, Body, Vocabulary};
+use super::numbers::Numbers;
 use super::parts::sequence;
 use crate::mechanics::Equations;
 use crate::mechanics::series::{Ahead, Kernel, Series, Slot};

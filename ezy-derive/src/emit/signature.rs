@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::kernel::Numbers;
+use super::numbers::Numbers;
 use crate::mechanics::kernels::Quantity;
 
 /// The traits of a scene.

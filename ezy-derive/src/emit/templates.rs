@@ -3,15 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::equation::Equation;
+use super::equations::{OfItems, indices};
 use super::info::{formula, option};
 use crate::mechanics::{
     EventKind, EventTemplate, ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates,
 };
 use crate::model::whole::WholeNames;
-use crate::model::{BodyId, Component, Coordinate, EffectId, Loop, Model, StartValue};
-use crate::symbolic::SumId;
+use crate::model::{Array, BodyId, Component, Coordinate, Loop, Model, StartValue};
 use crate::symbolic::print::print;
-use crate::symbolic::spelling;
 
 /// An item of the model file, repeated or not.
 pub struct Template<'m> {
@@ -94,84 +94,97 @@ impl Template<'_> {
         }
     }
 
-    /// The value of `TemplateInfo`.
-    pub fn info(&self, model: &Model, templates: &Templates<'_>) -> TokenStream {
-        let printed = |sum| formula(&print(&templates.algebra, &templates.symbols, sum));
-        let on_slots = |entries: &[(usize, SumId)]| {
-            let entries = entries.iter().map(|&(i, entry)| {
-                let Coordinate { body, component } = Coordinate::at(i);
-                let slot = self.slots.iter().position(|slot| *slot == body).unwrap_or(0);
-                let (component, symbol) = (component as usize, formula(&templates.symbols.coordinate_names()[i]));
-                let entry = printed(entry);
-                quote! {
-                    (
-                        ezy::SlotCoordinate { slot: #slot, component: #component, symbol: #symbol },
-                        #entry,
-                    )
-                }
-            });
-            quote!(&[#(#entries),*])
-        };
-        let nothing = || (quote!(&[]), quote!(&[]), quote!(&[]));
-        let (name, word, effect, (rows, forces, masses)) = match &self.kind {
-            Kind::Bodies(i) => {
-                let entries = masses(model, *i, &templates.masses[*i], &printed);
-                (model.arrays[*i].name.to_string(), "body", None, (quote!(&[]), quote!(&[]), entries))
-            }
-            Kind::Row(row) => {
-                let rows = rows(model, row, on_slots, printed);
-                let entries = (quote!(&[#(#rows),*]), quote!(&[]), quote!(&[]));
-                (row.row.name.to_string(), row.row.word.word, row.row.effect, entries)
-            }
-            Kind::Force(force) => {
-                let entries = (quote!(&[]), on_slots(&force.entries), quote!(&[]));
-                (String::new(), force.force.word.word, force.force.effect, entries)
-            }
-            Kind::Point(point) => (point.point.name.to_string(), "point", None, nothing()),
-            Kind::Output(output) => (output.output.name.clone(), "output", output.output.effect, nothing()),
-            Kind::Event(event) => {
-                let name = match &event.event.kind {
-                    EventKind::Declared { name, .. } => name.clone(),
-                    EventKind::Discontinuity => String::new(),
-                };
-                (name, "event", None, nothing())
-            }
-            Kind::Start => (String::new(), "start", None, nothing()),
-        };
-        let ranges = match &self.kind {
+    /// Its equations, with its indices in them.
+    pub fn equations(&self, of: &OfItems<'_>) -> Vec<Equation> {
+        match &self.kind {
+            Kind::Bodies(i) => of.of_bodies(&of.templates.masses[*i], &coordinates(&of.model.arrays[*i])),
+            Kind::Row(row) => of.of_row(row),
+            Kind::Force(force) => of.of_force(force),
+            Kind::Point(point) => of.of_values("position", &self.name(of.model), &point.position),
+            Kind::Output(output) => of.of_values("value", &self.name(of.model), &[output.value]),
+            Kind::Event(_) | Kind::Start => Vec::new(),
+        }
+    }
+
+    /// `hinge pin, i in 1..n`
+    pub fn title(&self, model: &Model) -> String {
+        let (word, name) = (self.word(), self.name(model));
+        let words = if name.is_empty() { word.to_owned() } else { format!("{word} {name}") };
+        std::iter::once(words).chain(self.ranges(model)).collect::<Vec<_>>().join(", ")
+    }
+
+    fn word(&self) -> &'static str {
+        match &self.kind {
+            Kind::Bodies(_) => "body",
+            Kind::Row(row) => row.row.word.word,
+            Kind::Force(force) => force.force.word.word,
+            Kind::Point(_) => "point",
+            Kind::Output(_) => "output",
+            Kind::Event(_) => "event",
+            Kind::Start => "start",
+        }
+    }
+
+    /// Empty for what has none.
+    fn name(&self, model: &Model) -> String {
+        match &self.kind {
+            Kind::Bodies(i) => model.arrays[*i].name.to_string(),
+            Kind::Row(row) => row.row.name.to_string(),
+            Kind::Point(point) => point.point.name.to_string(),
+            Kind::Output(output) => output.output.name.clone(),
+            Kind::Event(EventTemplate { event, .. }) => match &event.kind {
+                EventKind::Declared { name, .. } => name.clone(),
+                EventKind::Discontinuity => String::new(),
+            },
+            Kind::Force(_) | Kind::Start => String::new(),
+        }
+    }
+
+    fn ranges(&self, model: &Model) -> Vec<String> {
+        match &self.kind {
             Kind::Bodies(i) => lengths(model, *i),
             _ => ranges(model, self.loops),
+        }
+    }
+
+    /// The value of `TemplateInfo`.
+    pub fn info(&self, of: &OfItems<'_>) -> TokenStream {
+        let (model, word, name) = (of.model, self.word(), self.name(of.model));
+        let (title, ranges) = (self.title(model), self.ranges(model));
+        let rows = match &self.kind {
+            Kind::Row(row) => rows(of, row),
+            _ => Vec::new(),
         };
-        let effect = option(effect.map(|effect: EffectId| model.effects[effect.0].name.to_string()));
+        let equations = self.equations(of);
+        let equations = equations.iter().map(Equation::tokens);
         quote! {
             ezy::TemplateInfo {
                 name: #name,
                 word: #word,
                 ranges: &[#(#ranges),*],
-                effect: #effect,
-                rows: #rows,
-                forces: #forces,
-                masses: #masses,
+                title: #title,
+                rows: &[#(#rows),*],
+                equations: &[#(#equations),*],
             }
         }
     }
 }
 
-fn rows(
-    model: &Model,
-    template: &RowTemplate<'_>,
-    on_slots: impl Fn(&[(usize, SumId)]) -> TokenStream,
-    printed: impl Fn(SumId) -> TokenStream,
-) -> Vec<TokenStream> {
+fn rows(of: &OfItems<'_>, template: &RowTemplate<'_>) -> Vec<TokenStream> {
     let constraints = &template.constraints;
     let (position, stem) = (template.is_position(), template.row.name.to_string());
     let row = |(i, row): (usize, &crate::mechanics::ScalarRow)| {
         let suffix = row.name.strip_prefix(&stem).unwrap_or_default();
-        let name = format!("{stem}{}{suffix}", indices(model, &template.row.loops));
+        let name = format!("{stem}{}{suffix}", indices(of.model, &template.row.loops));
         let (kind, unit) = (row.kind, &row.unit);
-        let constraint = printed(if position { constraints.position[i] } else { constraints.velocity[i] });
-        let convective = printed(constraints.convective[i]);
-        let entries = on_slots(&constraints.jacobian[i]);
+        let constraint = formula(&of.print(if position { constraints.position[i] } else { constraints.velocity[i] }));
+        let convective = formula(&of.print(constraints.convective[i]));
+        let entries = constraints.jacobian[i].iter().map(|&(i, _)| {
+            let Coordinate { body, component } = Coordinate::at(i);
+            let slot = template.slots.iter().position(|slot| *slot == body).unwrap_or(0);
+            let component = component as usize;
+            quote!(ezy::SlotCoordinate { slot: #slot, component: #component })
+        });
         quote! {
             ezy::RowTemplate {
                 suffix: #suffix,
@@ -183,7 +196,7 @@ fn rows(
                     convective_term: #convective,
                 },
                 position: #position,
-                entries: #entries,
+                entries: &[#(#entries),*],
             }
         }
     };
@@ -193,24 +206,18 @@ fn rows(
 /// Names of the indices of an array, for its own equations.
 const INDICES: [&str; 4] = ["i", "j", "k", "l"];
 
-fn masses(model: &Model, i: usize, masses: &[SumId], printed: &dyn Fn(SumId) -> TokenStream) -> TokenStream {
-    let array = &model.arrays[i];
+/// `body[i].x` and the others of a body of an array.
+fn coordinates(array: &Array) -> Vec<String> {
     let indices: Vec<&str> = INDICES.iter().copied().cycle().take(array.lengths.len()).collect();
     let body = match indices.is_empty() {
         true => array.name.to_string(),
         false => format!("{}[{}]", array.name, indices.join(",")),
     };
-    let entries = Component::ALL.into_iter().zip(masses).map(|(component, &mass)| {
-        let (component, letter) = (component as usize, component.name(false));
-        let symbol = formula(&spelling::of_body(&format!("{body}.{letter}"), letter, &body, false));
-        let mass = printed(mass);
-        quote!((ezy::SlotCoordinate { slot: 0, component: #component, symbol: #symbol }, #mass))
-    });
-    quote!(&[#(#entries),*])
+    Component::ALL.map(|component| format!("{body}.{}", component.name(false))).to_vec()
 }
 
 /// `i in 0..n` of an array of bodies.
-pub fn lengths(model: &Model, i: usize) -> Vec<String> {
+fn lengths(model: &Model, i: usize) -> Vec<String> {
     let counts = count_names(model);
     let names = WholeNames { counts: &counts, indices: &model.indices };
     let lengths = model.arrays[i].lengths.iter().zip(INDICES.iter().cycle());
@@ -218,7 +225,7 @@ pub fn lengths(model: &Model, i: usize) -> Vec<String> {
 }
 
 /// `i in 1..n`
-pub fn ranges(model: &Model, loops: &[Loop]) -> Vec<String> {
+fn ranges(model: &Model, loops: &[Loop]) -> Vec<String> {
     let counts = count_names(model);
     let names = WholeNames { counts: &counts, indices: &model.indices };
     let range = |around: &Loop| {
@@ -229,10 +236,4 @@ pub fn ranges(model: &Model, loops: &[Loop]) -> Vec<String> {
 
 fn count_names(model: &Model) -> Vec<String> {
     model.counts.iter().map(|count| count.name.to_string()).collect()
-}
-
-/// `[i]`, or nothing outside any `for`.
-pub fn indices(model: &Model, loops: &[Loop]) -> String {
-    let names: Vec<&str> = loops.iter().map(|around| model.indices[around.index.0].as_str()).collect();
-    if names.is_empty() { String::new() } else { format!("[{}]", names.join(",")) }
 }

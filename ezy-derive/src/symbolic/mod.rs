@@ -25,5 +25,4 @@ pub mod sum;
 #[cfg(test)]
 mod tests;
 
-pub use crate::function::Function;
 pub use sum::{Algebra, SumId, Symbol};

@@ -4,6 +4,7 @@ use super::evaluate::Point;
 use super::lower::{ConstantPool, Lowering};
 use super::program::{Node, Program, Value};
 use super::*;
+use crate::function::Function;
 
 /// Symbols and parameters with values of order one, none special.
 struct Sample(f64);

@@ -1,7 +1,6 @@
 //! Parts (a) to (c): the derived equations, and the parameters in them.
 
-use ezy_core::model::{Scene, SceneInfo};
-use ezy_core::report::equations::{Equation, equations};
+use ezy_core::model::{Equation, Scene, SceneInfo};
 use ezy_core::report::page::{Page, escape};
 use ezy_core::report::table::Table;
 
@@ -17,9 +16,8 @@ pub fn write(page: &mut Page, scene: &Driven) {
          them. A wheel moves along its body only, like a skate. Coordinates are the centres of mass and the absolute angles of both bodies.",
     );
     page.html(&parameters(info).html("Parameters"));
-    let all = equations(info);
     let put = |page: &mut Page, names: &[&str]| {
-        for equation in all.iter().filter(|equation| names.contains(&equation.name)) {
+        for equation in info.equations.iter().filter(|equation| names.contains(&equation.name)) {
             one(page, equation);
         }
     };
@@ -52,9 +50,8 @@ pub fn write(page: &mut Page, scene: &Driven) {
 }
 
 fn one(page: &mut Page, equation: &Equation) {
-    page.paragraph(&format!("{}{}:", equation.name[..1].to_uppercase(), &equation.name[1..]))
-        .equation(&equation.mathml);
-    let (text, latex) = (escape(&equation.text), escape(&equation.latex));
+    page.paragraph(&format!("{}{}:", equation.name[..1].to_uppercase(), &equation.name[1..])).equation(equation.mathml);
+    let (text, latex) = (escape(equation.text), escape(equation.latex));
     page.html(&format!("<details><summary>as text and LaTeX</summary><pre>{text}\n{latex}</pre></details>"));
 }
 

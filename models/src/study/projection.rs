@@ -2,8 +2,7 @@
 
 use ezy_core::dynamics::{Metric, State, System};
 use ezy_core::linalg::Backend;
-use ezy_core::report::equations::bracketed;
-use ezy_core::report::page::Page;
+use ezy_core::report::page::{Page, bracketed};
 use ezy_core::report::table::Table;
 
 use super::error::StudyError;

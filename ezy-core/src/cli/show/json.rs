@@ -2,12 +2,10 @@
 
 use crate::model::{
     Abbreviation, EliminationStep, EventInfo, EventKind, Formula, InputInfo, OutputInfo, ParameterInfo, PointInfo,
-    RowInfo, SceneInfo, StopInfo,
+    RowInfo, SceneInfo, StopInfo, TemplateInfo,
 };
 
-use crate::report::templates::{TemplateEquations, templates};
-
-use super::{freedom, kernels};
+use super::{freedom, kernels, with_equations};
 use crate::cli::json::Json;
 use crate::cli::list::counts_json;
 
@@ -25,7 +23,7 @@ pub(super) fn scene(info: &SceneInfo) -> Json {
         ("scene", Json::text(info.name)),
         ("freedom", Json::object([("positions", positions), ("velocities", velocities)])),
         ("counts", counts_json(info)),
-        ("templates", Json::list(info.repeats.iter().flat_map(templates).map(|item| template(&item)))),
+        ("templates", Json::list(with_equations(info).map(template))),
         ("bodies", Json::list(info.bodies.iter().map(|body| Json::text(*body)))),
         ("coordinates", Json::list(info.coordinates.iter().map(|c| Json::text(c.name)))),
         ("parameters", Json::list(info.parameters.iter().map(parameter))),
@@ -110,12 +108,12 @@ fn jacobian_entry(info: &SceneInfo, (k, i, j): (usize, usize, usize)) -> Json {
     ])
 }
 
-fn template(template: &TemplateEquations) -> Json {
+fn template(template: &TemplateInfo) -> Json {
     let equations = template.equations.iter().map(|e| {
-        let [text, latex, mathml] = [&e.text, &e.latex, &e.mathml].map(Json::text);
+        let [text, latex, mathml] = [e.text, e.latex, e.mathml].map(Json::text);
         Json::object([("name", Json::text(e.name)), ("text", text), ("latex", latex), ("mathml", mathml)])
     });
-    Json::object([("title", Json::text(&template.title)), ("equations", Json::list(equations))])
+    Json::object([("title", Json::text(template.title)), ("equations", Json::list(equations))])
 }
 
 fn elimination(info: &SceneInfo, step: &EliminationStep) -> Json {

@@ -1,10 +1,8 @@
 //! A scene as a fragment of LaTeX: text, tables and displayed equations; needs the package `amsmath`.
 
-use crate::model::{EliminationStep, SceneInfo};
-use crate::report::equations::{Equation, equations};
-use crate::report::templates::templates;
+use crate::model::{EliminationStep, Equation, SceneInfo};
 
-use super::{OPERATIONS, freedom, kernels, pattern, pivot};
+use super::{OPERATIONS, freedom, kernels, pattern, pivot, with_equations};
 
 pub(super) fn scene(info: &SceneInfo) -> String {
     let [positions, velocities] = freedom(info);
@@ -13,11 +11,11 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     text += &format!("{}\n\n", plain(info.documentation.trim()));
     text += &format!("Degrees of freedom: {positions} in position, {velocities} in velocity.\n");
     text += &declared(info);
-    for item in info.repeats.iter().flat_map(templates) {
-        text += &format!("\n\\subsection*{{{}}}\n", plain(&item.title));
+    for item in with_equations(info) {
+        text += &format!("\n\\subsection*{{{}}}\n", plain(item.title));
         text += &item.equations.iter().map(display).collect::<String>();
     }
-    text += &equations(info).iter().map(display).collect::<String>();
+    text += &info.equations.iter().map(display).collect::<String>();
     let outputs: Vec<String> =
         info.outputs.iter().map(|o| format!("\\text{{{}}} &= {}", plain(o.name), o.formula.latex)).collect();
     if !outputs.is_empty() {

@@ -1,11 +1,9 @@
 //! A scene as text.
 
-use crate::model::{Direction, EffectInfo, EliminationStep, EventKind, SceneInfo};
-use crate::report::equations::{Equation, equations};
+use crate::model::{Direction, EffectInfo, EliminationStep, Equation, EventKind, SceneInfo};
 use crate::report::table::Table;
-use crate::report::templates::templates;
 
-use super::{OPERATIONS, freedom, kernels, pattern, pivot, series};
+use super::{OPERATIONS, freedom, kernels, pattern, pivot, series, with_equations};
 
 pub(super) fn scene(info: &SceneInfo) -> String {
     let mut text = format!("{}/{}\n{}\n", info.model, info.name, info.documentation.trim());
@@ -21,11 +19,11 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     for table in tables(info) {
         text += &format!("\n{table}");
     }
-    let written = |equation: &Equation| format!("\n{}\n\n{}", equation.name, indent(&equation.text));
-    for item in info.repeats.iter().flat_map(templates) {
+    let written = |equation: &Equation| format!("\n{}\n\n{}", equation.name, indent(equation.text));
+    for item in with_equations(info) {
         text += &format!("\n{}\n{}", item.title, indent(&item.equations.iter().map(written).collect::<String>()));
     }
-    text += &equations(info).iter().map(written).collect::<String>();
+    text += &info.equations.iter().map(written).collect::<String>();
     text += &format!("\n{}\n", series(info));
     if !info.has_elimination() {
         return text;

@@ -1,12 +1,16 @@
 //! The tables of a page, in Markdown.
 
-use super::mathml::inline;
 use crate::emit::abbreviations::Abbreviations;
 use crate::mechanics::Equations;
 use crate::mechanics::kernels::{Kernels, Quantity};
 use crate::mechanics::symbols::Symbols;
 use crate::model::{BodyId, Coordinate, InputId, Model, Parameter, ParameterId};
 use crate::symbolic::print::{Names, Printed};
+
+/// An expression within a line of text.
+fn inline(expression: &str) -> String {
+    format!("<math>{expression}</math>")
+}
 
 /// A table with a head, nothing when it has no rows; line breaks and bars within cells are kept harmless.
 pub fn markdown(heads: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {

@@ -7,7 +7,8 @@ use quote::{format_ident, quote};
 
 use super::loops::{looped, whole};
 use super::slots::{coordinate, firsts, slot_places};
-use crate::emit::kernel::{self, Binding, Body, Numbers, Vocabulary};
+use crate::emit::kernel::{self, Binding, Body, Vocabulary};
+use crate::emit::numbers::Numbers;
 use crate::mechanics::series::{Ahead, Kernel, Recurrences, Slot};
 use crate::mechanics::{Item, Templates};
 use crate::model::Model;

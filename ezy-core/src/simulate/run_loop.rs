@@ -70,6 +70,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         if let Some(quantity) = not_finite(info, &stepper.now.a, &[]) {
             return Err(MotionError::NotFinite { t: stepper.now.state.t, quantity }.into());
         }
+        stepper.check_beginning(plan.schedule.end() - t)?;
         let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&stepper));
         let mut sampler = Sampler::new(recorded, plan.wanted, recorder);
         let mut between = Snapshot::zero(info, plan.wanted.work);

@@ -44,6 +44,7 @@ mod self_check;
 mod sensitivity;
 mod setup;
 mod shared_constants;
+mod singular_starts;
 mod singularity_crossing;
 mod singularity_crossing_cases;
 mod start;

@@ -47,7 +47,9 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
             }
             match run.outcome {
                 Outcome::ReachedEnd | Outcome::ReachedEvent { .. } => Ok(()),
-                Outcome::Stopped { .. } => Err(Failure::stopped(format!("the run {}", run.outcome))),
+                Outcome::Untrusted { .. } | Outcome::Stopped { .. } => {
+                    Err(Failure::stopped(format!("the run {}", run.outcome)))
+                }
             }
         }
         Err(failure) => {

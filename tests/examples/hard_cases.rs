@@ -1,16 +1,21 @@
-//! Hard cases with their bounds, what EZY reaches, and what a plain program does.
+//! Hard cases with their bounds, what EZY reaches, and what a plain program does; and each by every method.
 //!
 //! `cargo run --release -p ezy-tests --example hard_cases` runs all of them, a few minutes, and prints the tables; with
-//! `-- --write` they go into `docs/hard-cases.md`, with `-- --check` it fails where a bound that the page says is kept is missed, but for bounds on times.
-//! A further word runs only the cases whose name holds it.
+//! `-- --write` they go into `docs/hard-cases.md`. `-- --methods` runs every case by every method at three tolerances, up to a
+//! quarter of an hour, and with `--write` writes `docs/hard-cases-methods.md`. `-- --check` fails where a bound that a page says is
+//! kept is missed, but for bounds on times, where a case, method or bound of a page is gone, and where a run by a method that was quick when the
+//! page was written has become worse. A further word runs only the cases whose name holds it.
 
+use ezy_tests::hard::case::{Case, How};
 use ezy_tests::hard::families::families;
-use ezy_tests::hard::page::{broken, table};
+use ezy_tests::hard::methods;
+use ezy_tests::hard::page::{broken, gone, table};
 use ezy_tests::page::{docs, write_part};
 use std::error::Error;
 use std::time::Instant;
 
 const PAGE: &str = "hard-cases.md";
+const METHODS_PAGE: &str = "hard-cases-methods.md";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -19,14 +24,29 @@ fn main() -> Result<(), Box<dyn Error>> {
     if filter.is_some() && asks("--write") {
         return Err("`--write` takes all cases; leave the name out".into());
     }
-    let page = if asks("--check") { std::fs::read_to_string(docs(PAGE))? } else { String::new() };
+    let is_asked = |case: &Case| filter.is_none_or(|word| case.name.contains(word));
     let mut different = Vec::new();
-    for family in families() {
-        let cases = family.cases.iter().filter(|case| filter.is_none_or(|word| case.name.contains(word)));
+    if !asks("--methods") {
+        different.extend(by_own_method(is_asked, asks("--check"), asks("--write"))?);
+    }
+    if asks("--methods") || asks("--check") {
+        different.extend(by_every_method(is_asked, asks("--check"), asks("--write"))?);
+    }
+    if different.is_empty() { Ok(()) } else { Err(different.join("\n").into()) }
+}
+
+/// Every case by its own method, and the naive program; returns what is broken.
+fn by_own_method(is_asked: impl Fn(&Case) -> bool, checks: bool, writes: bool) -> Result<Vec<String>, Box<dyn Error>> {
+    let page = if checks { std::fs::read_to_string(docs(PAGE))? } else { String::new() };
+    let families = families();
+    let cases: Vec<&Case> = families.iter().flat_map(|family| &family.cases).collect();
+    let mut different = gone(&page, &cases);
+    for family in &families {
+        let cases = family.cases.iter().filter(|case| is_asked(case));
         let found: Vec<_> = cases
             .map(|case| {
                 let clock = Instant::now();
-                let findings = (case.examine)(!asks("--check"));
+                let findings = (case.examine)(if checks { How::Alone } else { How::Compared });
                 eprintln!("{}: {:.1} s", case.name, clock.elapsed().as_secs_f64());
                 (case, findings)
             })
@@ -36,12 +56,31 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         let text = table(&found);
         println!("\n{text}");
-        if asks("--write") {
+        if writes {
             write_part(PAGE, family.name, &text)?;
         }
-        if asks("--check") {
+        if checks {
             different.extend(broken(&page, &found));
         }
     }
-    if different.is_empty() { Ok(()) } else { Err(different.join("\n").into()) }
+    Ok(different)
+}
+
+/// Every case by every method, of a check the quick ones; returns what is broken.
+fn by_every_method(
+    is_asked: impl Fn(&Case) -> bool,
+    checks: bool,
+    writes: bool,
+) -> Result<Vec<String>, Box<dyn Error>> {
+    let page = if checks { std::fs::read_to_string(docs(METHODS_PAGE))? } else { String::new() };
+    let families = families();
+    let cases: Vec<&Case> = families.iter().flat_map(|family| &family.cases).collect();
+    let to_run = cases.iter().filter(|case| is_asked(case) && (!checks || methods::is_quick(&page, case)));
+    let rows: Vec<_> = to_run.filter_map(|case| methods::examine(case)).collect();
+    let text = methods::table(&rows);
+    println!("\n{text}");
+    if writes {
+        write_part(METHODS_PAGE, "methods", &text)?;
+    }
+    Ok(if checks { methods::broken(&page, &cases, &rows) } else { Vec::new() })
 }

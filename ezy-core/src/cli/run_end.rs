@@ -3,10 +3,10 @@
 use crate::dynamics::MotionError;
 use crate::integrate::{Method, Tolerance};
 use crate::model::SceneInfo;
-use crate::record::{EnergyState, Sample};
+use crate::record::Sample;
 use crate::report::table::{Table, fixed};
 use crate::scalar::{legible, rounded};
-use crate::simulate::{Cost, ExceededLimit, Outcome, RankDeficientInterval, Run, StopReason};
+use crate::simulate::{Cost, EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, StopReason};
 
 use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
@@ -159,7 +159,7 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
         None => String::new(),
     };
     let names_radau = !stiff.is_empty();
-    stiff + &remark(&run.last().energy, method, radau_runs && !names_radau)
+    stiff + &remark(run, method, radau_runs && !names_radau)
 }
 
 /// Advice when stiffness limits the steps of an explicit method.
@@ -177,20 +177,34 @@ fn may_be_stiff(outcome: &Outcome) -> bool {
     }
 }
 
-/// Energy balance, relative to the energy turned over, above which the step is called too large.
-const LARGEST_IMBALANCE: f64 = 1e-3;
+/// What a step may change the energy by, in tolerances of the energy turned over: twice the error of a velocity, over a handful of bodies.
+const OF_A_STEP: f64 = 10.0;
 
-/// The remark on a run whose energy and work differ.
-fn remark(energy: &EnergyState, method: Method, radau_runs: bool) -> String {
-    let turned_over = energy.kinetic + energy.work.abs();
-    let share = energy.balance.abs() / turned_over;
-    let difference = if !(energy.balance.is_finite() && turned_over.is_finite()) {
-        "are not finite".to_owned()
-    } else if share > LARGEST_IMBALANCE {
-        format!("differ by {share:.1e} of the energy turned over")
-    } else {
-        return String::new();
+/// The remark on a run whose energy and work differ by more than its steps explain, or than three digits: the figure of the monitors.
+fn remark(run: &Run, method: Method, radau_runs: bool) -> String {
+    run.monitors.energy.map_or(String::new(), |energy| energy_remark(energy, run.cost.steps, method, radau_runs))
+}
+
+fn energy_remark(energy: EnergyError, steps: u64, method: Method, radau_runs: bool) -> String {
+    let EnergyError { relative: share, t, .. } = energy;
+    let explained = match method.tolerance() {
+        Some(Tolerance { relative, absolute }) => OF_A_STEP * steps as f64 * relative.max(absolute),
+        None => f64::INFINITY,
     };
+    if share <= explained.min(EnergyError::LARGEST_OF_FIXED_STEPS) {
+        return String::new();
+    }
+    let difference = if share.is_finite() {
+        format!("differ by {share:.1e} of the energy turned over at t = {} s", rounded(t, 4))
+    } else {
+        "are not finite".to_owned()
+    };
+    if share > explained {
+        return format!(
+            "remark: energy and work {difference}, more than the tolerance explains: compare with another method, and look at positions \
+             where constraints nearly depend on each other\n"
+        );
+    }
     let (what, better) = match method {
         Method::Rk4 { step_s } => {
             let or = if radau_runs { format!("; if the scene is stiff, {IMPLICIT}") } else { String::new() };
@@ -215,6 +229,7 @@ fn outcome_words(outcome: &Outcome) -> String {
     match outcome {
         Outcome::ReachedEnd => "reached the end".to_owned(),
         Outcome::ReachedEvent { name, .. } => format!("reached `{name}`"),
+        Outcome::Untrusted { .. } => "reached the end, but is not to be trusted,".to_owned(),
         Outcome::Stopped { .. } => "stopped".to_owned(),
     }
 }
@@ -243,10 +258,16 @@ fn motion_table(last: &Sample<'_>) -> Table {
 mod tests {
     use super::*;
 
+    /// An energy balance of this share.
+    fn off_by(relative: f64) -> EnergyError {
+        EnergyError { joules: relative, relative, t: 1.0 }
+    }
+
     #[test]
     fn invariant_remark_proposes_tolerances_that_a_run_accepts() {
-        let energy = EnergyState { kinetic: 1.0, potential: 0.0, work: 0.0, balance: 1.0 };
-        let remarks = [1e-3, 2e-15, 1e-15].map(|tolerance| remark(&energy, Method::taylor(tolerance), true));
+        // as many steps as explain all
+        let remarks =
+            [1e-3, 2e-15, 1e-15].map(|tolerance| energy_remark(off_by(1.0), u64::MAX, Method::taylor(tolerance), true));
         let ends =
             ["try --rtol 1e-4\n", "try --rtol 1e-15\n", "at the smallest tolerance; compare with --method rk4\n"];
         for (remark, end) in remarks.iter().zip(ends) {
@@ -256,8 +277,8 @@ mod tests {
 
     #[test]
     fn invariant_smaller_step_is_not_all_that_rk4_is_told_where_radau_runs() {
-        let energy = EnergyState { kinetic: 1.0, potential: 0.0, work: 0.0, balance: 1.0 };
-        let [with, without] = [true, false].map(|radau_runs| remark(&energy, Method::rk4(1e-7), radau_runs));
+        let [with, without] =
+            [true, false].map(|radau_runs| energy_remark(off_by(1.0), 10, Method::rk4(1e-7), radau_runs));
         assert!(
             with.ends_with("try --step 1e-8; if the scene is stiff, --method radau takes longer steps\n"),
             "{with}"
@@ -267,12 +288,20 @@ mod tests {
 
     #[test]
     fn invariant_energy_that_is_not_finite_is_remarked_on() {
-        let method = Method::rk4(0.001);
-        for (kinetic, balance) in [(1.0, f64::NAN), (f64::INFINITY, f64::INFINITY), (f64::INFINITY, 1.0)] {
-            let energy = EnergyState { kinetic, potential: 0.0, work: 0.0, balance };
-            assert!(remark(&energy, method, false).contains("energy and work are not finite: the step of 0.001 s"));
+        for share in [f64::NAN, f64::INFINITY] {
+            let remark = energy_remark(off_by(share), 10, Method::rk4(0.001), false);
+            assert!(remark.contains("energy and work are not finite"), "{remark}");
         }
-        let at_rest = EnergyState { kinetic: 0.0, potential: 0.0, work: 0.0, balance: 0.0 };
-        assert_eq!(remark(&at_rest, method, true), "");
+        assert_eq!(energy_remark(off_by(0.0), 10, Method::rk4(0.001), true), "");
+    }
+
+    #[test]
+    fn invariant_what_the_tolerance_does_not_explain_is_remarked_on() {
+        let remark = |share, steps, tolerance| energy_remark(off_by(share), steps, Method::dop853(tolerance), true);
+        assert_eq!(remark(0.9e-8, 100, 1e-11), "");
+        assert!(
+            remark(1.1e-8, 100, 1e-11).contains("1.1e-8 of the energy turned over at t = 1 s, more than the tolerance")
+        );
+        assert!(remark(2e-3, 100, 1e-5).ends_with("try --rtol 1e-6\n"));
     }
 }

@@ -107,6 +107,22 @@ pub enum MotionError {
         /// What may be left.
         tolerance: f64,
     },
+    /// Constraints depend on each other in one position, and not beside it: at rest there is no finite force that holds the mechanism, in
+    /// motion no acceleration that leads on.
+    #[error(
+        "the position at t = {t} s is singular: constraints depend on each other there, and not beside it: {}; any motion leaves \
+         {residual:.1e} of {level}. Start beside that position, or change the lengths that lead there", rows_or_unknown(.rows)
+    )]
+    SingularPosition {
+        /// Time, s.
+        t: f64,
+        /// Names of the rows that depend on each other.
+        rows: Vec<&'static str>,
+        /// `the positions`, `the velocities` or `the accelerations`.
+        level: &'static str,
+        /// What is left of the rows, as in [`MotionError::ContradictoryRows`].
+        residual: f64,
+    },
     /// Constraints nearly depend on each other, or numbers are so far apart that they seem to.
     #[error(
         "the motion at t = {t} s is lost in rounding{}: the best solution leaves {residual:.1e} of one equation. Bring \

@@ -18,6 +18,7 @@ mod projection;
 mod rank;
 mod residual;
 mod row;
+mod singular_position;
 mod solved;
 mod start;
 mod strain;

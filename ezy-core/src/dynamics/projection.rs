@@ -199,8 +199,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 }
                 let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
                 return Err(if solved.is_rank_deficient && self.independent_rows_are_met(t, q) {
-                    let (rows, level) = (self.rank_loss(t, q).rows, "the positions");
-                    MotionError::ContradictoryRows { t, rows, level, residual: norm, tolerance }
+                    self.disagreement(t, q, "the positions", norm, tolerance)
                 } else {
                     let row = self.info.rows[worst.row].name;
                     MotionError::ProjectionStalled { t, residual: norm, row, passes, tolerance }

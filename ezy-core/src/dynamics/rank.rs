@@ -145,7 +145,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let near = self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.smallest_pivot());
         match near.filter(|pivot| *pivot <= NEARLY_DEPENDENT) {
             Some(pivot) => Err(MotionError::LostInRounding { t, rows, smallest_pivot: Some(pivot * pivot), residual }),
-            None => Err(MotionError::ContradictoryRows { t, rows, level, residual, tolerance }),
+            None => Err(self.disagreement(t, q, level, residual, tolerance)),
         }
     }
 }

@@ -196,6 +196,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
         // what moves by itself: rows that depend on time
         self.velocity_residual(t, q, &trial);
         let drive = self.geometry.share(&self.buffers.residual);
+        // where the guess can only come to rest, what is left of it is rounding
+        let drive = drive.max(self.geometry.extent(&start.v));
         let mut excess = self.velocity_excess(t, q, v, drive);
         let mut length = self.residual_length(n_c);
         let passes = if self.starts_sparse() { DAMPED_VELOCITY_PASSES } else { VELOCITY_PASSES };

@@ -1,10 +1,10 @@
 //! The result of a run.
 
-use super::{ExceededLimit, Monitors, Occurrence, RankRecord};
+use super::{EnergyError, ExceededLimit, Monitors, Occurrence, RankRecord};
 use crate::dynamics::{MotionError, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
-use crate::scalar::legible;
+use crate::scalar::{legible, rounded};
 
 /// A finished run: all that was computed, also when it stopped early.
 #[derive(Debug)]
@@ -79,6 +79,17 @@ pub enum Outcome {
         /// Its name.
         name: &'static str,
     },
+    /// At the time that was asked for, or at an event that ends the run, but with fixed steps too long for the motion: energy and
+    /// work differ by more than [`EnergyError::LARGEST_OF_FIXED_STEPS`], and the result is not to be trusted. Not where a limit
+    /// was set by [`Simulation::max_energy_error`](super::Simulation::max_energy_error).
+    Untrusted {
+        /// Time of the end, s.
+        t: f64,
+        /// Length of the steps, s.
+        step_s: f64,
+        /// The energy balance.
+        energy: EnergyError,
+    },
     /// Before; everything up to the last good state is in the run.
     Stopped {
         /// Time of the last good state, s.
@@ -91,7 +102,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Whether the run is complete: at its time, or at an event that ends it.
+    /// Whether the run is complete, at its time or at an event that ends it, and nothing speaks against its result.
     pub fn reached_end(&self) -> bool {
         matches!(self, Self::ReachedEnd | Self::ReachedEvent { .. })
     }
@@ -102,6 +113,16 @@ impl std::fmt::Display for Outcome {
         match self {
             Self::ReachedEnd => f.write_str("reached the end"),
             Self::ReachedEvent { t, name } => write!(f, "reached `{name}` at t = {} s", legible(*t)),
+            Self::Untrusted { t, step_s, energy: EnergyError { joules, relative, t: at } } => write!(
+                f,
+                "reached t = {} s, but is not to be trusted: at t = {} s energy and work differ by {joules:.3e} J, {relative:.1e} of the \
+                 energy turned over (limit {:e}); the fixed step of {} s is too long for this motion; take a tenth of it, or a \
+                 method with a tolerance (dop853, taylor, radau)",
+                legible(*t),
+                rounded(*at, 4),
+                EnergyError::LARGEST_OF_FIXED_STEPS,
+                rounded(*step_s, 4)
+            ),
             Self::Stopped { t, reason, strain } => {
                 write!(f, "stopped at t = {} s: {reason}", legible(*t))?;
                 strain.as_ref().map_or(Ok(()), |strain| write!(f, "; {strain}"))

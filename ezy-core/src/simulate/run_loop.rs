@@ -70,6 +70,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         if let Some(quantity) = not_finite(info, &stepper.now.a, &[]) {
             return Err(MotionError::NotFinite { t: stepper.now.state.t, quantity }.into());
         }
+        stepper.check_beginning(plan.schedule.end() - t)?;
         let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&stepper));
         let mut sampler = Sampler::new(recorded, plan.wanted, recorder);
         let mut between = Snapshot::zero(info, plan.wanted.work);
@@ -146,7 +147,15 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             events.extend(modes.occurred);
             events.sort_by(|a, b| a.state.t.total_cmp(&b.state.t));
         }
-        let (info, monitors) = (self.sampler.info(), self.watch.monitors());
+        let StepperState { system, now, .. } = &self.stepper;
+        let (info, monitors) = (self.sampler.info(), self.watch.monitors(system.work_of_rounding(&now.lambda)));
+        if let Some(energy) = monitors.energy
+            && outcome.reached_end()
+            && !self.watch.trusts(energy, self.stepper.chooses_steps())
+        {
+            let [_, step_s] = monitors.steps_s.unwrap_or_default();
+            outcome = Outcome::Untrusted { t: now.state.t, step_s, energy };
+        }
         Ok(Run {
             outcome,
             cost,

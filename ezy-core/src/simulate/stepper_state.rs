@@ -183,7 +183,11 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         for _ in 0..MAX_SHORTENED {
             let shorter = match &outcome {
                 Ok(()) if self.ends_near_singular_position() => SHORTENED,
-                Err(MotionError::ProjectionStalled { .. } | MotionError::ContradictoryRows { .. }) => QUARTERED,
+                Err(
+                    MotionError::ProjectionStalled { .. }
+                    | MotionError::ContradictoryRows { .. }
+                    | MotionError::SingularPosition { .. },
+                ) => QUARTERED,
                 _ => break,
             };
             let t = self.now.state.t;
@@ -341,6 +345,12 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         self.integrator.evaluate(&mut self.system, &mut self.now)?;
         self.integrator.accept();
         Ok(())
+    }
+
+    /// Whether the motion can begin at `now`, which is evaluated, and last for `within_s`.
+    pub(super) fn check_beginning(&mut self, within_s: f64) -> Result<(), MotionError> {
+        let Snapshot { state, a, solved, .. } = &self.now;
+        self.system.check_beginning(state, a, *solved, within_s)
     }
 
     pub(super) fn evaluate_next(&mut self) -> Result<(), MotionError> {

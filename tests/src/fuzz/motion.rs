@@ -75,7 +75,7 @@ pub fn check(scene: &dyn Scene, order: &Order) -> Result<Verdict, String> {
     if last.coordinates.iter().chain(last.velocities).any(|x| !x.is_finite()) {
         return Err(format!("the last state is not finite; the run {}", run.outcome));
     }
-    if !run.outcome.reached_end() {
+    if matches!(run.outcome, Outcome::Stopped { .. }) {
         return Ok(Verdict::RunStopped);
     }
     let moving = last.accelerations.iter().chain(last.multipliers);

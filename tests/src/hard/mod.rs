@@ -5,6 +5,7 @@ pub mod block;
 pub mod case;
 pub mod cranks;
 pub mod families;
+pub mod methods;
 pub mod naive;
 pub mod page;
 pub mod rods;

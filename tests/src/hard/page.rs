@@ -37,8 +37,17 @@ pub fn table(found: &[(&Case, Findings)]) -> String {
     text
 }
 
-/// Bounds that a page says are kept and that `found` misses, and bounds that it does not know. What is made of times is
-/// the machine's, and left out.
+/// Cases of a page that are no longer there.
+pub fn gone(page: &str, cases: &[&Case]) -> Vec<String> {
+    let mut gone: Vec<&str> =
+        page.lines().filter_map(|line| Some(line.strip_prefix("| `")?.split_once("` |")?.0)).collect();
+    gone.dedup();
+    gone.retain(|name| !cases.iter().any(|case| case.name == *name));
+    gone.iter().map(|name| format!("{name}: on the page, but no case")).collect()
+}
+
+/// Bounds that a page says are kept and that `found` misses, bounds that it does not know, and bounds of it that are gone. What is
+/// made of times is the machine's, and left out.
 pub fn broken(page: &str, found: &[(&Case, Findings)]) -> Vec<String> {
     let kept: Vec<Vec<&str>> = page.lines().map(|line| line.split('|').map(str::trim).collect()).collect();
     let says = |case: &Case, check: &Check| {
@@ -47,6 +56,12 @@ pub fn broken(page: &str, found: &[(&Case, Findings)]) -> Vec<String> {
     };
     let mut broken = Vec::new();
     for (case, findings) in found {
+        let name = format!("`{}`", case.name);
+        for cells in kept.iter().filter(|cells| cells.len() > 5 && cells[1] == name) {
+            if !findings.checks.iter().any(|check| check.what == cells[2]) {
+                broken.push(format!("{}, {}: on the page, but not asked any more", case.name, cells[2]));
+            }
+        }
         for check in findings.checks.iter().filter(|check| !check.is_time) {
             let fault = match says(case, check) {
                 None => "not on the page",
@@ -100,7 +115,21 @@ mod tests {
     fn analytic_bound_that_is_no_longer_kept_is_broken() {
         assert_eq!(broken_after(Check::new("gap", 1.0, 0.5), Check::new("gap", 1.0, 2.0)).len(), 1);
         assert_eq!(broken_after(Check::new("gap", 1.0, 0.5), Check::new("gap", 1.0, f64::NAN)).len(), 1);
-        assert_eq!(broken_after(Check::new("gap", 1.0, 0.5), Check::new("angle", 1.0, 0.5)).len(), 1);
+    }
+
+    #[test]
+    fn analytic_bounds_and_cases_that_are_gone_are_broken() {
+        // one that the page does not know, and one that it has
+        assert_eq!(broken_after(Check::new("gap", 1.0, 0.5), Check::new("angle", 1.0, 0.5)).len(), 2);
+        let case = |name: &str| Case {
+            name: name.to_owned(),
+            why: "it is one",
+            is_quick: true,
+            examine: Box::new(|_| Findings::default()),
+        };
+        let (rod, wheel) = (case("rod"), case("wheel"));
+        let page = table(&[(&rod, Findings { checks: vec![Check::new("gap", 1.0, 0.5)], ..Findings::default() })]);
+        assert_eq!((gone(&page, &[&rod]).len(), gone(&page, &[&wheel]).len()), (0, 1));
     }
 
     #[test]

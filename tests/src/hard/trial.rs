@@ -1,12 +1,13 @@
 //! A scene from a start through the times of a reference, by EZY and by the naive program, with the same questions.
 
-use super::case::{Check, Findings};
+use super::case::{Check, Ended, Findings, How, Program};
 use super::naive::Naive;
 use super::subject::Subject;
 use crate::garage::worse;
+use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
 use ezy_core::prelude::*;
-use ezy_core::simulate::SetupError;
+use ezy_core::simulate::{ExceededLimit, SetupError, StopReason};
 
 /// Recorded times this near to a reference's are the same, as a part of the whole run.
 const SAME_TIME: f64 = 1e-12;
@@ -42,23 +43,29 @@ enum When<'a> {
 pub struct Question<'a> {
     what: &'static str,
     bound: f64,
+    is_for_all: bool,
     when: When<'a>,
 }
 
 impl<'a> Question<'a> {
     /// Compared at the times of the reference, by their index.
     pub fn at_times(what: &'static str, bound: f64, error: impl Fn(usize, &Seen<'_>) -> f64 + 'a) -> Self {
-        Self { what, bound, when: When::Reference(Box::new(error)) }
+        Self { what, bound, is_for_all: false, when: When::Reference(Box::new(error)) }
     }
 
     /// Looked at in every sample.
     pub fn always(what: &'static str, bound: f64, error: impl Fn(&Seen<'_>) -> f64 + 'a) -> Self {
-        Self { what, bound, when: When::Always(Box::new(move |(), seen| error(seen))) }
+        Self { what, bound, is_for_all: false, when: When::Always(Box::new(move |(), seen| error(seen))) }
+    }
+
+    /// The same, whatever the tolerance.
+    pub fn for_all(self) -> Self {
+        Self { is_for_all: true, ..self }
     }
 
     /// The rows of positions.
     pub fn gaps(bound: f64) -> Self {
-        Self::always("gaps, m", bound, |seen| seen.gap)
+        Self::always("gaps, m", bound, |seen| seen.gap).for_all()
     }
 
     /// The energy balance as a part of a scale, J.
@@ -88,19 +95,30 @@ impl<'a> Trial<'a> {
         Self { scene: &*subject.scene, given: subject.given(), times, questions }
     }
 
-    /// Runs it by `method`, and by the naive program with a step of `naive_step_s` when there is one.
-    pub fn examine(&self, method: Method, naive_step_s: Option<f64>) -> Findings {
+    /// Runs it.
+    pub fn examine(&self, by: Program) -> Findings {
+        let Program { method, naive_step_s, .. } = by;
         let until_s = self.times.last().copied().unwrap_or_default();
         let mut errors = vec![f64::NAN; self.questions.len()];
-        let mut findings = match self.run(method, until_s, Some(self.sampling(until_s))) {
+        let mut findings = match self.run(by, until_s, Some(self.sampling(until_s))) {
             Ok(run) => {
-                errors = self.errors_of(method, &run);
+                let ended = ended(&run.outcome);
+                if ended == Ended::Reached || !by.is_given() {
+                    errors = self.errors_of(by, &run);
+                }
                 let stopped = (!run.outcome.reached_end()).then(|| run.outcome.to_string());
-                Findings { by: by(method, &run), steps: run.cost.steps, stopped, ..Findings::default() }
+                let (by, steps) = (by_words(method, &run), run.cost.steps);
+                Findings { by, steps, stopped, ended: Some(ended), ..Findings::default() }
             }
-            Err(error) => Findings { by: setting(method), stopped: Some(error.to_string()), ..Findings::default() },
+            Err(error) => {
+                let (by, ended) = (setting(method), Some(Ended::Refused(refusal(&error))));
+                Findings { by, stopped: Some(error.to_string()), ended, ..Findings::default() }
+            }
         };
-        let check = |(question, &reached): (&Question<'_>, &f64)| Check::new(question.what, question.bound, reached);
+        let check = |(question, &reached): (&Question<'_>, &f64)| Check {
+            is_for_all: question.is_for_all,
+            ..Check::new(question.what, question.bound, reached)
+        };
         findings.checks = self.questions.iter().zip(&errors).map(check).collect();
         if let Some(step_s) = naive_step_s {
             self.add_naive(step_s, &mut findings);
@@ -113,10 +131,22 @@ impl<'a> Trial<'a> {
         self.given.iter().fold(order, |order, (name, value)| order.give(name.clone(), *value))
     }
 
-    fn run(&self, method: Method, until_s: f64, every_s: Option<f64>) -> Result<Run, SetupError> {
-        let order = self.order(method).until(until_s);
+    fn run(&self, by: Program, until_s: f64, every_s: Option<f64>) -> Result<Run, SetupError> {
+        let order = self.order(by.method).until(until_s);
+        let order = if by.is_given() { order.max_steps(self.most_steps(by.method)) } else { order };
         let order = if let Some(every_s) = every_s { order.every(every_s) } else { order };
         if self.scene.info().n_effects() > 0 { order.work().run() } else { order.run() }
+    }
+
+    /// Steps of a method that is not the case's own: some seconds.
+    fn most_steps(&self, method: Method) -> u64 {
+        let n = (self.scene.info().n_coordinates() + self.scene.info().n_rows()) as u64;
+        let of_an_equation = match method {
+            Method::Rk4 { .. } => 5_000_000,
+            Method::Radau(_) => 400_000,
+            _ => 2_000_000,
+        };
+        (of_an_equation / n).max(1000)
     }
 
     /// An interval of samples that meets all times of the reference, where there is one.
@@ -129,7 +159,7 @@ impl<'a> Trial<'a> {
     }
 
     /// Errors of a run and of shorter ones that end at times of the reference between two samples.
-    fn errors_of(&self, method: Method, run: &Run) -> Vec<f64> {
+    fn errors_of(&self, by: Program, run: &Run) -> Vec<f64> {
         let mut errors = vec![0.0; self.questions.len()];
         let start_j = run.first().energy.kinetic + run.first().energy.potential;
         run.samples().for_each(|sample| self.look(None, &seen(&sample, start_j), &mut errors));
@@ -140,7 +170,7 @@ impl<'a> Trial<'a> {
                 self.look(Some(i), &seen(&sample, start_j), &mut errors);
                 continue;
             }
-            match self.run(method, t, None) {
+            match self.run(by, t, None) {
                 Ok(run) if run.outcome.reached_end() => self.look(Some(i), &seen(&run.last(), start_j), &mut errors),
                 _ => self.missed(&mut errors),
             }
@@ -172,7 +202,8 @@ impl<'a> Trial<'a> {
 
     /// The naive program from the same start, in equal steps from one time of the reference to the next.
     fn add_naive(&self, step_s: f64, findings: &mut Findings) {
-        let Ok(start) = self.run(Method::default(), 0.0, None) else { return };
+        let alone = How::Alone.by(Method::default(), step_s);
+        let Ok(start) = self.run(alone, 0.0, None) else { return };
         let (start, mut errors) = (start.first(), vec![0.0; self.questions.len()]);
         let mut naive = Naive::new(self.scene, start.coordinates, start.velocities);
         let (start_j, has_work) = (naive.energy(0.0), self.scene.info().n_effects() > 0);
@@ -214,7 +245,7 @@ fn seen<'r>(sample: &Sample<'r>, start_j: f64) -> Seen<'r> {
 }
 
 /// Method and setting.
-fn setting(method: Method) -> String {
+pub fn setting(method: Method) -> String {
     match (method, method.tolerance()) {
         (Method::Rk4 { step_s }, _) => format!("rk4, h = {step_s:e} s"),
         (_, Some(tolerance)) => format!("{}, {:e}", method.name(), tolerance.relative),
@@ -223,7 +254,7 @@ fn setting(method: Method) -> String {
 }
 
 /// Method, setting, steps and time.
-fn by(method: Method, run: &Run) -> String {
+fn by_words(method: Method, run: &Run) -> String {
     let (steps, rejected) = (run.cost.steps, run.cost.rejected);
     let rejected = if rejected > 0 { format!(", {rejected} rejected") } else { String::new() };
     let time = match run.cost.seconds {
@@ -231,4 +262,35 @@ fn by(method: Method, run: &Run) -> String {
         seconds => format!("{seconds:.1} s"),
     };
     format!("{}: {steps} steps{rejected}, {time}", setting(method))
+}
+
+fn ended(outcome: &Outcome) -> Ended {
+    match outcome {
+        Outcome::Stopped { reason: StopReason::Limit(ExceededLimit::Steps { .. }), .. } => Ended::Cut,
+        Outcome::Stopped { reason: StopReason::Motion(error), .. } => Ended::Refused(word(error)),
+        Outcome::Untrusted { .. } => Ended::Refused("not to be trusted"),
+        Outcome::Stopped { .. } => Ended::Refused("stopped"),
+        _ => Ended::Reached,
+    }
+}
+
+fn refusal(error: &SetupError) -> &'static str {
+    match error {
+        SetupError::Motion(error) => word(error),
+        SetupError::Start(_) => "start",
+        _ => "not run by this method",
+    }
+}
+
+fn word(error: &MotionError) -> &'static str {
+    match error {
+        MotionError::ContradictoryRows { .. } => "contradiction",
+        MotionError::SingularPosition { .. } => "singular position",
+        MotionError::LostInRounding { .. } => "lost in rounding",
+        MotionError::LockedUp { .. } => "does not get past",
+        MotionError::StepCollapsed { .. } => "step shrunk",
+        MotionError::ProjectionStalled { .. } => "projection stalled",
+        MotionError::NotFinite { .. } => "not finite",
+        _ => "other",
+    }
 }

@@ -129,7 +129,10 @@ fn is_true(reason: &StopReason) -> bool {
     matches!(
         reason,
         StopReason::Motion(
-            MotionError::LockedUp { .. } | MotionError::LostInRounding { .. } | MotionError::StepCollapsed { .. }
+            MotionError::LockedUp { .. }
+                | MotionError::LostInRounding { .. }
+                | MotionError::StepCollapsed { .. }
+                | MotionError::SingularPosition { .. }
         )
     )
 }

@@ -43,6 +43,7 @@ mod selection;
 mod self_check;
 mod sensitivity;
 mod setup;
+mod singular_starts;
 mod singularity_crossing;
 mod singularity_crossing_cases;
 mod start;

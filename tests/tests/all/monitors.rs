@@ -4,7 +4,8 @@ use crate::scenes::{Case, coast, driven, set};
 use ezy_core::dynamics::{MotionError, StrainSource};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ExceededLimit, StopReason};
-use ezy_models::{four_bar, knife_edge, pendulum};
+use ezy_models::{double_pendulum, four_bar, knife_edge, pendulum};
+use ezy_tests::hard::subject::subject;
 
 /// Where both are projected, positions of bodies of size one keep this.
 const POSITION_RESIDUAL: f64 = 1e-12;
@@ -126,6 +127,52 @@ fn invariant_energy_beyond_its_limit_ends_the_run_before_it() {
 }
 
 #[test]
+fn invariant_fixed_steps_that_lose_energy_are_not_trusted() {
+    let scene = double_pendulum::Swing::default();
+    let order = |step_s: f64| Simulation::new(&scene).method(Method::rk4(step_s)).until(10.0).every(0.5);
+    let run = order(0.1).run().unwrap();
+    let Outcome::Untrusted { t, step_s, energy } = run.outcome else { panic!("{}", run.outcome) };
+    assert_eq!((t, run.last().t, run.samples().len()), (10.0, 10.0, 21));
+    assert!((step_s - 0.1).abs() < 1e-12 && Some(energy) == run.monitors.energy, "{step_s} {energy:?}");
+    let told = [format!("{:.1e} of the energy turned over", energy.relative), "the fixed step of 0.1 s".to_owned()];
+    assert!(told.iter().all(|told| run.outcome.to_string().contains(told)), "{}", run.outcome);
+    assert!(!run.outcome.reached_end());
+    // less than three digits are asked for
+    let allowed = order(0.1).max_energy_error(1.0).run().unwrap();
+    assert!(allowed.outcome.reached_end(), "{}", allowed.outcome);
+    for step_s in [0.02, 0.01] {
+        let run = order(step_s).run().unwrap();
+        let relative = run.monitors.energy.unwrap().relative;
+        assert!(run.outcome.reached_end() && relative > 1e-5, "{}: {relative:e}", run.outcome);
+    }
+}
+
+#[test]
+fn invariant_rounding_of_a_body_that_cannot_move_is_no_loss_of_energy() {
+    let subject = subject("torture", "three_skates_locked");
+    for step_s in [0.056, 0.01, 0.002] {
+        let order = Simulation::new(&*subject.scene).method(Method::rk4(step_s)).until(10.0).work();
+        let run =
+            subject.given().into_iter().fold(order, |order, (name, value)| order.give(name, value)).run().unwrap();
+        assert!(run.outcome.reached_end(), "{step_s}: {}", run.outcome);
+        let energy = run.monitors.energy.unwrap();
+        assert!(energy.relative == 0.0 && energy.joules != 0.0, "{step_s}: {energy:?}");
+    }
+}
+
+#[test]
+fn invariant_heavy_body_below_a_light_one_keeps_its_energy_at_every_step() {
+    /// Of 1e10 J, from a step of 10 ms on: the error of RK4 there.
+    const ENERGY: f64 = 1e-6;
+    let scene = double_pendulum::Swing { m1: 1.0, m2: 1e10, ..Default::default() };
+    for step_s in [1e-2, 1e-3, 5e-4, 2e-4, 1e-4] {
+        let run = Simulation::new(&scene).method(Method::rk4(step_s)).until(2.0).run().unwrap();
+        let relative = run.monitors.energy.unwrap().relative;
+        assert!(run.outcome.reached_end() && relative <= ENERGY, "{step_s}: {}, {relative:e}", run.outcome);
+    }
+}
+
+#[test]
 fn invariant_steps_beyond_their_limit_end_the_run_and_are_kept() {
     let scene = pendulum::Swing::default();
     for method in [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9)] {
@@ -178,7 +225,8 @@ fn invariant_runaway_by_speed_names_a_reaction() {
 fn invariant_what_a_step_does_behind_an_end_is_not_watched() {
     let scene = pendulum::Quarter::default();
     let order = || Simulation::new(&scene).method(Method::rk4(0.7));
-    let run = order().work().run().unwrap();
+    // a step over half of the motion
+    let run = order().max_energy_error(1.0).run().unwrap();
     let (end, monitors) = (run.last().t, run.monitors);
     assert!(matches!(run.outcome, Outcome::ReachedEvent { .. }) && end < 0.6, "{}", run.outcome);
     let [_, longest] = monitors.steps_s.unwrap();

@@ -162,7 +162,7 @@ impl Radau {
     /// [`MotionError`] when accelerations at the start cannot be found.
     /// # Cost
     /// Three residuals and two solves a pass; two factorisations when the length of the step changes; no allocation. Where the
-    /// iteration does not converge, in scenes with at most 50 equations, a factorisation of all stages together
+    /// iteration does not converge, in scenes with at most 80 equations, a factorisation of all stages together
     /// a pass.
     pub(crate) fn attempt<S: Scene + ?Sized>(
         &mut self,

@@ -159,15 +159,24 @@ impl Watch {
         Err(ExceededLimit::Drift { t, level, row: info.rows[worst.row].name, value: worst.value, limit })
     }
 
-    /// What was watched.
-    pub(crate) fn monitors(&self) -> Monitors {
+    /// Whether an energy balance speaks for the run. That of fixed steps can be too large, unless a limit was set.
+    pub(crate) fn trusts(&self, energy: EnergyError, chooses_steps: bool) -> bool {
+        chooses_steps || self.limits.energy_error.is_finite() || energy.may_be_of_fixed_steps()
+    }
+
+    /// What was watched. An energy balance below `rounding_j`, J, is rounding.
+    pub(crate) fn monitors(&self, rounding_j: f64) -> Monitors {
+        let without_rounding = |energy: EnergyError| match energy.joules.abs() <= rounding_j {
+            true => EnergyError { relative: 0.0, ..energy },
+            false => energy,
+        };
         Monitors {
             position_residual: self.position_residual,
             velocity_residual: self.velocity_residual,
             position_drift: self.position_drift,
             velocity_drift: self.velocity_drift,
             pivot: self.pivot,
-            energy: self.energy.as_ref().map(|energy| energy.largest),
+            energy: self.energy.as_ref().map(|energy| without_rounding(energy.largest)),
             condition: self.condition.as_ref().map(|condition| condition.peak),
             steps_s: (self.n_steps > 0).then_some([self.shortest_s, self.longest_s]),
         }

@@ -38,7 +38,7 @@ fn andrews_angles(of: &[f64]) -> [f64; 7] {
     [k1, k2 - k1, k3, k4 - k5, k5, k6 - k7, k7]
 }
 
-fn andrews(naive: bool) -> Findings {
+fn andrews(how: How) -> Findings {
     let subject = subject("a03_andrews", "");
     let table: Vec<_> = rows(&subject.data["trajectory"]["rows"]).into_iter().filter(|row| row[0] < 0.0301).collect();
     let difference = |of: &[f64], i: usize, from: usize| {
@@ -49,10 +49,10 @@ fn andrews(naive: bool) -> Findings {
     let questions = vec![angles, rates, Question::gaps(GAP), Question::energy(ANDREWS_ENERGY, 2.0)];
     // assembled from the angles that the scene gives
     let trial = Trial { scene: &*subject.scene, given: Vec::new(), times: times_of_rows(&table), questions };
-    trial.examine(Method::taylor(1e-14), naive.then_some(5e-6))
+    trial.examine(how.by(Method::taylor(1e-14), 5e-6))
 }
 
-fn slider_crank(naive: bool) -> Findings {
+fn slider_crank(how: How) -> Findings {
     let subject = subject("slider_crank_ida", "");
     let table = rows(&subject.data["rows"]);
     let state = Question::at_times("q, x, p, rad, m", IDA_STATE, |i, seen| {
@@ -65,10 +65,10 @@ fn slider_crank(naive: bool) -> Findings {
         times: times_of_rows(&table),
         questions: vec![state, Question::gaps(GAP)],
     };
-    trial.examine(Method::taylor(1e-12), naive.then_some(1e-3))
+    trial.examine(how.by(Method::taylor(1e-12), 1e-3))
 }
 
-fn driven(naive: bool) -> Findings {
+fn driven(how: How) -> Findings {
     let subject = subject("torture", "driven_four_bar");
     let table = rows(&subject.data["rows"]);
     let after: Vec<_> = table.iter().filter(|row| row[0] > 0.0).cloned().collect();
@@ -79,5 +79,5 @@ fn driven(naive: bool) -> Findings {
     });
     let questions = vec![angles, torque, Question::gaps(GAP)];
     let trial = Trial::new(&subject, times_of_rows(&after), questions);
-    trial.examine(Method::taylor(1e-13), naive.then_some(1e-3))
+    trial.examine(how.by(Method::taylor(1e-13), 1e-3))
 }

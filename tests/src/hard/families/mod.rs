@@ -10,7 +10,7 @@ mod spinning;
 mod starts;
 mod stiff;
 
-use super::case::{Case, Family, Findings};
+use super::case::{Case, Family, Findings, How, Program};
 use super::subject::{Subject, subject};
 use super::trial::{Question, Seen, Trial};
 use crate::garage::{list, number, worse};
@@ -33,7 +33,7 @@ pub fn families() -> Vec<Family> {
 }
 
 /// A case of one file that is a program of its own.
-fn case(name: &str, why: &'static str, is_quick: bool, examine: impl Fn(bool) -> Findings + 'static) -> Case {
+fn case(name: &str, why: &'static str, is_quick: bool, examine: impl Fn(How) -> Findings + 'static) -> Case {
     Case { name: name.to_owned(), why, is_quick, examine: Box::new(examine) }
 }
 
@@ -87,14 +87,13 @@ fn through_states(
     file: &str,
     name: &str,
     bound: f64,
-    method: Method,
-    naive_step_s: Option<f64>,
+    by: Program,
     more: impl FnOnce(&Subject) -> Vec<Question<'_>>,
 ) -> Findings {
     let subject = subject(file, name);
     let mut questions = vec![all_states(&subject, bound), Question::gaps(GAP)];
     questions.extend(more(&subject));
-    Trial::new(&subject, times_of(&subject.data["states"]), questions).examine(method, naive_step_s)
+    Trial::new(&subject, times_of(&subject.data["states"]), questions).examine(by)
 }
 
 /// Of hinges of bodies of the size of one, after every projected step, m.

@@ -61,14 +61,13 @@ fn named(file: &'static str, name: &str, why: &'static str) -> Case {
             name,
             "bloch" | "reversal" | "scipy_dae" | "locked_steering" | "free_racer" | "driven_slalom"
         ),
-        examine: Box::new(move |naive| run(file, &of, naive)),
+        examine: Box::new(move |how| run(file, &of, how)),
     }
 }
 
-fn run(file: &'static str, name: &str, naive: bool) -> Findings {
+fn run(file: &'static str, name: &str, how: How) -> Findings {
     let subject = subject(file, name);
-    let step = naive.then_some(1e-3);
-    let method = Method::taylor(1e-12);
+    let by = how.by(Method::taylor(1e-12), 1e-3);
     let table = subject.data.get("rows").map(rows).unwrap_or_default();
     match file {
         "chaplygin_sleigh" => {
@@ -82,7 +81,7 @@ fn run(file: &'static str, name: &str, naive: bool) -> Findings {
                     .into_iter()
                     .fold(0.0, worse)
             });
-            Trial::new(&subject, times_of_rows(&table), vec![state]).examine(method, step)
+            Trial::new(&subject, times_of_rows(&table), vec![state]).examine(by)
         }
         "knife_edge_incline" => {
             let state = Question::at_times("v, x, y, m/s, m", CLOSED_FORM, |i, seen| {
@@ -90,9 +89,9 @@ fn run(file: &'static str, name: &str, naive: bool) -> Findings {
                 let (along, row) = (seen.v[0] * cos + seen.v[1] * sin, &table[i]);
                 [along - row[1], seen.q[0] - row[3], seen.q[1] - row[4]].into_iter().fold(0.0, worse)
             });
-            Trial::new(&subject, times_of_rows(&table), vec![state]).examine(method, step)
+            Trial::new(&subject, times_of_rows(&table), vec![state]).examine(by)
         }
-        _ => through_states(file, name, STATE, method, step, |subject| match subject.data["name"].as_str() {
+        _ => through_states(file, name, STATE, by, |subject| match subject.data["name"].as_str() {
             Some("free_racer") => vec![Question::energy(RACER_ENERGY, number(&subject.data["E0"]))],
             _ => vec![],
         }),

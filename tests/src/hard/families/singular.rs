@@ -2,7 +2,12 @@
 
 use super::*;
 use crate::garage::rows;
+use crate::hard::case::{Check, Ended};
+use crate::hard::trial::setting;
+use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
+use ezy_core::prelude::Simulation;
+use ezy_core::simulate::SetupError;
 use ezy_models::n_four_bar;
 use std::f64::consts::FRAC_PI_2;
 
@@ -30,6 +35,12 @@ pub fn cases() -> Vec<Case> {
         true,
         snakeboard,
     ));
+    cases.push(case(
+        "linkage_stretched_at_the_start",
+        "the given angles cannot be met, and the nearest place stretches a crank and its coupler between two fixed points: to first order they may move, but they cannot, and no finite force holds them",
+        true,
+        stretched,
+    ));
     cases
 }
 
@@ -39,11 +50,11 @@ fn linkage(n: usize) -> Case {
         name: format!("a02_n_four_bar, N = {n}"),
         why: "twice a turn all rods lie level: the rank falls by N, and every loop could fold",
         is_quick: false,
-        examine: Box::new(move |naive| turning(n, naive)),
+        examine: Box::new(move |how| turning(n, how)),
     }
 }
 
-fn turning(n: usize, naive: bool) -> Findings {
+fn turning(n: usize, how: How) -> Findings {
     let subject = subject("a02_n_four_bar", "");
     let scene = n_four_bar::Fall { n, ..Default::default() };
     let case = list(&subject.data["cases"]).iter().find(|case| case["N"] == n).expect("a reference");
@@ -57,10 +68,11 @@ fn turning(n: usize, naive: bool) -> Findings {
     let questions = vec![turned, parallel, Question::gaps(GAP), energy];
     let scene: &dyn Scene = &scene;
     let trial = Trial { scene, given: Vec::new(), times: times_of_rows(&table), questions };
-    trial.examine(Method::rk4(1e-3), naive.then_some(1e-3).filter(|_| n <= LARGEST_FOR_LU))
+    let by = how.by(Method::rk4(1e-3), 1e-3);
+    trial.examine(if n <= LARGEST_FOR_LU { by } else { by.without_naive() })
 }
 
-fn slider(naive: bool) -> Findings {
+fn slider(how: How) -> Findings {
     let subject = subject("torture", "slider_crank_equal_lengths");
     let of = |i: usize, body: &str, k: usize| number(&subject.data["states"][i]["bodies"][body][k]);
     let place = Question::at_times("crank's angle and slider's x, rad, m", BRANCH, |i, seen| {
@@ -69,10 +81,10 @@ fn slider(naive: bool) -> Findings {
     let energy = Question::energy(SLIDER_ENERGY, number(&subject.data["E0"]));
     let questions = vec![place, Question::gaps(GAP), energy];
     let trial = Trial::new(&subject, times_of(&subject.data["states"]), questions);
-    trial.examine(Method::rk4(1e-4), naive.then_some(1e-4))
+    trial.examine(how.by(Method::rk4(1e-4), 1e-4))
 }
 
-fn snakeboard(naive: bool) -> Findings {
+fn snakeboard(how: How) -> Findings {
     let subject = subject("torture", "snakeboard_through_90deg");
     let pose = Question::at_times("pose of the board, m, rad", BRANCH, |i, seen| {
         state_error(&subject, &["board"], false, i, seen)
@@ -83,5 +95,19 @@ fn snakeboard(naive: bool) -> Findings {
     });
     let questions = vec![pose, sideways, Question::gaps(GAP)];
     let trial = Trial::new(&subject, times_of(&subject.data["states"]), questions);
-    trial.examine(Method::rk4(5e-4), naive.then_some(5e-4))
+    trial.examine(how.by(Method::rk4(5e-4), 5e-4))
+}
+
+/// A02 with three loops, one crank of which points down: every method has to refuse the start.
+fn stretched(how: How) -> Findings {
+    let scene = n_four_bar::Fall { n: 3, ..Default::default() };
+    let by = how.by(Method::taylor(1e-12), 1e-4);
+    let order = Simulation::new(&scene).method(by.method).until(0.05).project_start();
+    let begun = match order.give("crank[1].phi", -1.6).run() {
+        Err(SetupError::Motion(MotionError::SingularPosition { .. })) => 0.0,
+        _ => 1.0,
+    };
+    let checks = vec![Check::for_all("runs that begin", 0.0, begun)];
+    let ended = Some(Ended::Refused("singular position"));
+    Findings { checks, by: setting(by.method), ended, ..Findings::default() }
 }

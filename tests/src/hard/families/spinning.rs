@@ -28,13 +28,13 @@ pub fn cases() -> Vec<Case> {
             "fast_rotor_off_centre",
             "10,000 rad/s 5 cm off the bearing: the convective term is 5e6 m/s²",
             true,
-            |naive| rotor(1.0, ANGLE, naive),
+            |how| rotor(1.0, ANGLE, how),
         ),
         case(
             "fast_rotor_off_centre, 1e6 rad",
             "the same for 100 s: an angle of 1e6 rad has ten digits left for the turn that it is in",
             false,
-            |naive| rotor(100.0, FAR_ANGLE, naive),
+            |how| rotor(100.0, FAR_ANGLE, how),
         ),
         case(
             "fast_counter_rotating_pair",
@@ -47,32 +47,32 @@ pub fn cases() -> Vec<Case> {
             "long_run_1e6_steps, A02",
             "2,000 s of the linkage of two loops: 1,029 turns through 2,059 level positions",
             false,
-            |naive| {
+            |how| {
                 let scene = n_four_bar::Fall::default();
-                long(&scene, 2000.0, 5e-4, 1.5 + 34.335, naive)
+                long(&scene, 2000.0, 5e-4, 1.5 + 34.335, how)
             },
         ),
-        case("long_run_1e6_steps, free racer", "10,000 s in steps of 4 ms, 12 km away in the end", false, |naive| {
+        case("long_run_1e6_steps, free racer", "10,000 s in steps of 4 ms, 12 km away in the end", false, |how| {
             let scene = roller_racer::Coast::default();
-            long(&scene, 1e4, 4e-3, 1.2, naive)
+            long(&scene, 1e4, 4e-3, 1.2, how)
         }),
-        case("long_run_1e6_steps, knife edge", "10,000 s at 100 rad/s", false, |naive| {
+        case("long_run_1e6_steps, knife edge", "10,000 s at 100 rad/s", false, |how| {
             let subject = subject("knife_edge_incline", "fast_turn");
-            long(&*subject.scene, 1e4, 2e-3, 50.0, naive)
+            long(&*subject.scene, 1e4, 2e-3, 50.0, how)
         }),
     ]
 }
 
-fn rotor(until_s: f64, bound: f64, naive: bool) -> Findings {
+fn rotor(until_s: f64, bound: f64, how: How) -> Findings {
     let subject = subject("torture", "fast_rotor_off_centre");
     let table: Vec<_> = rows(&subject.data["rows"]).into_iter().filter(|row| row[0] <= until_s).collect();
     let angle = Question::at_times("angle, rad", bound, |i, seen| seen.q[2] - table[i][1]);
     let energy = Question::energy(ENERGY, number(&subject.data["E0"]));
     let trial = Trial::new(&subject, times_of_rows(&table), vec![angle, Question::gaps(GAP), energy]);
-    trial.examine(Method::taylor(1e-15), naive.then_some(NAIVE_STEP_S))
+    trial.examine(how.by(Method::taylor(1e-15), NAIVE_STEP_S))
 }
 
-fn pair(naive: bool) -> Findings {
+fn pair(how: How) -> Findings {
     let subject = subject("torture", "fast_counter_rotating_pair");
     let rates = Question::always("turn rates, relative", RATE, |seen| {
         worse((seen.v[2] / 1e4 - 1.0).abs(), seen.v[5] / 1e4 + 1.0)
@@ -84,10 +84,10 @@ fn pair(naive: bool) -> Findings {
         worse((x - (0.4 / 3.0 + 1.5 * seen.t)).abs(), y - (velocity * seen.t - 4.905 * seen.t * seen.t))
     });
     let trial = Trial::new(&subject, vec![1.0], vec![rates, centre]);
-    trial.examine(Method::taylor(1e-15), naive.then_some(NAIVE_STEP_S))
+    trial.examine(how.by(Method::taylor(1e-15), NAIVE_STEP_S))
 }
 
-fn long_pendulum(naive: bool) -> Findings {
+fn long_pendulum(how: How) -> Findings {
     let subject = subject("a01_simple_pendulum", "");
     let table: Vec<_> = rows(&subject.data["exact"]["rows"]).into_iter().filter(|row| row[0] >= 1000.0).collect();
     let scene = pendulum::Swing::default();
@@ -96,15 +96,16 @@ fn long_pendulum(naive: bool) -> Findings {
     });
     let questions = vec![place, Question::gaps(GAP), Question::energy(LONG_ENERGY, 9.81)];
     let trial = Trial { scene: &scene, given: Vec::new(), times: times_of_rows(&table), questions };
-    trial.examine(Method::rk4(5e-4), naive.then_some(1e-3))
+    trial.examine(how.by(Method::rk4(5e-4), 1e-3))
 }
 
 /// Energy and gaps alone, over the whole run; far away a gap drowns in the rounding of coordinates.
-fn long(scene: &dyn Scene, until_s: f64, step_s: f64, scale_j: f64, naive: bool) -> Findings {
+fn long(scene: &dyn Scene, until_s: f64, step_s: f64, scale_j: f64, how: How) -> Findings {
     let gaps = Question::always("gaps, m, over coordinates beyond 1 m", GAP, |seen| {
         seen.gap / seen.q.iter().copied().fold(1.0, worse)
-    });
+    })
+    .for_all();
     let questions = vec![gaps, Question::energy(LONG_ENERGY, scale_j)];
     let trial = Trial { scene, given: Vec::new(), times: vec![until_s], questions };
-    trial.examine(Method::rk4(step_s), naive.then_some(step_s))
+    trial.examine(how.by(Method::rk4(step_s), step_s))
 }

@@ -30,18 +30,21 @@ pub fn cases() -> Vec<Case> {
             "inconsistent_velocities",
             "every body of the linkage has a velocity of its own; the smallest change in the metric of the masses is the impulse of the hinges",
             true,
-            |_| velocities(),
+            velocities,
         ),
         case(
             "inconsistent_positions",
             "every coordinate of A01, A02 and A03 is off by 1e-3, with alternating signs; Andrews' links are a few centimetres long",
             true,
-            |_| positions(),
+            positions,
         ),
     ]
 }
 
-fn velocities() -> Findings {
+fn velocities(how: How) -> Findings {
+    if matches!(how, How::By(_)) {
+        return Findings::default();
+    }
     let subject = subject("torture", "inconsistent_velocities");
     let scene = &*subject.scene;
     let mut system = System::new(scene, Backend::Auto).expect("a scene that can be set up");
@@ -69,7 +72,10 @@ fn velocities() -> Findings {
     Findings { checks, by: "the assembly of a start".to_owned(), ..Findings::default() }
 }
 
-fn positions() -> Findings {
+fn positions(how: How) -> Findings {
+    if matches!(how, How::By(_)) {
+        return Findings::default();
+    }
     let parallelogram = n_four_bar::Fall::default();
     let (n, mut elbows) = (parallelogram.n, Vec::new());
     for i in 0..n {

@@ -26,14 +26,17 @@ pub fn cases() -> Vec<Case> {
             "stiff_spring_undamped",
             "a spring of 1e9 N/m swings at 31,623 rad/s for ever, and a step that follows it is 1e-5 s long",
             true,
-            |naive| spring("stiff_spring_undamped", 1.0, Method::taylor(1e-12), naive),
+            |how| spring("stiff_spring_undamped", 1.0, Method::taylor(1e-12), how),
         ),
         case(
             "stiff_spring_damped",
             "the same mode dies within 50 ms; a method that need not follow it takes steps of 10 ms from then on",
             false,
-            |naive| {
-                let mut findings = spring("stiff_spring_damped", 3.0, Method::radau(1e-10), naive);
+            |how| {
+                let mut findings = spring("stiff_spring_damped", 3.0, Method::radau(1e-10), how);
+                if matches!(how, How::By(_)) {
+                    return findings;
+                }
                 let steps = if findings.stopped.is_none() { findings.steps as f64 } else { f64::NAN };
                 findings.checks.push(Check::new("steps to 3 s", MAX_STEPS, steps));
                 findings
@@ -43,10 +46,10 @@ pub fn cases() -> Vec<Case> {
             "caster_trail_1e-2",
             "a caster that trails its hinge by 1 cm turns into line within 10 ms; then its mode is stiff",
             true,
-            |naive| caster("caster_trail_1e-2", naive),
+            |how| caster("caster_trail_1e-2", how),
         ),
-        case("caster_trail_1e-3", "a trail of 1 mm: within 1 ms, at 800 rad/s", true, |naive| {
-            caster("caster_trail_1e-3", naive)
+        case("caster_trail_1e-3", "a trail of 1 mm: within 1 ms, at 800 rad/s", true, |how| {
+            caster("caster_trail_1e-3", how)
         }),
         case(
             "ezyroller_near_singular",
@@ -58,15 +61,19 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// Followed exactly; and once it has aligned, by steps of an implicit method that need not follow its mode.
-fn caster(name: &str, naive: bool) -> Findings {
-    let mut findings =
-        through_states("torture", name, CASTER, Method::taylor(1e-12), naive.then_some(1e-4), |_| vec![]);
+fn caster(name: &str, how: How) -> Findings {
+    let by = how.by(Method::taylor(1e-12), 1e-4);
+    let mut findings = through_states("torture", name, CASTER, by, |_| vec![]);
+    if by.is_given() {
+        return findings;
+    }
     let subject = subject("torture", name);
     let trail = -number(&subject.block["skates"][1]["point"][0]);
     let times = times_of(&subject.data["states"]);
     let [from, to] = [times[1], times[2]];
     let steps = |until_s: f64| {
-        Trial::new(&subject, vec![until_s], vec![]).examine(Method::radau(ALIGNED_TOLERANCE), None).steps as f64
+        let by = How::Alone.by(Method::radau(ALIGNED_TOLERANCE), 1e-4);
+        Trial::new(&subject, vec![until_s], vec![]).examine(by).steps as f64
     };
     let step_s = (to - from) / (steps(to) - steps(from));
     findings.checks.push(Check::new(
@@ -77,7 +84,7 @@ fn caster(name: &str, naive: bool) -> Findings {
     findings
 }
 
-fn spring(name: &str, until_s: f64, method: Method, naive: bool) -> Findings {
+fn spring(name: &str, until_s: f64, method: Method, how: How) -> Findings {
     let subject = subject("torture", name);
     let table = rows(&subject.data["rows"]);
     let place = Question::at_times("x and y from the rigid pendulum's, m", RIGID, |i, seen| {
@@ -89,10 +96,10 @@ fn spring(name: &str, until_s: f64, method: Method, naive: bool) -> Findings {
         seen.q[0].hypot(seen.q[1]) - 1.0 - table[i][1]
     });
     let times = times_of_rows(&table).into_iter().filter(|t| *t <= until_s).collect();
-    Trial::new(&subject, times, vec![place, extension]).examine(method, naive.then_some(1e-4))
+    Trial::new(&subject, times, vec![place, extension]).examine(how.by(method, 1e-4))
 }
 
-fn near_singular(naive: bool) -> Findings {
+fn near_singular(how: How) -> Findings {
     let samples = reference::load("ezyroller_near_singular");
     let scene = ezy_roller::Coast { b: -0.19, d: -0.09, ..Default::default() };
     let scene: &dyn Scene = &scene;
@@ -115,5 +122,5 @@ fn near_singular(naive: bool) -> Findings {
         times: samples.iter().map(|sample| sample.t).collect(),
         questions: vec![state, Question::gaps(GAP)],
     };
-    trial.examine(Method::taylor(1e-12), naive.then_some(1e-3))
+    trial.examine(how.by(Method::taylor(1e-12), 1e-3))
 }

@@ -1,5 +1,6 @@
 //! Hard cases that run in a second or two keep the bounds of their references; `examples/hard_cases.rs` runs all.
 
+use ezy_tests::hard::case::How;
 use ezy_tests::hard::families::families;
 
 /// Bounds that are known to be missed; `docs/hard-cases.md` says why.
@@ -12,7 +13,7 @@ fn keeps_its_bounds(name: &str) {
     assert!(family.cases.iter().any(|case| case.is_quick), "{name} has no case that a test could run");
     let mut faults = Vec::new();
     for case in family.cases.iter().filter(|case| case.is_quick) {
-        let findings = (case.examine)(false);
+        let findings = (case.examine)(How::Alone);
         for check in findings.checks.iter().filter(|check| !check.is_time) {
             let is_known_to_miss = MISSED.contains(&(case.name.as_str(), check.what.as_str()));
             if check.is_met() == is_known_to_miss {

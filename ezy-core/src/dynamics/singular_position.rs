@@ -1,0 +1,115 @@
+//! Positions in which constraints depend on each other, and not beside them.
+
+use super::{Metric, MotionError, Rows, Solved, State, System};
+use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED};
+use crate::model::Scene;
+
+/// How far beside a position its rows are looked at, rad and longest levers. A row that depends on others in this position only has a
+/// pivot of about this size there, a hundred times [`INDEPENDENT`]. Test: `singular_starts.rs`, shaking in both directions.
+const BESIDE: f64 = 1e-3;
+
+/// Shorter ways are no motion, but rounding of positions.
+const SHORTEST: f64 = 1e-8;
+
+/// Corrections onto the independent rows, from an error of 1e-6: quadratic convergence, and one for rounding.
+const PASSES: usize = 3;
+
+/// What a redundant row may leave of velocities after a way, as a share of the way. Where the motion leads on it is the square of the
+/// way, 1e-3 of it; where it does not, about 1.
+const LEAVES: f64 = 0.1;
+
+const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// Whether a motion can begin at a state with accelerations `a`, where rows may be redundant: what is redundant there has to remain
+    /// satisfied along the motion for `within_s`.
+    ///
+    /// Two bars that are stretched between two fixed points fulfil all rows, but first-order motions of their joint do not lead on: no
+    /// finite force holds it.
+    ///
+    /// # Errors
+    /// [`MotionError::SingularPosition`], and those of [`System::accelerations`].
+    pub(crate) fn check_beginning(
+        &mut self,
+        state: &State,
+        a: &[f64],
+        solved: Solved,
+        within_s: f64,
+    ) -> Result<(), MotionError> {
+        let State { t, q, v, .. } = state;
+        let (speed, pull) = (self.geometry.extent(v), self.geometry.extent(a));
+        if !solved.is_rank_deficient || self.info.n_unknowns() > LARGEST_DIAGNOSED || speed + pull == 0.0 {
+            return Ok(());
+        }
+        let s = within_s.min(2.0 * BESIDE / (speed + (speed * speed + 2.0 * pull * BESIDE).sqrt()));
+        let moved = |(i, q): (usize, &f64)| q + s * (v[i] + 0.5 * s * a[i]);
+        let mut there: Vec<f64> = q.iter().enumerate().map(moved).collect();
+        let velocities: Vec<f64> = v.iter().zip(a).map(|(v, a)| v + s * a).collect();
+        let way: Vec<f64> = there.iter().zip(q).map(|(there, q)| there - q).collect();
+        let way = self.geometry.extent(&way);
+        if way < SHORTEST {
+            return Ok(());
+        }
+        let left = self.with_rows_of(*t, q, |system| {
+            system.correct_onto_held(t + s, &mut there)?;
+            system.worst_velocity(t + s, &there, &velocities);
+            system.correct(t + s, &there, Metric::Mass, Rows::Held).map(|solved| solved.left)
+        })?;
+        let size = self.geometry.units.iter().zip(&velocities).map(|(unit, v)| (unit * v).abs());
+        let share = left.rows / size.fold(left.scale, f64::max);
+        if share <= LEAVES * way || !self.is_singular_position(*t, q) {
+            return Ok(());
+        }
+        let rows = self.rank_loss(*t, q).rows;
+        Err(MotionError::SingularPosition { t: *t, rows, level: "the velocities", residual: share })
+    }
+
+    /// Whether rows depend on each other at a configuration, but not beside it on a motion that the independent ones allow.
+    #[cold]
+    pub(super) fn is_singular_position(&mut self, t: f64, q: &[f64]) -> bool {
+        let here = self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| (rank.rank(), rank.n_redundant()));
+        let Some((rank, 1..)) = here else { return false };
+        // a direction without symmetry
+        let units = self.geometry.units.iter().enumerate();
+        let mut way: Vec<f64> = units.map(|(i, unit)| ((i + 1) as f64 * GOLDEN_RATIO).fract() / unit).collect();
+        if self.project_onto_null_space(t, q, &mut way).is_err() {
+            return false;
+        }
+        let share = BESIDE / self.geometry.extent(&way);
+        let mut there: Vec<f64> = q.iter().zip(&way).map(|(q, way)| q + share * way).collect();
+        let corrected = self.with_rows_of(t, q, |system| system.correct_onto_held(t, &mut there));
+        let beside = self.rank_at(t, &there, Independent::Above(INDEPENDENT)).map(|rank| rank.rank());
+        corrected.is_ok() && beside.is_some_and(|beside| beside > rank)
+    }
+
+    /// What rows that leave something are said to do: contradict each other, or depend on each other in one position.
+    #[cold]
+    pub(super) fn disagreement(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        level: &'static str,
+        residual: f64,
+        tolerance: f64,
+    ) -> MotionError {
+        let rows = self.rank_loss(t, q).rows;
+        match self.is_singular_position(t, q) {
+            true => MotionError::SingularPosition { t, rows, level, residual },
+            false => MotionError::ContradictoryRows { t, rows, level, residual, tolerance },
+        }
+    }
+
+    /// Holds the rows that are independent at a configuration, for as long as `ask` runs.
+    fn with_rows_of<T>(&mut self, t: f64, q: &[f64], ask: impl FnOnce(&mut Self) -> T) -> T {
+        let held = std::mem::take(&mut self.factors.held);
+        self.hold_rows(t, q, true);
+        let answer = ask(self);
+        self.factors.held = held;
+        self.factors.forget();
+        answer
+    }
+
+    fn correct_onto_held(&mut self, t: f64, q: &mut [f64]) -> Result<(), MotionError> {
+        (0..PASSES).try_for_each(|_| self.polish_positions(t, q))
+    }
+}

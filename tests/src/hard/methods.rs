@@ -1,0 +1,272 @@
+//! Every hard case by every method at three tolerances: `docs/hard-cases-methods.md`.
+
+use super::case::{Case, Check, Ended, Findings, How, Setting, WithTolerance};
+use crate::garage::worse;
+use ezy_core::prelude::Method;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// The methods, by name. RK4 takes the steps that [`How::by`] makes of a tolerance.
+pub const METHODS: [(&str, Option<WithTolerance>); 4] =
+    [("rk4", None), ("dop853", Some(Method::dop853)), ("taylor", Some(Method::taylor)), ("radau", Some(Method::radau))];
+
+/// From coarse to fine.
+pub const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
+
+/// Errors at the end of a run in its tolerances: some hundred steps, each with an error of about one.
+const OF_TOLERANCE: f64 = 1e3;
+
+/// Where a motion makes errors larger than that, the median over the methods with a tolerance, at 1e-6 and 1e-9, says how much; a method may be
+/// this many times worse.
+const OF_MEDIAN: f64 = 30.0;
+
+/// RK4 has no tolerance; three digits are right.
+const OF_RK4: f64 = 1e-3;
+
+/// Cases whose runs took this much processor time together when the page was written are run again by `--check`, s.
+const QUICK_S: f64 = 1.0;
+
+/// What came of one run, from worst to best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// It ended, with an error that its tolerance does not explain.
+    Off,
+    /// It stopped, or ended as not to be trusted.
+    Refused,
+    /// Its steps reached the limit.
+    Cut,
+    /// Within its tolerance, or what RK4 is right to.
+    Right,
+    /// All bounds of the case are kept.
+    Kept,
+}
+
+/// One run.
+#[derive(Debug, Clone)]
+pub struct Cell {
+    verdict: Verdict,
+    /// As on the page.
+    text: String,
+}
+
+/// A case by every method.
+pub struct Row<'c> {
+    case: &'c Case,
+    /// By method and tolerance.
+    cells: Vec<Vec<Cell>>,
+    seconds: f64,
+}
+
+/// Runs a case by every method; none where no method runs.
+pub fn examine(case: &Case) -> Option<Row<'_>> {
+    let began = processor_s();
+    let mut found = Vec::new();
+    for (name, method) in METHODS {
+        for tolerance in TOLERANCES {
+            let findings = (case.examine)(How::By(Setting { method, tolerance }));
+            findings.ended?;
+            if let Some(why) = &findings.stopped {
+                eprintln!("{}, {name} {tolerance:.0e}: {why}", case.name);
+            }
+            found.push((method.map(|_| tolerance), findings));
+        }
+    }
+    let growth = growth(&found);
+    let cells = found.chunks(TOLERANCES.len()).map(|of_method| {
+        let cell = |(tolerance, findings): &(Option<f64>, Findings)| {
+            let allowed = tolerance.map_or(OF_RK4, |tolerance| OF_TOLERANCE.max(OF_MEDIAN * growth) * tolerance);
+            cell(findings, allowed, tolerance.is_none())
+        };
+        of_method.iter().map(cell).collect()
+    });
+    let cells = cells.collect();
+    Some(Row { case, cells, seconds: processor_s() - began })
+}
+
+/// Median of error over tolerance, of methods with a tolerance that is not at the edge of rounding.
+fn growth(found: &[(Option<f64>, Findings)]) -> f64 {
+    let finest = TOLERANCES[TOLERANCES.len() - 1];
+    let of = |(tolerance, findings): &(Option<f64>, Findings)| {
+        let tolerance = tolerance.filter(|tolerance| *tolerance > finest)?;
+        (findings.ended == Some(Ended::Reached)).then(|| error(findings) / tolerance)
+    };
+    let mut ratios: Vec<f64> = found.iter().filter_map(of).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// The largest error that depends on the tolerance.
+fn error(findings: &Findings) -> f64 {
+    let checks = findings.checks.iter().filter(|check| !check.is_time && !check.is_for_all);
+    checks.map(|check| check.reached).fold(0.0, worse)
+}
+
+/// `allowed` is an error that the tolerance explains. Samples between fixed steps are interpolated and not projected, so that gaps are
+/// errors like others.
+fn cell(findings: &Findings, allowed: f64, is_fixed: bool) -> Cell {
+    let checks = || findings.checks.iter().filter(|check| !check.is_time);
+    let error = error(findings);
+    let is_right = |check: &Check| check.is_met() || (is_fixed || !check.is_for_all) && check.reached <= allowed;
+    let of_all =
+        checks().filter(|check| check.is_for_all && !check.is_met()).map(|check| check.reached).fold(0.0, worse);
+    let verdict = match findings.ended {
+        _ if checks().all(|check| check.is_met()) => Verdict::Kept,
+        Some(Ended::Cut) => Verdict::Cut,
+        Some(Ended::Refused(_)) => Verdict::Refused,
+        _ if checks().all(is_right) => Verdict::Right,
+        _ => Verdict::Off,
+    };
+    let steps = findings.steps;
+    let text = match (verdict, findings.ended) {
+        (Verdict::Kept, Some(Ended::Refused(why))) => format!("kept: {why}"),
+        (Verdict::Kept, _) => format!("kept: {error:.0e}, {steps}"),
+        (Verdict::Right, _) => format!("{error:.0e}, {steps}"),
+        (Verdict::Cut, _) => format!("cut after {steps}"),
+        (_, Some(Ended::Refused(why))) => format!("refused: {why}"),
+        _ if of_all > 0.0 => format!("**off: {error:.0e}, of a bound for all {of_all:.0e}**, {steps}"),
+        _ => format!("**off: {error:.0e}**, {steps}"),
+    };
+    Cell { verdict, text }
+}
+
+/// The table, and what it counts.
+pub fn table(rows: &[Row<'_>]) -> String {
+    let mut text = String::from(
+        "| method | runs | bounds kept | within the tolerance | cut | refused | off |\n|---|---:|---:|---:|---:|---:|---:|\n",
+    );
+    for (k, (name, _)) in METHODS.iter().enumerate() {
+        for (i, tolerance) in TOLERANCES.iter().enumerate() {
+            let n = |verdict: Verdict| rows.iter().filter(|row| row.cells[k][i].verdict == verdict).count();
+            let [kept, right, cut, refused, off] =
+                [Verdict::Kept, Verdict::Right, Verdict::Cut, Verdict::Refused, Verdict::Off].map(n);
+            let _ = writeln!(
+                text,
+                "| {name} {tolerance:.0e} | {} | {kept} | {right} | {cut} | {refused} | {off} |",
+                rows.len()
+            );
+        }
+    }
+    let heads: Vec<String> = TOLERANCES.iter().map(|tolerance| format!("{tolerance:.0e}")).collect();
+    let _ = writeln!(text, "\n| case | time, s | method | {} |\n|---|---:|---|---|---|---|", heads.join(" | "));
+    for row in rows {
+        for (k, (name, _)) in METHODS.iter().enumerate() {
+            let seconds = if k == 0 { format!("{:.1}", row.seconds) } else { String::new() };
+            let cells: Vec<&str> = row.cells[k].iter().map(|cell| cell.text.as_str()).collect();
+            let _ = writeln!(text, "| `{}` | {seconds} | {name} | {} |", row.case.name, cells.join(" | "));
+        }
+    }
+    text
+}
+
+/// A line of the page.
+struct Line<'p> {
+    case: &'p str,
+    seconds: Option<f64>,
+    method: &'p str,
+    cells: Vec<&'p str>,
+}
+
+fn lines(page: &str) -> impl Iterator<Item = Line<'_>> {
+    page.lines().filter_map(|line| {
+        let mut cells = line.strip_prefix("| `")?.trim_end_matches('|').split('|').map(str::trim);
+        let case = cells.next()?.strip_suffix('`')?;
+        let (seconds, method) = (cells.next()?.parse().ok(), cells.next()?);
+        Some(Line { case, seconds, method, cells: cells.collect() })
+    })
+}
+
+/// Whether the page says that a case is quick.
+pub fn is_quick(page: &str, case: &Case) -> bool {
+    lines(page).any(|line| line.case == case.name && line.seconds.is_some_and(|seconds| seconds <= QUICK_S))
+}
+
+/// What the page has and `cases` have not, or the other way round; and what `found` has lost.
+pub fn broken(page: &str, cases: &[&Case], found: &[Row<'_>]) -> Vec<String> {
+    let mut broken = Vec::new();
+    let named: BTreeSet<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+    let listed: BTreeSet<&str> = lines(page).map(|line| line.case).collect();
+    if listed.is_empty() {
+        broken.push("the page of methods has no table".to_owned());
+    }
+    broken.extend(listed.difference(&named).map(|case| format!("{case}: on the page of methods, but no case")));
+    for row in found {
+        for ((name, _), cells) in METHODS.iter().zip(&row.cells) {
+            let Some(line) = lines(page).find(|line| line.case == row.case.name && line.method == *name) else {
+                broken.push(format!("{}, {name}: not on the page of methods", row.case.name));
+                continue;
+            };
+            for ((said, cell), tolerance) in line.cells.iter().zip(cells).zip(TOLERANCES) {
+                if cell.verdict < verdict_of(said) {
+                    broken
+                        .push(format!("{}, {name} {tolerance:.0e}: {}; on the page {said}", row.case.name, cell.text));
+                }
+            }
+        }
+    }
+    broken
+}
+
+fn verdict_of(text: &str) -> Verdict {
+    match text {
+        text if text.starts_with("kept") => Verdict::Kept,
+        text if text.starts_with("**off") => Verdict::Off,
+        text if text.starts_with("refused") => Verdict::Refused,
+        text if text.starts_with("cut") => Verdict::Cut,
+        _ => Verdict::Right,
+    }
+}
+
+/// Processor time of this program, s; where the system does not tell, time since some moment.
+fn processor_s() -> f64 {
+    let told = std::fs::read_to_string("/proc/self/schedstat").ok();
+    let told = told.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    told.map_or_else(
+        || std::time::UNIX_EPOCH.elapsed().map_or(0.0, |elapsed| elapsed.as_secs_f64()),
+        |nanoseconds| 1e-9 * nanoseconds,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn case_with(reached: fn(f64) -> f64, ended: Ended) -> Case {
+        let examine = move |how: How| {
+            let How::By(Setting { tolerance, .. }) = how else { return Findings::default() };
+            let checks = vec![Check::new("angle", 1e-8, reached(tolerance)), Check::for_all("gap", 1e-12, 1e-13)];
+            Findings { checks, steps: 10, ended: Some(ended), ..Findings::default() }
+        };
+        Case { name: "rod".to_owned(), why: "it is one", is_quick: true, examine: Box::new(examine) }
+    }
+
+    fn page_of(case: &Case) -> String {
+        table(&[examine(case).unwrap()])
+    }
+
+    #[test]
+    fn analytic_kept_right_and_off_follow_from_bound_and_tolerance() {
+        let page = page_of(&case_with(|tolerance| 20.0 * tolerance, Ended::Reached));
+        let line = lines(&page).find(|line| line.method == "taylor").unwrap();
+        assert_eq!(line.cells, ["2e-5, 10", "2e-8, 10", "kept: 2e-11, 10"]);
+        // at 1e-6 and 1e-9 the median of error over tolerance is 2e4
+        let off = page_of(&case_with(|_| 2e-5, Ended::Reached));
+        let line = lines(&off).find(|line| line.method == "radau").unwrap();
+        assert_eq!(line.cells, ["2e-5, 10", "2e-5, 10", "**off: 2e-5**, 10"]);
+        assert!(lines(&off).find(|line| line.method == "rk4").unwrap().cells.iter().all(|cell| *cell == "2e-5, 10"));
+    }
+
+    #[test]
+    fn analytic_what_a_page_has_is_not_lost() {
+        let [good, bad] = [|_| 1e-10, |_| 2e-3].map(|reached: fn(f64) -> f64| case_with(reached, Ended::Reached));
+        let refused = case_with(|_| f64::NAN, Ended::Refused("does not get past"));
+        let page = page_of(&good);
+        let lost = |case: &Case| broken(&page, &[case], &[examine(case).unwrap()]).len();
+        assert_eq!((lost(&good), lost(&bad), lost(&refused)), (0, 12, 12));
+        assert_eq!(broken(&page_of(&refused), &[&good], &[examine(&good).unwrap()]).len(), 0);
+        // a case, a method and a tolerance that are gone
+        assert_eq!((broken(&page, &[], &[]).len(), broken("", &[&good], &[]).len()), (1, 1));
+        let fewer: String =
+            page.lines().filter(|line| !line.contains("dop853")).fold(String::new(), |t, l| t + l + "\n");
+        assert_eq!(broken(&fewer, &[&good], &[examine(&good).unwrap()]).len(), 1);
+    }
+}

@@ -24,10 +24,10 @@ const ANY: Tolerance = Tolerance { relative: 1.0, absolute: 1.0 };
 const CONVERGED: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-10 };
 
 enum Method<'s> {
-    Rk4(Rk4),
-    Dop853(Dop853),
+    Rk4(Box<Rk4>),
+    Dop853(Box<Dop853>),
     Radau(Box<Radau>),
-    Taylor(Taylor<'s>),
+    Taylor(Box<Taylor<'s>>),
 }
 
 /// Steps from one state to the next.
@@ -50,10 +50,10 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
         let (scene, info, n_works) = (system.scene(), system.info(), state.work.len());
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let method = match by {
-            StepsBy::Rk4 => Method::Rk4(Rk4::new(n_q, n_c, n_works)),
-            StepsBy::Dop853 => Method::Dop853(Dop853::new(n_q, n_c, n_works)),
+            StepsBy::Rk4 => Method::Rk4(Box::new(Rk4::new(n_q, n_c, n_works))),
+            StepsBy::Dop853 => Method::Dop853(Box::new(Dop853::new(n_q, n_c, n_works))),
             StepsBy::Radau => Method::Radau(Box::new(Radau::new(scene, n_works).ok()??)),
-            StepsBy::Taylor(order) => Method::Taylor(Taylor::new(scene, order, n_works)?),
+            StepsBy::Taylor(order) => Method::Taylor(Box::new(Taylor::new(scene, order, n_works)?)),
         };
         let (a, power, lambda) = (vec![0.0; n_q], vec![0.0; n_works], vec![0.0; n_c]);
         Some(Self { system, method, other: state.clone(), state, a, power, lambda })

@@ -1,11 +1,14 @@
 //! The command `accuracy`.
 
-use crate::{assert_wrong_use, directory, text};
+#[path = "program/run.rs"]
+mod run;
+
+use run::{assert_wrong_use, directory, text};
 use serde_json::Value;
 use std::process::Output;
 
 fn ezy(arguments: &[&str]) -> Output {
-    crate::ezy(&[&["accuracy"][..], arguments].concat())
+    run::ezy(&[&["accuracy"][..], arguments].concat())
 }
 
 #[test]

@@ -12,7 +12,8 @@ use crate::symbolic::{SumId, Symbol};
 const PIVOT_TOLERANCE: f64 = 1e-10;
 
 /// Most rows of G that one body may be in for a straight-line elimination. All of them are coupled through it: r rows cost
-/// r³/3 operations, more than the sparse solver takes from about this number on, and minutes of rustc above fifty.
+/// r³/3 operations, and minutes of rustc. Builds set this limit; the sparse solver is faster from
+/// between 50 and 60 rows on, extrapolated from 12 and 24 rows in `docs/decisions/041-no-elimination-of-wide-hubs.md`, `growth.rs` bounds the work above.
 const MOST_ROWS_OF_A_BODY: usize = 36;
 
 /// Whether an elimination is written: not where it would be longer than what the sparse solver does.

@@ -188,7 +188,7 @@ fn invariant_decisions_are_listed_and_complete() {
 
 /// What a pivot counts as vanished below, in how large groups sums of products are padded, and which matrices are listed
 /// by rows.
-const SHARED: [&str; 3] = ["PIVOT_TOLERANCE", "PRODUCT_GROUP", "WIDEST_MATRIX"];
+const SHARED: [&str; 2] = ["PIVOT_TOLERANCE", "PRODUCT_GROUP"];
 
 /// What a crate says of a constant: type and value, each time it is defined.
 fn definitions(source: &Path, name: &str) -> Vec<String> {

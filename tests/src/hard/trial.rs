@@ -141,11 +141,7 @@ impl<'a> Trial<'a> {
     /// Steps of a method that is not the case's own: some seconds.
     fn most_steps(&self, method: Method) -> u64 {
         let n = (self.scene.info().n_coordinates() + self.scene.info().n_rows()) as u64;
-        let of_an_equation = match method {
-            Method::Rk4 { .. } => 5_000_000,
-            Method::Radau(_) => 400_000,
-            _ => 2_000_000,
-        };
+        let of_an_equation = if matches!(method, Method::Radau(_)) { 400_000 } else { 2_000_000 };
         (of_an_equation / n).max(1000)
     }
 

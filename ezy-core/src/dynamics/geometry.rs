@@ -1,15 +1,7 @@
 //! How large a mechanism is, so that a watch and a crane are held to the same digits.
 
+use super::tolerances::geometry::{LARGEST_TOLERANCE, ROUNDING_OF_ROWS, TOLERANCE};
 use crate::model::{SceneInfo, Start};
-
-/// Residual of a row, as a share of its size, that counts as zero; a size beyond 1 counts as 1.
-const TOLERANCE: f64 = 1e-12;
-
-/// Rounding of a row in units of ε times the size of its terms: a row sums a handful of them.
-const ROUNDING_OF_ROWS: f64 = 8.0 * f64::EPSILON;
-
-/// However large the coordinates, a residual above this is not rounding: the motion has run away.
-const LARGEST_TOLERANCE: f64 = 1e-6;
 
 /// Lengths that say what is small, read once off the slopes of the rows at the scene's start.
 pub(super) struct Geometry {

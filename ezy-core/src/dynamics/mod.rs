@@ -22,6 +22,7 @@ mod solved;
 mod start;
 mod strain;
 mod system;
+mod tolerances;
 mod worst;
 
 pub(crate) use any::{Dynamics, SystemOf};

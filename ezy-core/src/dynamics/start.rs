@@ -1,37 +1,12 @@
 //! A start that fulfils the constraints, from values that are given only in part.
 
 use super::geometry::is_angle;
+use super::tolerances::start::{
+    DAMPED_VELOCITY_PASSES, GOLDEN_RATIO, LARGEST_TURN, LARGEST_VALUE, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES,
+    NOTICEABLY_LESS, PERTURBATION, VELOCITY_PASSES,
+};
 use super::{StartError, State, System, max_abs};
 use crate::model::{Scene, Start};
-
-/// Gauss–Newton passes: far guesses need some tens, with a step that is halved when it overshoots.
-const MAX_PASSES: usize = 100;
-
-/// Farthest that one pass turns a body, rad. Longer steps leave the neighbourhood in which the slopes hold, and can end with
-/// an elbow on its other side.
-const LARGEST_TURN: f64 = 0.2;
-
-/// Halvings of one step before the search counts as stuck.
-const MAX_HALVINGS: usize = 20;
-
-/// Tries from places nearby when the search is stuck; out of a symmetry the first one or two lead.
-const MAX_NUDGES: usize = 10;
-
-/// Farthest that such a place is off in an angle, rad: well out of symmetry, without turning a body over.
-const PERTURBATION: f64 = 0.5;
-
-/// Another place replaces the one found first when it leaves less than this share of its residual.
-const NOTICEABLY_LESS: f64 = 0.9;
-
-/// Beyond this a coordinate keeps less than a micrometre, and the geometry of a body drowns in its rounding.
-const LARGEST_VALUE: f64 = 1e9;
-
-/// Passes over the velocity constraints, which are linear: one solve and one that removes its rounding; with damping, some
-/// more for directions of small singular values.
-const VELOCITY_PASSES: usize = 2;
-const DAMPED_VELOCITY_PASSES: usize = 10;
-
-const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 
 /// What a place leaves of the position constraints.
 struct Residual {

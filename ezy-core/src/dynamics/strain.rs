@@ -1,6 +1,7 @@
 //! What moves a scene hardest at one state: for messages about runs that cannot be continued.
 
 use super::System;
+use super::tolerances::report::PART;
 use crate::model::Scene;
 
 /// The coordinate with the largest acceleration at one state and what causes it, both in the metric of the masses.
@@ -54,9 +55,6 @@ impl std::fmt::Display for Strain {
         }
     }
 }
-
-/// An applied force with at least this part of the largest acceleration is taken for its cause.
-const PART: f64 = 0.25;
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// What moves the scene hardest at a state with accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`); none where

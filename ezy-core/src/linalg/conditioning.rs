@@ -1,5 +1,6 @@
 //! How well K can be solved with at one state.
 
+use super::tolerances::conditioning::{MAX_SOLVES, PASSES};
 use super::{INDEPENDENT, Independent, NullSpaceKkt};
 use crate::model::SparsityPattern;
 
@@ -23,9 +24,6 @@ pub(crate) struct ConditionEstimator {
     /// Column sums.
     sums: Vec<f64>,
 }
-
-/// Solves of an estimate; two or three are the rule.
-const MAX_SOLVES: usize = 5;
 
 impl ConditionEstimator {
     /// Storage; `unit` (`n_q`) is the lever of each angle, m, and one for lengths.
@@ -94,10 +92,6 @@ impl ConditionEstimator {
         x.iter_mut().zip(&*scale).for_each(|(x, d)| *x /= d);
     }
 }
-
-/// Passes of the equilibration: each takes the root of the exponent that is left, so that the largest ratio of two doubles, 10^632,
-/// ends at 1.4.
-const PASSES: usize = 12;
 
 /// Writes the diagonal `d` of D such that the largest entry of each row and column of D K D is near one.
 ///

@@ -1,6 +1,7 @@
 //! K of large systems where constraints depend on each other: a solution that leaves alone what they cannot tell apart.
 
 use super::equation_residual::EquationResidual;
+use super::tolerances::damped::{CONVERGED, MAX_PASSES, SHARE};
 use super::{KktFactorization, Left, VanishedPivot};
 use crate::model::SparsityPattern;
 
@@ -25,16 +26,6 @@ pub(crate) struct DampedKkt {
     change: Vec<f64>,
     equations: EquationResidual,
 }
-
-/// ε: with a relative rounding of 1e-16 in positions, what σ = 3e-5 tells about
-/// accelerations (rounding/σ³) is noise.
-const SHARE: f64 = 1e-9;
-
-/// A pass squares what it leaves of well determined directions; the others stop here.
-const MAX_PASSES: usize = 10;
-
-/// A pass that changes x by less than this share of it was the last one.
-const CONVERGED: f64 = 1e-15;
 
 impl DampedKkt {
     /// Storage for the diagonal of M and the rows of `pattern`. A zero is replaced by the least positive entry of its kind, mass or

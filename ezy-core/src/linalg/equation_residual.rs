@@ -1,6 +1,7 @@
 //! What a solution of `K [x; y] = [r; s]` leaves of each equation, measured by the terms of that equation.
 
 use super::Left;
+use super::tolerances::refinement::NEGLIGIBLE;
 use crate::model::SparsityPattern;
 
 /// `[r; s] − K [x; y]`, and the magnitudes of the terms of each equation.
@@ -16,9 +17,6 @@ pub(crate) struct EquationResidual {
     pub(crate) size: Vec<f64>,
     row_size: Vec<f64>,
 }
-
-/// Terms smaller than this part of the largest may be rounding altogether: what an equation leaves is measured by no less.
-const NEGLIGIBLE: f64 = 1e-2;
 
 impl EquationResidual {
     /// Storage for `n_q` coordinates and the first `n_rows` rows of `pattern`.

@@ -2,6 +2,7 @@
 
 use super::equation_residual::EquationResidual;
 use super::rank::{Independent, RankRevealing};
+use super::tolerances::refinement::{MAX_REFINEMENTS, ROUNDING};
 use super::{Left, SingularKkt};
 use crate::model::SparsityPattern;
 use nalgebra::linalg::Cholesky;
@@ -45,12 +46,6 @@ pub(crate) struct NullSpaceKkt {
     x: Vec<f64>,
     rows: Vec<f64>,
 }
-
-/// Refinements of a solution: each leaves about the ratio of masses times ε of its error, 1e-4 at a ratio of 1e12.
-const MAX_REFINEMENTS: usize = 6;
-
-/// Share of the terms of an equation that counts as their rounding.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl NullSpaceKkt {
     /// Storage for the first `n_rows` rows of `pattern`; `unit` (`n_q`) is the lever of each angle, m, and one for lengths.

@@ -2,7 +2,9 @@
 
 use super::singular::{Approach, about};
 use super::snapshot::Snapshot;
-use super::usual_step;
+use super::tolerances::crossing::{
+    ABOUT, BESIDE, FINEST, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST, TOO_NEAR,
+};
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
@@ -33,30 +35,6 @@ pub(super) struct SingularityCrossing {
     /// No attempt before this time, s.
     in_vain_until_s: f64,
 }
-
-/// Place of the singular position in the crossing step, from 0 to 1: 0.13 of the step from the nearest node of DOP853.
-const MIDDLE: f64 = 0.46;
-
-/// Its place where the crossing step would otherwise end next to another singular position: 0.07 of the step from the nearest node.
-const BESIDE: [f64; 2] = [0.40, 0.53];
-
-/// A crossing step ends next to a singular position when the pivot at its end is below this part of the pivot at its start.
-const TOO_NEAR: f64 = 0.1;
-
-/// The crossing step may begin this factor too far from its ideal start.
-const ABOUT: f64 = 1.1;
-
-/// Relative error that the shortest steps may have: it is noise.
-const NOISE: f64 = 1e-10;
-
-/// Attempts of one step.
-const MAX_TRIES: u32 = 10;
-
-/// Smallest useful tolerance: below it error estimates next to a singular position are rounding.
-const FINEST: f64 = 1e-13;
-
-/// Tolerance for methods with a fixed step, whose own errors are larger.
-const OF_FIXED_STEPS: f64 = 1e-9;
 
 impl SingularityCrossing {
     pub(super) fn new<S: Scene + ?Sized>(system: &System<'_, S>, tolerance: Option<Tolerance>, work: bool) -> Self {
@@ -116,7 +94,7 @@ impl SingularityCrossing {
         if !self.chooses_steps {
             self.length_s = distance / MIDDLE;
         }
-        let shortest = usual_step::SHORTEST * usual_s;
+        let shortest = SHORTEST * usual_s;
         let noise = NOISE / self.tolerance.relative;
         for _ in 0..MAX_TRIES {
             let length = self.length_s;

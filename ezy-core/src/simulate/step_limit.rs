@@ -1,10 +1,6 @@
 //! The end of a step whose length a method chooses.
 
-/// Shortest step, relative to the time or to one second: shorter steps change nothing.
-const SHORTEST: f64 = 1e-14;
-
-/// The last step may be longer by this part, so that no tiny step is left.
-const STRETCH: f64 = 1e-3;
+use super::tolerances::steps::{SHORTEST, STRETCH};
 
 /// Length and end of a step, s.
 pub(super) struct StepLimit {

@@ -11,21 +11,9 @@ use crate::simulate::SetupError;
 use crate::simulate::events::EventFunction;
 use crate::simulate::root::resolution_at;
 use crate::simulate::stepper_state::StepperState;
+use crate::simulate::tolerances::modes::{BEYOND, LONG_ENOUGH, LOWEST_FLIGHT, SHORTEST_FLIGHT};
 
 const FREE: usize = 0;
-
-/// Bounces become shorter and shorter, infinitely many in a finite time. A flight shorter than this many times the resolution
-/// of time is skipped: the stop holds.
-const SHORTEST_FLIGHT: f64 = 1e3;
-
-/// A flight lower than this many roundings of the quantity is skipped, too.
-const LOWEST_FLIGHT: f64 = 16.0;
-
-/// A flight ends within this factor of its duration under a constant force.
-const LONG_ENOUGH: f64 = 1.25;
-
-/// A start may be beyond an end by this many position tolerances.
-const BEYOND: f64 = 100.0;
 
 /// The end of the stop that is nearest.
 struct Contact {

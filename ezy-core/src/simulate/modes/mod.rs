@@ -9,16 +9,7 @@ use super::root::resolution_at;
 use super::stepper_state::StepperState;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, Scene, SceneInfo, StickSlipInfo, StopInfo};
-
-/// Smallest step, relative to the requested one, when a mode ends where it begins. In shorter steps the rounding of an
-/// interpolated value dominates.
-const SHORTEST: f64 = 1e-5;
-
-/// The step is shortened by this factor when a mode may end within a quarter of it.
-const SHORTER: f64 = 0.25;
-
-/// Changes of mode at one time after which the run gives up.
-const MAX_AT_ONCE: usize = 8;
+use crate::simulate::tolerances::modes::{MAX_AT_ONCE, SHORTER, SHORTEST};
 
 /// The law that gives a scene its modes.
 #[derive(Clone, Copy)]

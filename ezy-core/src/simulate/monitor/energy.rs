@@ -2,6 +2,7 @@
 
 use crate::dynamics::{State, System};
 use crate::model::Scene;
+use crate::simulate::tolerances::monitors::ROUNDING;
 
 /// The largest energy balance of a run: kinetic and potential energy less work, less the value at the start. Zero but for
 /// the error of the method.
@@ -15,9 +16,6 @@ pub struct EnergyError {
     /// Its time, s.
     pub t: f64,
 }
-
-/// What a sum of a handful of terms may lose to rounding, over their size.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The balance step by step.
 pub(super) struct EnergyWatch {

@@ -1,10 +1,7 @@
 //! Limits of a run.
 
 use crate::simulate::SetupError;
-
-/// Default limit on the steps of a method that chooses their length: about a minute of computing. The number of fixed steps is
-/// checked when the run is built.
-const MAX_CHOSEN_STEPS: u64 = 10_000_000;
+use crate::simulate::tolerances::monitors::MAX_CHOSEN_STEPS;
 
 /// Limits as set; infinite where none was.
 #[derive(Debug, Clone, Copy)]

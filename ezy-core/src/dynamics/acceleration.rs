@@ -3,7 +3,7 @@
 use super::configuration::Configuration;
 use super::factors::Solver;
 use super::solved::{Rows, Solved};
-use super::tolerances::rank::VERIFIED;
+use super::tolerances::geometry::TOLERANCE;
 use super::{Metric, MotionError, System};
 use crate::linalg::{
     ConditionEstimator, Conditioning, EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, weights,
@@ -90,7 +90,7 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
         let mut equations = EquationResidual::new(info.n_coordinates(), info.n_rows(), &info.jacobian);
         equations.write(mass, &factors.jacobian, &factors.right_side, &solution);
         let left = equations.share_of_what_matters(&weight, &diagonal);
-        if left <= VERIFIED {
+        if left <= TOLERANCE {
             return Ok(());
         }
         if left.is_nan() {

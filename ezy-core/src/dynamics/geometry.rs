@@ -1,6 +1,6 @@
 //! How large a mechanism is, so that a watch and a crane are held to the same digits.
 
-use super::tolerances::geometry::{LARGEST_TOLERANCE, ROUNDING_OF_ROWS, TOLERANCE};
+use super::tolerances::geometry::{LARGEST_VALUE, ROUNDING_OF_ROWS, TOLERANCE};
 use crate::model::{SceneInfo, Start};
 
 /// Lengths that say what is small, read once off the slopes of the rows at the scene's start.
@@ -72,7 +72,7 @@ impl Geometry {
     /// |C| of a row that counts as zero where coordinates have this extent.
     pub(super) fn position_tolerance(&self, row: usize, extent: f64) -> f64 {
         let size = self.sizes[row];
-        (TOLERANCE * size.min(1.0)).max((ROUNDING_OF_ROWS * extent * size).min(LARGEST_TOLERANCE))
+        (TOLERANCE * size.min(1.0)).max(ROUNDING_OF_ROWS * extent.min(LARGEST_VALUE) * size)
     }
 
     /// Residual of a row of velocities that counts as zero where velocities have this extent.
@@ -96,7 +96,7 @@ impl Geometry {
 
 /// |C| that counts as zero where the largest coordinate is `size`, of rows whose sizes are not known.
 pub(super) fn tolerance_at(size: f64) -> f64 {
-    TOLERANCE.max((ROUNDING_OF_ROWS * size).min(LARGEST_TOLERANCE))
+    TOLERANCE.max(ROUNDING_OF_ROWS * size.min(LARGEST_VALUE))
 }
 
 /// Every body has x, y and φ.

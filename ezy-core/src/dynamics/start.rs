@@ -1,12 +1,13 @@
 //! A start that fulfils the constraints, from values that are given only in part.
 
 use super::geometry::is_angle;
-use super::tolerances::start::{
-    DAMPED_VELOCITY_PASSES, GOLDEN_RATIO, LARGEST_TURN, LARGEST_VALUE, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES,
-    NOTICEABLY_LESS, PERTURBATION, VELOCITY_PASSES,
-};
+use super::tolerances::geometry::LARGEST_VALUE;
+use super::tolerances::start::{LARGEST_TURN, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
 use crate::model::{Scene, Start};
+
+/// Its multiples without their whole parts fill an interval evenly.
+const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 
 /// What a place leaves of the position constraints.
 struct Residual {
@@ -93,7 +94,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
             trial.copy_from_slice(q);
             self.perturb(&mut trial, &start.q_given, left.share, n);
             let other = self.approach(start, &mut trial);
-            if other.is_met() || left.length.is_nan() || other.length < NOTICEABLY_LESS * left.length {
+            if other.is_met() || left.length.is_nan() || other.length < left.length {
                 q.copy_from_slice(&trial);
                 left = other;
             }
@@ -153,14 +154,14 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 
-    /// Moves what is not given: angles by up to [`PERTURBATION`], lengths by up to `share` of the mechanism's, the residual (all of it
+    /// Moves what is not given: angles by up to [`LARGEST_TURN`], lengths by up to `share` of the mechanism's, the residual (all of it
     /// where that is not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
     fn perturb(&self, q: &mut [f64], given: &[bool], share: f64, n: usize) {
         let length = self.geometry.length * if share.is_finite() { share } else { 1.0 };
         let n_q = q.len();
         for (i, x) in q.iter_mut().enumerate().filter(|(i, _)| !given[*i]) {
             let amount = 2.0 * ((n * n_q + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
-            *x += amount * if is_angle(i) { PERTURBATION } else { length };
+            *x += amount * if is_angle(i) { LARGEST_TURN } else { length };
         }
     }
 
@@ -172,8 +173,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let drive = self.geometry.share(&self.buffers.residual);
         let mut excess = self.velocity_excess(t, q, v, drive);
         let mut length = self.residual_length(n_c);
-        let passes = if self.starts_sparse() { DAMPED_VELOCITY_PASSES } else { VELOCITY_PASSES };
-        for _ in 0..passes {
+        for _ in 0..MAX_PASSES {
             if excess <= 1.0 {
                 return Ok(());
             }

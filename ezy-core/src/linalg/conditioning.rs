@@ -138,6 +138,13 @@ mod tests {
     }
 
     #[test]
+    fn analytic_condition_does_not_depend_on_units() {
+        // one held coordinate, in units far apart: the scaled matrix is that of ones
+        let found = ConditionEstimator::new(&[1.0; 2], &ONE_ROW).estimate(&[1e-40, 1e30], &ONE_ROW, &[1e-60]);
+        assert!(found.condition <= 2.0 * 4.0 && found.condition >= 4.0 / 2.0, "{found:?}");
+    }
+
+    #[test]
     fn analytic_condition_grows_with_the_square_of_the_angle_between_rows() {
         let mut estimator = ConditionEstimator::new(&[1.0; 2], &TWO_ROWS);
         for angle in [1e-1, 1e-3] {

@@ -96,3 +96,22 @@ impl EquationResidual {
 fn largest(x: impl Iterator<Item = f64>) -> f64 {
     x.fold(0.0, |m: f64, x| if x > m || x.is_nan() { x } else { m })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_rounding_of_a_coordinate_that_is_held_at_zero_does_not_matter() {
+        let pattern = SparsityPattern { starts: &[0, 1], columns: &[0] };
+        let mut equations = EquationResidual::new(2, 1, &pattern);
+        // the first coordinate and its multiplier are zero but for rounding
+        equations.write(&[1.0, 1.0], &[1.0], &[0.0, 1.0, 0.0], &[1e-17, 1.0, -1e-17]);
+        assert_eq!(equations.share(), 1.0);
+        let [of_rounding, of_an_error] = [1e-17, 1e-10].map(|x| {
+            equations.write(&[1.0, 1.0], &[1.0], &[0.0, 1.0, 0.0], &[x, 1.0, -x]);
+            equations.share_of_what_matters(&[1.0, 1.0], &[1.0])
+        });
+        assert!(of_rounding <= 1e-12 && of_an_error > 1e-12, "{of_rounding:e} {of_an_error:e}");
+    }
+}

@@ -101,3 +101,19 @@ fn minimum_degree<'c>(n: usize, cliques: impl Iterator<Item = &'c [usize]>) -> R
         .map_err(|e| format!("{e:?}"))?;
     Ok(order)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn invariant_a_hub_that_couples_all_rows_is_refused_before_memory_is_full() {
+        // 1.6 GB of neighbours
+        let n = 20_000;
+        let entries: Vec<(usize, usize)> = (0..n).map(|row| (row, 0)).collect();
+        let refused = bodies_before_rows(1, n, &entries, false).err().unwrap();
+        assert!(refused.cause.starts_with("400000000 pairs of rows"), "{refused}");
+        // as long as a body has no more than a few hundred joints nothing is refused
+        assert!(bodies_before_rows(1, 2_000, &entries[..2_000], false).is_ok());
+    }
+}

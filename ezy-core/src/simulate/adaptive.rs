@@ -1,7 +1,7 @@
 //! DOP853 with its step control.
 
 use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES, SPLINTER};
+use super::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Node, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
@@ -117,7 +117,7 @@ impl<T: Scalar> Adaptive<T> {
                         self.method.accept();
                         to.t = t_next;
                         let factor = self.control.accept(error);
-                        self.step_s = Some(whole.filter(|whole| h > SPLINTER * whole).unwrap_or(h * factor));
+                        self.step_s = Some(whole.unwrap_or(h * factor));
                         self.last_s = Some(h);
                         return Ok(());
                     } else {

@@ -7,7 +7,7 @@ use super::monitor::Watch;
 use super::run_loop::{Plan, RunLoop};
 use super::schedule::Schedule;
 use super::stepper_state::StepperState;
-use super::tolerances::orders::{LARGEST_TOLERANCE, MAX_NUMBERS, MAX_SAMPLES, MAX_STEPS};
+use super::tolerances::orders::{LARGEST_TOLERANCE, MAX_NUMBERS, MAX_STEPS};
 use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
@@ -147,7 +147,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             let samples = (until_s - start_s) / every_s;
             let info = self.scene.info();
             let n_numbers = (3 * info.n_coordinates() + info.n_rows()).max(1) as f64;
-            let limit = MAX_SAMPLES.min(MAX_NUMBERS / n_numbers);
+            let limit = MAX_NUMBERS / n_numbers;
             if samples > limit {
                 return Err(SetupError::TooManySamples { samples, every_s, limit });
             }

@@ -9,7 +9,8 @@
 //! very short one across the discontinuity.
 
 use super::root::{resolution_at, root, side_of};
-use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, SHORTEST_CROSSING, UNKNOWN};
+use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, UNKNOWN};
+use super::tolerances::steps::SHORTEST;
 use crate::dynamics::{Rows, State, System};
 use crate::integrate::{Node, interpolate};
 use crate::model::{EventKind, Scene, SceneInfo};
@@ -137,7 +138,7 @@ impl Discontinuities {
         let Self { places, values: [before, after, inside], between, .. } = self;
         let (start, h) = (from.state.t, end_s - from.state.t);
         let resolution = resolution_at(end_s);
-        let shortest_crossing = (BEHIND * resolution).max(SHORTEST_CROSSING * start.abs());
+        let shortest_crossing = BEHIND * resolution.max(SHORTEST * start.abs());
         // a start on the discontinuity belongs to neither side
         if places.iter().any(|&i| before[i] == 0.0 && after[i] != 0.0) && h > shortest_crossing {
             self.chattering += CUT;

@@ -1,7 +1,7 @@
 //! Prediction of singular positions, in which the rank of G drops.
 
 use super::snapshot::Snapshot;
-use super::tolerances::singular::{GOLDEN, N_AHEAD, N_SECTIONS, NEAR, SEARCHED, VANISHES};
+use super::tolerances::singular::{N_AHEAD, N_SECTIONS, NEAR, VANISHES};
 use crate::dynamics::{State, System};
 use crate::model::Scene;
 use std::ops::Range;
@@ -12,9 +12,12 @@ pub(super) struct Approach<'m> {
     pub before: &'m Snapshot,
 }
 
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
 /// Times about a distance, s.
 pub(super) fn about(distance: f64) -> Range<f64> {
-    SEARCHED.start * distance..SEARCHED.end * distance
+    0.0..NEAR * distance
 }
 
 impl Approach<'_> {

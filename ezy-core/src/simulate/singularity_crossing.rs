@@ -2,9 +2,7 @@
 
 use super::singular::{Approach, about};
 use super::snapshot::Snapshot;
-use super::tolerances::crossing::{
-    ABOUT, BESIDE, FINEST, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST, TOO_NEAR,
-};
+use super::tolerances::crossing::{ABOUT, FINEST, MAX_TRIES, MIDDLE, NOISE, SHORTEST};
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
@@ -41,7 +39,7 @@ impl SingularityCrossing {
         let info = system.info();
         let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
         let n_works = end.power.len();
-        let wanted = tolerance.unwrap_or(Tolerance { relative: OF_FIXED_STEPS, absolute: OF_FIXED_STEPS });
+        let wanted = tolerance.unwrap_or(Tolerance { relative: FINEST, absolute: FINEST });
         Self {
             method: Dop853::new(n_q, info.n_rows(), n_works),
             on_rows: State::zero(n_q, 0),
@@ -101,15 +99,7 @@ impl SingularityCrossing {
             let crosses_now = distance <= ABOUT * MIDDLE * length;
             let h = if crosses_now { distance / MIDDLE } else { length.min(distance - MIDDLE * length) };
             self.method.restart();
-            let mut error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
-            let mut others = BESIDE.iter().map(|middle| distance / middle);
-            while crosses_now
-                && error <= 1.0
-                && self.ends_too_near(system, now)
-                && let Some(other) = others.next()
-            {
-                error = self.attempt(system, now, other).unwrap_or(f64::INFINITY);
-            }
+            let error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
             if error <= 1.0 || error <= noise && length <= shortest {
                 self.length_s = length.max(h * self.control.accept(error.max(f64::MIN_POSITIVE)));
                 self.begin_s = t;
@@ -127,12 +117,6 @@ impl SingularityCrossing {
         }
         self.in_vain_until_s = t + distance;
         false
-    }
-
-    /// Whether the step that was tried ends next to a singular position.
-    fn ends_too_near<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, now: &Snapshot) -> bool {
-        let State { t, q, .. } = &self.end.state;
-        system.pivot_at(*t, q) < TOO_NEAR * now.end.smallest_pivot
     }
 
     /// Error over tolerance of a step, without the part that its projection removes.

@@ -11,7 +11,7 @@ use crate::simulate::SetupError;
 use crate::simulate::events::EventFunction;
 use crate::simulate::root::resolution_at;
 use crate::simulate::stepper_state::StepperState;
-use crate::simulate::tolerances::modes::{BEYOND, LONG_ENOUGH, LOWEST_FLIGHT, SHORTEST_FLIGHT};
+use crate::simulate::tolerances::modes::{LONG_ENOUGH, LOWEST_FLIGHT, SHORTEST_FLIGHT};
 
 const FREE: usize = 0;
 
@@ -35,7 +35,7 @@ pub(super) fn start<'s, S: Scene + ?Sized>(
     let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
     let Some(rest) = modes.parked_in(end + 1) else { return Ok(()) };
-    let touching = BEYOND * rest.system.position_tolerance(&row);
+    let touching = rest.system.position_tolerance(&row);
     if gap < -touching {
         let scene = stepper.system.info().name;
         return Err(SetupError::BeyondStop { scene, stop: info.name, end: info.end(end), beyond: -gap });

@@ -85,3 +85,15 @@ pub enum ExceededLimit {
         step_s: f64,
     },
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn regress_chosen_steps_end_at_ten_million_as_the_manual_says() {
+        assert_eq!(Limits::default().most_steps(true), 10_000_000);
+        assert_eq!(Limits::default().most_steps(false), u64::MAX);
+        assert_eq!(Limits { steps: Some(7), ..Limits::default() }.most_steps(true), 7);
+    }
+}

@@ -123,8 +123,8 @@ pub(crate) mod crossing {
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const FINEST: f64 = 1e-13;
 
-    /// Next to rank loss, steps are not shorter than this part of the usual length at first. One such step across a singular position
-    /// stays farther from it, and from the noise there, than many short ones.
+    /// A step across a singular position is not made shorter than this part of the usual step: a shorter one would end in the noise next to
+    /// the position. At this length an error up to [`NOISE`] is accepted.
     /// Unit: share of the usual step.
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`,
     /// and `cross_parallelogram_stays_one_through_its_flat_positions`.

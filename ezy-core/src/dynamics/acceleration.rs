@@ -3,15 +3,13 @@
 use super::configuration::Configuration;
 use super::factors::Solver;
 use super::solved::{Rows, Solved};
+use super::tolerances::geometry::TOLERANCE;
 use super::{Metric, MotionError, System};
 use crate::linalg::{
     ConditionEstimator, Conditioning, EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, weights,
     write_diagonal,
 };
 use crate::model::{Pivots, Scene, Series, SeriesStore};
-
-/// Share of the terms of an equation that accelerations may leave of it. Rows that agree within this share count as redundant.
-const VERIFIED: f64 = 1e-12;
 
 impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
     /// Accelerations and multipliers at velocities `v` (`n_q`), as [`System::accelerations`] but not verified.
@@ -107,7 +105,7 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
         let mut equations = EquationResidual::new(info.n_coordinates(), info.n_rows(), &info.jacobian);
         equations.write(mass, &factors.jacobian, &factors.right_side, &solution);
         let left = equations.share_of_what_matters(&weight, &diagonal);
-        if left <= VERIFIED {
+        if left <= TOLERANCE {
             return Ok(());
         }
         if left.is_nan() {

@@ -1,7 +1,7 @@
 //! A scene in other numbers than `f64`: several trajectories side by side, or one with its derivatives.
 
 use super::geometry::tolerance_at;
-use super::projection::MAX_PASSES;
+use super::tolerances::projection::MAX_PASSES;
 use super::{MotionError, System};
 use crate::model::{Equations, Pivots, Scene, SceneInfo};
 use crate::scalar::Scalar;

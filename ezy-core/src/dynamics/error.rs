@@ -1,5 +1,6 @@
 //! What can go wrong at one state.
 
+use super::tolerances::report::MAX_LISTED;
 use crate::linalg::SparseKktError;
 use crate::model::LayoutFault;
 use crate::scalar::legible;
@@ -342,9 +343,6 @@ fn held_and_remedy(names: &[&str]) -> String {
     let names = list(names);
     format!("{names}. Give fewer values, values that fit, or let them give way: `project_start`, `--project-start`")
 }
-
-/// Names that a message lists; of more the rest is counted.
-const MAX_LISTED: usize = 40;
 
 fn list(names: &[&str]) -> String {
     let listed = names[..names.len().min(MAX_LISTED)].join(", ");

@@ -1,24 +1,11 @@
 //! Corrections of a start: given values stay, the others take the residual away.
 
 use super::System;
+use super::tolerances::start::{DAMPING, LARGEST_DENSE_START, LEAST_WEIGHT, RANK_TOLERANCE};
 use crate::linalg::{KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
 use crate::model::Scene;
 use crate::model::coordinate::is_angle;
 use nalgebra::{DMatrix, DVector};
-
-/// Directions whose singular value is below this fraction of the largest are left alone.
-const RANK_TOLERANCE: f64 = 1e-10;
-
-/// Smaller entries of M count as this: their reciprocals would overflow in products.
-const LEAST_WEIGHT: f64 = 1e-280;
-
-/// Coordinates beyond which corrections come from a sparse factorisation instead of singular values.
-const LARGEST_DENSE_START: usize = 150;
-
-/// Share of the diagonal of G M⁻¹ Gᵀ that is added to it in sparse corrections, so that rows which repeat others, or
-/// that given values alone decide, leave it regular. Rounding is 1e-4 of it; directions with a singular value of
-/// 1e-4 of the largest still converge by four digits a pass.
-const DAMPING: f64 = 1e-12;
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Change of the coordinates (or velocities) that are not given, smallest in the mass matrix, that removes the

@@ -1,16 +1,8 @@
 //! How large a mechanism is, so that a watch and a crane are held to the same digits.
 
+use super::tolerances::geometry::{LARGEST_VALUE, ROUNDING_OF_ROWS, TOLERANCE};
 use crate::model::coordinate::is_angle;
 use crate::model::{SceneInfo, Start};
-
-/// Residual of a row, as a share of its size, that counts as zero; a size beyond 1 counts as 1.
-const TOLERANCE: f64 = 1e-12;
-
-/// Rounding of a row in units of ε times the size of its terms: a row sums a handful of them.
-const ROUNDING_OF_ROWS: f64 = 8.0 * f64::EPSILON;
-
-/// However large the coordinates, a residual above this is not rounding: the motion has run away.
-const LARGEST_TOLERANCE: f64 = 1e-6;
 
 /// Lengths that say what is small, read once off the slopes of the rows at the scene's start.
 pub(super) struct Geometry {
@@ -81,7 +73,7 @@ impl Geometry {
     /// |C| of a row that counts as zero where coordinates have this extent.
     pub(super) fn position_tolerance(&self, row: usize, extent: f64) -> f64 {
         let size = self.sizes[row];
-        (TOLERANCE * size.min(1.0)).max((ROUNDING_OF_ROWS * extent * size).min(LARGEST_TOLERANCE))
+        (TOLERANCE * size.min(1.0)).max(ROUNDING_OF_ROWS * extent.min(LARGEST_VALUE) * size)
     }
 
     /// Residual of a row of velocities that counts as zero where velocities have this extent.
@@ -105,7 +97,7 @@ impl Geometry {
 
 /// |C| that counts as zero where the largest coordinate is `size`, of rows whose sizes are not known.
 pub(super) fn tolerance_at(size: f64) -> f64 {
-    TOLERANCE.max((ROUNDING_OF_ROWS * size).min(LARGEST_TOLERANCE))
+    TOLERANCE.max(ROUNDING_OF_ROWS * size.min(LARGEST_VALUE))
 }
 
 fn worst(x: impl Iterator<Item = f64>) -> f64 {

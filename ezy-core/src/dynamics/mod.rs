@@ -23,6 +23,7 @@ mod solved;
 mod start;
 mod strain;
 mod system;
+mod tolerances;
 mod worst;
 
 pub(crate) use any::{Dynamics, SystemOf};

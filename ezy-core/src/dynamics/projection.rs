@@ -3,6 +3,9 @@
 use super::euclidean::Euclidean;
 use super::solved::{Rows, Solved};
 use super::system::Buffers;
+use super::tolerances::projection::{
+    MAX_PASSES, NEAR_RANK_LOSS, NOTICEABLE, PASSES_NEAR_RANK_LOSS, PASSES_TO_ROUNDING,
+};
 use super::{MotionError, Projected, System, Worst, max_abs};
 use crate::linalg::{INDEPENDENT, Independent};
 use crate::model::Scene;
@@ -45,27 +48,6 @@ pub enum Metric {
     /// Positions are corrected along the position constraints only, as there.
     Euclidean,
 }
-
-/// Gauss–Newton passes; from the drift of one step two are plenty.
-pub(super) const MAX_PASSES: usize = 10;
-
-/// Passes before a residual may be taken for rounding: at 1e6 rad a correction of an angle is lost, but what x and y take of it
-/// is not, so that each pass leaves a part.
-const PASSES_TO_ROUNDING: usize = 3;
-
-/// The first one converges quadratically, the second one removes its rounding.
-const PASSES_NEAR_RANK_LOSS: usize = 2;
-
-/// |C| that may stay where constraints nearly depend on each other: there its square root is a displacement, and the next step,
-/// farther away, removes both.
-const TOLERANCE_AT_RANK_LOSS: f64 = 1e-10;
-
-/// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each
-/// other; levers of a centimetre make it a hundred times as large.
-const NEAR_RANK_LOSS: f64 = 1e3;
-
-/// Velocity corrections below this fraction of the velocities are rounding, or harmless.
-const NOTICEABLE: f64 = 1e-10;
 
 /// What a projection of velocities is followed by.
 #[derive(Debug, Clone, Copy)]
@@ -194,9 +176,6 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
             }
             if passes == MAX_PASSES {
-                if solved.is_rank_deficient && norm <= TOLERANCE_AT_RANK_LOSS {
-                    return Ok(([before, worst], passes));
-                }
                 let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
                 return Err(if solved.is_rank_deficient && self.independent_rows_are_met(t, q) {
                     self.disagreement(t, q, "the positions", norm, tolerance)

@@ -2,6 +2,7 @@
 
 use super::error::rows_or_unknown;
 use super::solved::{Rows, Solved};
+use super::tolerances::rank::{ACCELERATIONS_AGREE, NEARLY_DEPENDENT, VELOCITIES_AGREE};
 use super::{MotionError, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED, Left};
 use crate::model::Scene;
@@ -44,16 +45,6 @@ impl std::fmt::Display for RankLoss {
         }
     }
 }
-
-/// Part of the accelerations that redundant rows may leave: where a step ends next to a singular position, rounding of
-/// positions over p³ is far below this, rows that contradict each other far above.
-const ACCELERATIONS_AGREE: f64 = 1e-2;
-
-/// The same of velocities, in which two factors of p less are noise.
-const VELOCITIES_AGREE: f64 = 1e-6;
-
-/// Pivots of rows next to dependent ones: sixteen digits of positions leave thirteen of accelerations there, ε/p³.
-const NEARLY_DEPENDENT: f64 = 0.1;
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Whether rows that a step goes on with nearly depend on each other.

@@ -1,36 +1,12 @@
 //! A start that fulfils the constraints, from values that are given only in part.
 
+use super::tolerances::geometry::LARGEST_VALUE;
+use super::tolerances::start::{LARGEST_TURN, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
 use crate::model::coordinate::is_angle;
 use crate::model::{Scene, Start};
 
-/// Gauss–Newton passes: far guesses need some tens, with a step that is halved when it overshoots.
-const MAX_PASSES: usize = 100;
-
-/// Farthest that one pass turns a body, rad. Longer steps leave the neighbourhood in which the slopes hold, and can end with
-/// an elbow on its other side.
-const LARGEST_TURN: f64 = 0.2;
-
-/// Halvings of one step before the search counts as stuck.
-const MAX_HALVINGS: usize = 20;
-
-/// Tries from places nearby when the search is stuck; out of a symmetry the first one or two lead.
-const MAX_NUDGES: usize = 10;
-
-/// Farthest that such a place is off in an angle, rad: well out of symmetry, without turning a body over.
-const PERTURBATION: f64 = 0.5;
-
-/// Another place replaces the one found first when it leaves less than this share of its residual.
-const NOTICEABLY_LESS: f64 = 0.9;
-
-/// Beyond this a coordinate keeps less than a micrometre, and the geometry of a body drowns in its rounding.
-const LARGEST_VALUE: f64 = 1e9;
-
-/// Passes over the velocity constraints, which are linear: one solve and one that removes its rounding; with damping, some
-/// more for directions of small singular values.
-const VELOCITY_PASSES: usize = 2;
-const DAMPED_VELOCITY_PASSES: usize = 10;
-
+/// Its multiples without their whole parts fill an interval evenly.
 const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 
 /// What a place leaves of the position constraints.
@@ -118,7 +94,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
             trial.copy_from_slice(q);
             self.perturb(&mut trial, &start.q_given, left.share, n);
             let other = self.approach(start, &mut trial);
-            if other.is_met() || left.length.is_nan() || other.length < NOTICEABLY_LESS * left.length {
+            if other.is_met() || left.length.is_nan() || other.length < left.length {
                 q.copy_from_slice(&trial);
                 left = other;
             }
@@ -179,14 +155,14 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 
-    /// Moves what is not given: angles by up to [`PERTURBATION`], lengths by up to `share` of the mechanism's, the residual (all of it
+    /// Moves what is not given: angles by up to [`LARGEST_TURN`], lengths by up to `share` of the mechanism's, the residual (all of it
     /// where that is not a number). The amounts are multiples of the golden ratio without their whole parts, which fill an interval evenly.
     fn perturb(&self, q: &mut [f64], given: &[bool], share: f64, n: usize) {
         let length = self.geometry.length * if share.is_finite() { share } else { 1.0 };
         let n_q = q.len();
         for (i, x) in q.iter_mut().enumerate().filter(|(i, _)| !given[*i]) {
             let amount = 2.0 * ((n * n_q + i + 1) as f64 * GOLDEN_RATIO).fract() - 1.0;
-            *x += amount * if is_angle(i) { PERTURBATION } else { length };
+            *x += amount * if is_angle(i) { LARGEST_TURN } else { length };
         }
     }
 
@@ -200,8 +176,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let drive = drive.max(self.geometry.extent(&start.v));
         let mut excess = self.velocity_excess(t, q, v, drive);
         let mut length = self.residual_length(n_c);
-        let passes = if self.starts_sparse() { DAMPED_VELOCITY_PASSES } else { VELOCITY_PASSES };
-        for _ in 0..passes {
+        for _ in 0..MAX_PASSES {
             if excess <= 1.0 {
                 return Ok(());
             }

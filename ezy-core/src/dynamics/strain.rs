@@ -2,11 +2,13 @@
 
 use super::System;
 use crate::model::Scene;
+use std::f64::consts::SQRT_2;
 
 /// The coordinate with the largest acceleration at one state and what causes it, both in the metric of the masses.
 ///
-/// Without convective terms accelerations are those of the applied forces, `M⁻¹ F`, less what the rows take away, so that
-/// none is larger; where one is, it comes from the speeds, by way of a reaction.
+/// Accelerations are the projection of those of the applied forces, `M⁻¹ F`, onto the null space of G, and orthogonal to it those of
+/// the convective terms. So where their square is more than twice that of `M⁻¹ F`, more than half of it comes from the speeds, by
+/// way of a reaction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Strain {
     /// Name of the coordinate.
@@ -55,9 +57,6 @@ impl std::fmt::Display for Strain {
     }
 }
 
-/// An applied force with at least this part of the largest acceleration is taken for its cause.
-const PART: f64 = 0.25;
-
 impl<S: Scene + ?Sized> System<'_, S> {
     /// What moves the scene hardest at a state with accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`); none where
     /// nothing with a mass is accelerated by a finite amount.
@@ -68,10 +67,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let mut applied = vec![0.0; a.len()];
         self.scene.applied_force(&self.fixed, t, q, v, &mut applied);
         let root = |i: usize| self.mass[i].sqrt();
-        let (i, size) = largest((0..a.len()).map(|i| root(i) * a[i].abs()))?;
-        let by_force = largest(applied.iter().enumerate().map(|(i, force)| force.abs() / root(i)));
-        let source = match by_force {
-            Some((j, of_force)) if of_force >= PART * size => {
+        let accelerations = || (0..a.len()).map(|i| root(i) * a[i].abs());
+        let forces = || applied.iter().enumerate().map(|(i, force)| force.abs() / root(i));
+        let (i, _) = largest(accelerations())?;
+        let source = match largest(forces()) {
+            Some((j, _)) if SQRT_2 * norm(forces()) >= norm(accelerations()) => {
                 let effect = self.busiest_effect(t, q, v, lambda);
                 StrainSource::Applied { coordinate: self.info.coordinates[j].name, force: applied[j], effect }
             }
@@ -95,6 +95,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.power(t, q, v, lambda, &mut power);
         largest(power.iter().map(|power| power.abs())).map(|(i, _)| self.info.effects[i].name)
     }
+}
+
+/// Of the finite numbers.
+fn norm(x: impl Iterator<Item = f64>) -> f64 {
+    x.filter(|x| x.is_finite()).fold(0.0, f64::hypot)
 }
 
 /// The largest positive and finite number, with its index.

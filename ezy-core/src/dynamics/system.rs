@@ -4,6 +4,7 @@ use super::SystemError;
 use super::euclidean::Euclidean;
 use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
+use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RANGE};
 use crate::linalg::{Backend, LARGEST_DENSE, SparseKkt};
 use crate::model::coordinate::{body_and_component, is_angle};
 use crate::model::{Scene, SceneInfo, Start};
@@ -144,21 +145,6 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         self.counters
     }
 }
-
-/// The generated elimination divides by masses: of a body this much lighter than the heaviest, under its load, the
-/// accelerations keep twelve digits. Below it the pivoted solver is chosen, which keeps all of them.
-const LIGHTEST: f64 = 1e-4;
-
-/// Number of equations of a scene with counts up to which light bodies are worth the dense solver. Beyond it the sparse
-/// one is taken, which divides by masses like the generated elimination.
-const LARGEST_FOR_LIGHT: usize = 100;
-
-/// Range of `g/√m`, whose fourth powers are the determinants of the generated elimination, and whose sums and products with
-/// each other must not leave the range of doubles either.
-const RANGE: std::ops::Range<f64> = 1e-50..1e50;
-
-/// Largest ratio of such numbers between rows: where it is larger, what a row takes from another is rounding.
-const FURTHEST_APART: f64 = 1e12;
 
 /// Whether the generated elimination, which does not scale, leaves the range of doubles or mixes what is too far apart.
 fn is_out_of_range(info: &SceneInfo, mass: &[f64], jacobian: &[f64]) -> bool {

@@ -1,5 +1,6 @@
 //! How well K can be solved with at one state.
 
+use super::tolerances::conditioning::{MAX_SOLVES, PASSES};
 use super::{INDEPENDENT, Independent, NullSpaceKkt};
 use crate::model::SparsityPattern;
 
@@ -23,9 +24,6 @@ pub(crate) struct ConditionEstimator {
     /// Column sums.
     sums: Vec<f64>,
 }
-
-/// Solves of an estimate; two or three are the rule.
-const MAX_SOLVES: usize = 5;
 
 impl ConditionEstimator {
     /// Storage; `unit` (`n_q`) is the lever of each angle, m, and one for lengths.
@@ -95,10 +93,6 @@ impl ConditionEstimator {
     }
 }
 
-/// Passes of the equilibration: each takes the root of the exponent that is left, so that the largest ratio of two doubles, 10^632,
-/// ends at 1.4.
-const PASSES: usize = 12;
-
 /// Writes the diagonal `d` of D such that the largest entry of each row and column of D K D is near one.
 ///
 /// # Source
@@ -141,6 +135,13 @@ mod tests {
         let found = ConditionEstimator::new(&[1.0; 2], &ONE_ROW).estimate(&[1.0, 1.0], &ONE_ROW, &[1.0]);
         assert_estimates(found, 4.0);
         assert_eq!(found.pivot, 1.0);
+    }
+
+    #[test]
+    fn analytic_condition_does_not_depend_on_units() {
+        // one held coordinate, in units far apart: the scaled matrix is that of ones
+        let found = ConditionEstimator::new(&[1.0; 2], &ONE_ROW).estimate(&[1e-40, 1e30], &ONE_ROW, &[1e-60]);
+        assert!(found.condition <= 2.0 * 4.0 && found.condition >= 4.0 / 2.0, "{found:?}");
     }
 
     #[test]

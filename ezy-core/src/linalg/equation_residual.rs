@@ -1,6 +1,7 @@
 //! What a solution of `K [x; y] = [r; s]` leaves of each equation, measured by the terms of that equation.
 
 use super::Left;
+use super::tolerances::refinement::NEGLIGIBLE;
 use crate::model::SparsityPattern;
 
 /// `[r; s] − K [x; y]`, and the magnitudes of the terms of each equation.
@@ -16,9 +17,6 @@ pub(crate) struct EquationResidual {
     pub(crate) size: Vec<f64>,
     row_size: Vec<f64>,
 }
-
-/// Terms smaller than this part of the largest may be rounding altogether: what an equation leaves is measured by no less.
-const NEGLIGIBLE: f64 = 1e-2;
 
 impl EquationResidual {
     /// Storage for `n_q` coordinates and the first `n_rows` rows of `pattern`.
@@ -97,4 +95,23 @@ impl EquationResidual {
 /// The largest number; NaN when there is one.
 fn largest(x: impl Iterator<Item = f64>) -> f64 {
     x.fold(0.0, |m: f64, x| if x > m || x.is_nan() { x } else { m })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_rounding_of_a_coordinate_that_is_held_at_zero_does_not_matter() {
+        let pattern = SparsityPattern { starts: &[0, 1], columns: &[0] };
+        let mut equations = EquationResidual::new(2, 1, &pattern);
+        // the first coordinate and its multiplier are zero but for rounding
+        equations.write(&[1.0, 1.0], &[1.0], &[0.0, 1.0, 0.0], &[1e-17, 1.0, -1e-17]);
+        assert_eq!(equations.share(), 1.0);
+        let [of_rounding, of_an_error] = [1e-17, 1e-10].map(|x| {
+            equations.write(&[1.0, 1.0], &[1.0], &[0.0, 1.0, 0.0], &[x, 1.0, -x]);
+            equations.share_of_what_matters(&[1.0, 1.0], &[1.0])
+        });
+        assert!(of_rounding <= 1e-12 && of_an_error > 1e-12, "{of_rounding:e} {of_an_error:e}");
+    }
 }

@@ -23,6 +23,7 @@ mod rank;
 mod singular;
 mod sparse;
 mod sparse_lu;
+mod tolerances;
 
 pub(crate) use conditioning::{ConditionEstimator, Conditioning};
 pub(crate) use damped::{DampedKkt, weights, write_diagonal};
@@ -31,17 +32,13 @@ pub(crate) use lu::Lu;
 pub(crate) use null_space::NullSpaceKkt;
 #[doc(hidden)]
 pub use order::SparseKktError;
-pub(crate) use rank::{INDEPENDENT, INDEPENDENT_EXACTLY, Independent, RankRevealing, undetermined_coordinates};
+pub(crate) use rank::{Independent, RankRevealing, undetermined_coordinates};
 pub(crate) use singular::singular_values;
 #[doc(hidden)]
 pub use sparse::SparseKkt;
 pub(crate) use sparse_lu::SparseLu;
-
-/// Largest n_q + n_c for which a dense K is made: 70 MB and some seconds a factorisation.
-pub(crate) const LARGEST_DENSE: usize = 3_000;
-
-/// Largest n_q + n_c of a scene whose rank is asked: full pivoting of larger ones takes longer than anyone waits.
-pub(crate) const LARGEST_DIAGNOSED: usize = 500;
+pub(crate) use tolerances::rank::{INDEPENDENT, INDEPENDENT_EXACTLY};
+pub(crate) use tolerances::sizes::{LARGEST_DENSE, LARGEST_DIAGNOSED};
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -2,6 +2,7 @@
 
 use super::equation_residual::EquationResidual;
 use super::rank::{Independent, RankRevealing};
+use super::tolerances::refinement::{MAX_REFINEMENTS, ROUNDING};
 use super::{Left, SingularKkt};
 use crate::model::SparsityPattern;
 use nalgebra::linalg::Cholesky;
@@ -45,12 +46,6 @@ pub(crate) struct NullSpaceKkt {
     x: Vec<f64>,
     rows: Vec<f64>,
 }
-
-/// Refinements of a solution: each leaves about the ratio of masses times ε of its error, 1e-4 at a ratio of 1e12.
-const MAX_REFINEMENTS: usize = 6;
-
-/// Share of the terms of an equation that counts as their rounding.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl NullSpaceKkt {
     /// Storage for the first `n_rows` rows of `pattern`; `unit` (`n_q`) is the lever of each angle, m, and one for lengths.
@@ -293,6 +288,23 @@ mod tests {
             kkt.solve(&mut x);
             let expected = 1.0 / masses.iter().sum::<f64>();
             assert!(x[..3].iter().all(|a| (a / expected - 1.0).abs() <= 1e-15), "{masses:?}: {x:?}");
+        }
+    }
+
+    #[test]
+    fn invariant_every_equation_keeps_its_digits_whatever_the_masses() {
+        // the light coordinates are on short levers, so that the heavy one is by turns dependent and independent
+        let pattern = SparsityPattern { starts: &[0, 3, 6], columns: &[0, 1, 2, 0, 1, 2] };
+        let (jacobian, right_side) = ([0.0, -1.0, 0.0, 0.8, -0.8, 0.004], [-1.5, 1.3e-6, -2e-7, 0.0, 0.3]);
+        for exponent in -8..=8 {
+            let mass = [2.0 * 10_f64.powi(exponent), 2e-6, 2e-7];
+            let mut kkt = NullSpaceKkt::new(&[1.0; 3], &pattern, 2);
+            kkt.factor(&mass, &jacobian, ALL).unwrap();
+            let mut x = right_side;
+            kkt.solve(&mut x);
+            let mut equations = EquationResidual::new(3, 2, &pattern);
+            equations.write(&mass, &jacobian, &right_side, &x);
+            assert!(equations.share() <= 4.0 * f64::EPSILON, "{mass:?}: {:e}", equations.share());
         }
     }
 }

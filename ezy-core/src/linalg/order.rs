@@ -1,5 +1,6 @@
 //! In which order the sparse factorisation takes coordinates and rows.
 
+use super::tolerances::sizes::{HUB_ROWS, MAX_PAIRS};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMat;
 use faer::sparse::linalg::amd;
@@ -23,13 +24,6 @@ pub(super) struct Order {
     /// Whether columns with many rows stand after these rows.
     pub hubs_last: bool,
 }
-
-/// A coordinate in more rows than this is a hub: taken before its rows it would couple each of them with all others,
-/// so that a body with n joints would cost n². A hinge on each side of a body and a few more are no hub.
-const HUB_ROWS: usize = 24;
-
-/// Beyond this many pairs of rows that share a coordinate the order with coordinates first is not tried.
-const MAX_PAIRS: usize = 100_000_000;
 
 /// Every coordinate before the rows that touch it, as late as possible; rows by minimum degree of the graph in which
 /// two rows are neighbours when they share a coordinate. For a tree of bodies the fill is that of the joints which
@@ -106,4 +100,20 @@ fn minimum_degree<'c>(n: usize, cliques: impl Iterator<Item = &'c [usize]>) -> R
     amd::order(&mut order, &mut inverse, graph.as_ref(), amd::Control::default(), stack)
         .map_err(|e| format!("{e:?}"))?;
     Ok(order)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn invariant_a_hub_that_couples_all_rows_is_refused_before_memory_is_full() {
+        // 1.6 GB of neighbours
+        let n = 20_000;
+        let entries: Vec<(usize, usize)> = (0..n).map(|row| (row, 0)).collect();
+        let refused = bodies_before_rows(1, n, &entries, false).err().unwrap();
+        assert!(refused.cause.starts_with("400000000 pairs of rows"), "{refused}");
+        // as long as a body has no more than a few hundred joints nothing is refused
+        assert!(bodies_before_rows(1, 2_000, &entries[..2_000], false).is_ok());
+    }
 }

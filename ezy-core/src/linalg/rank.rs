@@ -1,5 +1,6 @@
 //! The one question of rank: which rows of G depend on which, and how far the others are from it.
 
+use super::tolerances::rank::{INDEPENDENT, PIVOT_SHARE};
 use crate::model::SparsityPattern;
 use nalgebra::{DMatrix, DMatrixView, DVectorViewMut, linalg};
 
@@ -23,16 +24,6 @@ pub(crate) struct RankRevealing {
     weakest_row: usize,
 }
 
-/// An entry may be the pivot when it is at least this part of the largest; the coordinate with the least mass is taken. A tenth is the
-/// usual bound of threshold pivoting (Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 1986, section 5.4).
-const PIVOT_SHARE: f64 = 0.1;
-
-/// Pivots of rows that count as independent at positions that carry rounding, of rows scaled to one; see [`RankRevealing`].
-pub(crate) const INDEPENDENT: f64 = 1e-5;
-
-/// The same at positions that are exact: half of the digits of what the row decides are left, ε/p = √ε.
-pub(crate) const INDEPENDENT_EXACTLY: f64 = 1e-8;
-
 /// Which rows a factorisation takes for independent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Independent<'r> {
@@ -41,9 +32,6 @@ pub(crate) enum Independent<'r> {
     /// These, whatever their pivots are.
     Rows(&'r [usize]),
 }
-
-/// A row or column takes part in a dependency when its share of the combination exceeds this.
-const PARTICIPATION: f64 = 1e-4;
 
 /// Rows that depend on each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -244,10 +232,11 @@ impl RankRevealing {
         }
     }
 
-    /// Rows that take part in dependencies: `[−T I] P G = 0`.
+    /// Rows that take part in dependencies: `[−T I] P G = 0`. A row whose share is below [`INDEPENDENT`] could be left out: what it leaves
+    /// counts as zero.
     pub(crate) fn dependencies(&self) -> Dependencies {
         let T = self.redundant_by_independent();
-        let takes_part = |place: usize| T.column(place).iter().any(|share| share.abs() > PARTICIPATION);
+        let takes_part = |place: usize| T.column(place).iter().any(|share| share.abs() > INDEPENDENT);
         let mut rows: Vec<usize> =
             (0..self.rank).filter(|&place| takes_part(place)).map(|place| self.rows[place]).collect();
         rows.extend(&self.rows[self.rank..]);
@@ -362,6 +351,15 @@ mod tests {
             assert!(rank.factor(&[1.0, 0.5], &[1.0, 1.0], &mass, Independent::Above(INDEPENDENT)));
             assert_eq!(rank.column(0), dependent);
         }
+    }
+
+    #[test]
+    fn invariant_no_dependent_coordinate_multiplies_rounding_by_more_than_ten() {
+        // the light column would do, but for its lever
+        let pattern = SparsityPattern { starts: &[0, 2], columns: &[0, 1] };
+        let mut rank = RankRevealing::new(1, 2, &pattern);
+        assert!(rank.factor(&[1.0, 0.01], &[1.0, 1.0], &[1.0, 1e-6], Independent::Above(INDEPENDENT)));
+        assert!(rank.dependent_by_independent()[(0, 0)].abs() <= 10.0);
     }
 
     #[test]

@@ -1,10 +1,8 @@
 //! Singular values, of matrices that have them.
 
+use super::tolerances::sizes::LARGEST_ENTRY;
 use nalgebra::linalg::SVD;
 use nalgebra::{DMatrix, Dyn};
-
-/// Squares of larger numbers, and sums of these, overflow.
-const LARGEST_ENTRY: f64 = 1e150;
 
 /// Singular values, with the left and right vectors that are asked for; `None` where an entry is beyond 1e150 or no number,
 /// on which the library would panic.

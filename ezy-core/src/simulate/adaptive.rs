@@ -1,23 +1,10 @@
 //! DOP853 with its step control.
 
 use super::step_limit::{StepLimit, is_too_short, limited_step};
+use super::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Node, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
-
-/// Attempts of one step to end at a discontinuity: each one locates it better.
-const MAX_DISCONTINUITIES: u32 = 3;
-
-/// Stages of a long step that ends at a discontinuity may be beyond it by their own error and then see the other law. So a step covers
-/// this part of the way to the discontinuity, and the rest is a short step of its own.
-const APPROACH: f64 = 31.0 / 32.0;
-
-/// The rest is short when it is below this part of the attempted step.
-const LEFT: f64 = 1.0 / 16.0;
-
-/// A step to a discontinuity that is shorter than this part of the attempted one follows another discontinuity closely, as where dry friction
-/// sticks. The next step is then not attempted at full length.
-const SPLINTER: f64 = 1e-5;
 
 /// DOP853 with the length of its next step.
 pub(super) struct Adaptive<T = f64> {
@@ -130,7 +117,7 @@ impl<T: Scalar> Adaptive<T> {
                         self.method.accept();
                         to.t = t_next;
                         let factor = self.control.accept(error);
-                        self.step_s = Some(whole.filter(|whole| h > SPLINTER * whole).unwrap_or(h * factor));
+                        self.step_s = Some(whole.unwrap_or(h * factor));
                         self.last_s = Some(h);
                         return Ok(());
                     } else {

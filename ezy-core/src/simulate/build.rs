@@ -7,23 +7,12 @@ use super::monitor::Watch;
 use super::run_loop::{Plan, RunLoop};
 use super::schedule::Schedule;
 use super::stepper_state::StepperState;
+use super::tolerances::orders::{LARGEST_TOLERANCE, MAX_NUMBERS, MAX_STEPS};
 use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
 use crate::model::{Scene, Start};
 use crate::record::{Recorder, input_index};
-
-/// A quarter of an hour at 100 ns a step; more is a typing error.
-const MAX_STEPS: f64 = 1e10;
-
-/// A larger tolerance accepts any motion.
-const LARGEST_TOLERANCE: f64 = 1.0;
-
-/// Samples of a run: a few hundred bytes each, some gigabytes.
-const MAX_SAMPLES: f64 = 1e7;
-
-/// Numbers in all samples together: 8 GB. A sample of ten thousand bodies has a hundred thousand numbers.
-const MAX_NUMBERS: f64 = 1e9;
 
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// Runs.
@@ -158,7 +147,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             let samples = (until_s - start_s) / every_s;
             let info = self.scene.info();
             let n_numbers = (3 * info.n_coordinates() + info.n_rows()).max(1) as f64;
-            let limit = MAX_SAMPLES.min(MAX_NUMBERS / n_numbers);
+            let limit = MAX_NUMBERS / n_numbers;
             if samples > limit {
                 return Err(SetupError::TooManySamples { samples, every_s, limit });
             }

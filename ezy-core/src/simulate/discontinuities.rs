@@ -9,27 +9,11 @@
 //! very short one across the discontinuity.
 
 use super::root::{resolution_at, root, side_of};
+use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, UNKNOWN};
+use super::tolerances::steps::SHORTEST;
 use crate::dynamics::{Rows, State, System};
 use crate::integrate::{Node, interpolate};
 use crate::model::{EventKind, Scene, SceneInfo};
-
-/// A discontinuity this close to an end of a step is ignored, in resolutions of the time.
-const AT_END: f64 = 10.0;
-
-/// Steps end this far behind a discontinuity, in resolutions of the time, so that the next one begins on its other side.
-const BEHIND: f64 = 2.0;
-
-/// Uncertainty of the predicted distance to a discontinuity, relative to that distance, for a whole step. For shorter distances it
-/// falls in proportion to the distance.
-const UNKNOWN: f64 = 1.0 / 32.0;
-
-/// Guard against chattering: each shortened step adds [`CUT`], each full step subtracts one. From [`MOST_CUT`] on discontinuities are
-/// stepped over, as where dry friction sticks or where a value is only rounding.
-const CUT: u32 = 2;
-const CHATTERING_GUARD: u32 = 48;
-
-/// Shortest step across a discontinuity, relative to the time: shorter steps move nothing.
-const SHORTEST_CROSSING: f64 = 2e-14;
 
 /// A step that ends at a discontinuity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +33,7 @@ pub(in crate::simulate) struct Discontinuities {
     a: Vec<f64>,
     lambda: Vec<f64>,
     between: State,
-    /// Guard against chattering, see [`MOST_CUT`].
+    /// Guard against chattering, see [`CHATTERING_GUARD`].
     chattering: u32,
 }
 
@@ -154,7 +138,7 @@ impl Discontinuities {
         let Self { places, values: [before, after, inside], between, .. } = self;
         let (start, h) = (from.state.t, end_s - from.state.t);
         let resolution = resolution_at(end_s);
-        let shortest_crossing = (BEHIND * resolution).max(SHORTEST_CROSSING * start.abs());
+        let shortest_crossing = BEHIND * resolution.max(SHORTEST * start.abs());
         // a start on the discontinuity belongs to neither side
         if places.iter().any(|&i| before[i] == 0.0 && after[i] != 0.0) && h > shortest_crossing {
             self.chattering += CUT;

@@ -29,8 +29,8 @@ mod snapshot;
 mod step_limit;
 mod stepper;
 mod stepper_state;
+mod tolerances;
 mod trajectory;
-mod usual_step;
 
 pub use ensemble::Ensemble;
 pub use error::SetupError;

@@ -1,6 +1,7 @@
 //! Intervals of a run in which constraints were redundant.
 
 use super::snapshot::Snapshot;
+use super::tolerances::monitors::MAX_INTERVALS;
 use crate::dynamics::{RankLoss, System};
 use crate::model::Scene;
 
@@ -24,9 +25,6 @@ pub struct RankRecord {
     pub n_more: u64,
     is_open: bool,
 }
-
-/// More intervals say nothing new: the mechanism passes a singular position at every turn.
-const MAX_INTERVALS: usize = 16;
 
 impl RankRecord {
     /// Registers an accepted state.

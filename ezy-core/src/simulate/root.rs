@@ -1,10 +1,6 @@
 //! Where a function passes zero.
 
-/// Events are located to this accuracy, s, or to the resolution of the time.
-const RESOLUTION_S: f64 = 1e-12;
-
-/// More evaluations are never needed: each second one halves the bracket at least, from an hour to 1e-12 s in 52.
-const MAX_EVALUATIONS: usize = 200;
+use super::tolerances::events::{MAX_EVALUATIONS, RESOLUTION_S};
 
 /// Where `f` passes zero between `a` and `b`, to `resolution`; its values there, `f_a` and `f_b`, have different signs,
 /// or one of them is zero.

@@ -9,6 +9,7 @@ use super::sampler::Sampler;
 use super::schedule::Schedule;
 use super::snapshot::Snapshot;
 use super::stepper_state::StepperState;
+use super::tolerances::steps::{N_PROGRESS, ON_STEP};
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, not_finite};
 use crate::model::{EventInfo, Scene};
@@ -23,12 +24,6 @@ pub(super) struct Plan {
     /// Events to locate.
     pub events: &'static [EventInfo],
 }
-
-/// A sample within this fraction of a step of a step's end is that end.
-const ON_STEP: f64 = 1e-9;
-
-/// Number of progress reports.
-const N_PROGRESS: f64 = 100.0;
 
 pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     stepper: StepperState<'s, S>,

@@ -1,6 +1,7 @@
 //! Prediction of singular positions, in which the rank of G drops.
 
 use super::snapshot::Snapshot;
+use super::tolerances::singular::{N_AHEAD, N_SECTIONS, NEAR, VANISHES};
 use crate::dynamics::{State, System};
 use crate::model::Scene;
 use std::ops::Range;
@@ -11,28 +12,12 @@ pub(super) struct Approach<'m> {
     pub before: &'m Snapshot,
 }
 
-/// Singular positions are searched for within this many usual steps.
-const NEAR: f64 = 1.6;
-
-/// A pivot vanishes where it falls below this part of its present value on the predicted path.
-const VANISHES: f64 = 0.02;
-
-/// The part of the path that is searched, in predicted distances.
-const SEARCHED: std::ops::Range<f64> = 0.0..1.6;
-
-/// Where rows are redundant, pivots are evaluated at this many points ahead, each twice as far as the one before. The smallest pivot of
-/// independent rows hardly changes until the last quarter of a radian before a singular position, so that its trend predicts nothing. A
-/// position between two points is at most half as far from one of them as from the present state.
-const N_AHEAD: i32 = 7;
-
-/// Golden sections: they reduce the path to 1/2000.
-const N_SECTIONS: usize = 16;
-
+/// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Times about a distance, s.
 pub(super) fn about(distance: f64) -> Range<f64> {
-    SEARCHED.start * distance..SEARCHED.end * distance
+    0.0..NEAR * distance
 }
 
 impl Approach<'_> {

@@ -2,7 +2,7 @@
 
 use super::singular::{Approach, about};
 use super::snapshot::Snapshot;
-use super::usual_step;
+use super::tolerances::crossing::{ABOUT, FINEST, MAX_TRIES, MIDDLE, NOISE, SHORTEST};
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
@@ -34,36 +34,12 @@ pub(super) struct SingularityCrossing {
     in_vain_until_s: f64,
 }
 
-/// Place of the singular position in the crossing step, from 0 to 1: 0.13 of the step from the nearest node of DOP853.
-const MIDDLE: f64 = 0.46;
-
-/// Its place where the crossing step would otherwise end next to another singular position: 0.07 of the step from the nearest node.
-const BESIDE: [f64; 2] = [0.40, 0.53];
-
-/// A crossing step ends next to a singular position when the pivot at its end is below this part of the pivot at its start.
-const TOO_NEAR: f64 = 0.1;
-
-/// The crossing step may begin this factor too far from its ideal start.
-const ABOUT: f64 = 1.1;
-
-/// Relative error that the shortest steps may have: it is noise.
-const NOISE: f64 = 1e-10;
-
-/// Attempts of one step.
-const MAX_TRIES: u32 = 10;
-
-/// Smallest useful tolerance: below it error estimates next to a singular position are rounding.
-const FINEST: f64 = 1e-13;
-
-/// Tolerance for methods with a fixed step, whose own errors are larger.
-const OF_FIXED_STEPS: f64 = 1e-9;
-
 impl SingularityCrossing {
     pub(super) fn new<S: Scene + ?Sized>(system: &System<'_, S>, tolerance: Option<Tolerance>, work: bool) -> Self {
         let info = system.info();
         let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
         let n_works = end.power.len();
-        let wanted = tolerance.unwrap_or(Tolerance { relative: OF_FIXED_STEPS, absolute: OF_FIXED_STEPS });
+        let wanted = tolerance.unwrap_or(Tolerance { relative: FINEST, absolute: FINEST });
         Self {
             method: Dop853::new(n_q, info.n_rows(), n_works),
             on_rows: State::zero(n_q, 0),
@@ -116,22 +92,14 @@ impl SingularityCrossing {
         if !self.chooses_steps {
             self.length_s = distance / MIDDLE;
         }
-        let shortest = usual_step::SHORTEST * usual_s;
+        let shortest = SHORTEST * usual_s;
         let noise = NOISE / self.tolerance.relative;
         for _ in 0..MAX_TRIES {
             let length = self.length_s;
             let crosses_now = distance <= ABOUT * MIDDLE * length;
             let h = if crosses_now { distance / MIDDLE } else { length.min(distance - MIDDLE * length) };
             self.method.restart();
-            let mut error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
-            let mut others = BESIDE.iter().map(|middle| distance / middle);
-            while crosses_now
-                && error <= 1.0
-                && self.ends_too_near(system, now)
-                && let Some(other) = others.next()
-            {
-                error = self.attempt(system, now, other).unwrap_or(f64::INFINITY);
-            }
+            let error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
             if error <= 1.0 || error <= noise && length <= shortest {
                 self.length_s = length.max(h * self.control.accept(error.max(f64::MIN_POSITIVE)));
                 self.begin_s = t;
@@ -149,12 +117,6 @@ impl SingularityCrossing {
         }
         self.in_vain_until_s = t + distance;
         false
-    }
-
-    /// Whether the step that was tried ends next to a singular position.
-    fn ends_too_near<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, now: &Snapshot) -> bool {
-        let State { t, q, .. } = &self.end.state;
-        system.pivot_at(*t, q) < TOO_NEAR * now.end.smallest_pivot
     }
 
     /// Error over tolerance of a step, without the part that its projection removes.

@@ -1,10 +1,6 @@
 //! The end of a step whose length a method chooses.
 
-/// Shortest step, relative to the time or to one second: shorter steps change nothing.
-const SHORTEST: f64 = 1e-14;
-
-/// The last step may be longer by this part, so that no tiny step is left.
-const STRETCH: f64 = 1e-3;
+use super::tolerances::steps::SHORTEST;
 
 /// Length and end of a step, s.
 pub(super) struct StepLimit {
@@ -16,7 +12,7 @@ pub(super) struct StepLimit {
 pub(super) fn limited_step(t: f64, end: f64, length: f64) -> StepLimit {
     let left = end - t;
     let n_left = left / length;
-    if n_left <= 1.0 + STRETCH {
+    if n_left <= 1.0 {
         return StepLimit { step_s: left, t_next: end };
     }
     let wanted = if n_left < 2.0 { 0.5 * left } else { length };

@@ -6,27 +6,10 @@ use super::integrator::Integrator;
 use super::singular::Approach;
 use super::singularity_crossing::SingularityCrossing;
 use super::snapshot::Snapshot;
-use super::usual_step;
+use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, QUARTERED, SHORTENED, TOO_NEAR};
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
-
-/// A step that ends at a singular position is shortened by this factor, since accelerations are inaccurate there.
-const SHORTENED: f64 = 0.9;
-
-/// A step ends next to a singular position when the smallest pivot falls below this part of its value at the start.
-const TOO_NEAR: f64 = 0.03;
-
-/// A step whose end cannot be projected is taken again, shorter by this factor, as in CVODE (Hindmarsh and others, ACM Trans. Math.
-/// Softw. 31, 2005).
-const QUARTERED: f64 = 0.25;
-
-/// Part of the usual length below which steps next to a singular position end the run: six cranks that pass their level position at
-/// 29.7 rad/s take 3,566 steps of dop853 at 1e-13 there, and leave their branch (`level_cranks.rs`).
-const CREEPING: f64 = 1e-4;
-
-/// Repetitions of one step.
-const MAX_SHORTENED: usize = 3;
 
 /// The state `now`, and the end `next` of the step under way.
 pub(super) struct StepperState<'s, S: Scene + ?Sized> {
@@ -43,7 +26,7 @@ pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     crossing: Option<Box<SingularityCrossing>>,
     /// A buffer for positions ahead.
     foreseen: Vec<f64>,
-    /// Usual step length, s; zero before the first step.
+    /// Usual step length, s, of which single steps are cut short; zero before the first step.
     usual_s: f64,
     /// Whether works are integrated.
     pub work: bool,
@@ -120,7 +103,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         };
         if outcome.is_ok() {
             let length = self.next.state.t - self.now.state.t;
-            self.usual_s = usual_step::follow(self.usual_s, length, length);
+            self.usual_s = length.max(self.usual_s - FADING * length);
         }
         let State { t, q, .. } = &self.now.state;
         outcome.map_err(|error| self.system.locked_up(*t, q, error))

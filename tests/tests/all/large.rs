@@ -123,6 +123,18 @@ fn analytic_held_rods_of_a_long_chain_carry_the_rest_along() {
     assert!((x + sin).abs() <= POSITION && (y - cos).abs() <= POSITION, "{x}, {y}");
 }
 
+/// The rows of the bearing then hold nothing that is free.
+#[test]
+fn invariant_rest_of_a_long_chain_follows_a_rod_that_is_given() {
+    let (sin, cos) = 0.5_f64.sin_cos();
+    let given = [("rod[0].x", 0.5 * cos), ("rod[0].y", 0.5 * sin), ("rod[0].phi", 0.5)];
+    let scene = chain::Swing { n: 60 };
+    let run = given.iter().fold(Simulation::new(&scene).until(0.0), |run, (name, value)| run.give(*name, *value));
+    let run = run.run().unwrap();
+    assert!(given.iter().all(|(name, value)| run.first().get(name).unwrap() == *value));
+    assert!(run.first().position_residual <= POSITION, "{:.1e}", run.first().position_residual);
+}
+
 #[test]
 fn invariant_start_that_cannot_be_met_is_refused_at_any_length() {
     let scene = chain::Swing { n: 500 };

@@ -55,6 +55,7 @@ mod stop;
 mod straight_and_locked;
 mod symmetries;
 mod taylor;
+mod tolerances;
 mod trajectories;
 mod unequal_masses;
 mod work;

@@ -7,6 +7,44 @@ use ezy_core::simulate::{ExceededLimit, StopReason};
 use ezy_models::{double_pendulum, four_bar, knife_edge, pendulum};
 use ezy_tests::hard::subject::subject;
 
+model! {
+    /// A cart that a belt carries to and fro at 1 Hz.
+    pub model Belt {
+        param speed: m/s = 1.0;
+        param omega: rad/s = 2*pi;
+        body cart { mass: 1, inertia: 1 }
+        velocity constraint pace: cart.vx*cos(cart.phi) + cart.vy*sin(cart.phi) = speed * sin(omega*t);
+        start resting { cart at (0, 0) angle 0; at rest; }
+        scene ride { start resting; until 1 s; }
+    }
+}
+
+model! {
+    /// A crank that a motor turns, and a rod to a slide, which is little longer: upright they nearly fall into one line.
+    pub model Motor {
+        param omega: rad/s = 1.0;
+        body crank { mass: 1, inertia: 1/12 }
+        body rod { mass: 1, inertia: 1/12 }
+        hinge A: ground(0, 0) ~ crank(-0.5, 0);
+        hinge B: crank(0.5, 0) ~ rod(-0.51, 0);
+        constraint slide: rod.y + 0.51*sin(rod.phi) = 0;
+        drive motor: crank.phi = omega*t;
+        start stretched { rod near angle 0; }
+        scene turn { start stretched; until 1 s; }
+    }
+}
+
+model! {
+    /// A bob that hardly swings, a thousand kilometres up: 5e-12 J of a million.
+    pub model Tower {
+        body bob { mass: 1, inertia: 1 }
+        hinge top: ground(0, 1e6) ~ bob(0, 1);
+        gravity (0, -9.81);
+        start aside { bob angle 1e-6; at rest; }
+        scene swing { start aside; until 1 s; }
+    }
+}
+
 /// Where both are projected, positions of bodies of size one keep this.
 const POSITION_RESIDUAL: f64 = 1e-12;
 /// Velocities below 10 m/s and rad/s keep this: rounding of sums of products.
@@ -74,6 +112,38 @@ fn invariant_condition_rises_where_rows_come_near_each_other() {
     let condition = run.monitors.condition.unwrap();
     assert!(condition.at_start >= 1.0 && condition.largest >= condition.at_start, "{condition:?}");
     assert!(condition.pivot > 0.0 && condition.pivot <= 1.0 && condition.unknown.is_some(), "{condition:?}");
+}
+
+/// Steps between two looks at the condition.
+const N_STEPS: f64 = 4096.0;
+
+#[test]
+fn analytic_condition_is_worst_on_the_way_where_crank_and_rod_are_upright() {
+    let (h, upright) = (1e-3, std::f64::consts::FRAC_PI_2);
+    let scene = motor::Turn { omega: upright / (N_STEPS * h) };
+    let run = Simulation::new(&scene).method(Method::rk4(h)).until(2.0 * N_STEPS * h).run().unwrap();
+    let condition = run.monitors.condition.unwrap();
+    assert!((condition.t - N_STEPS * h).abs() <= 1e-9 && condition.largest > 2.0 * condition.at_start, "{condition:?}");
+}
+
+/// Looks after steps 17 and 49 of 64 see 0.995 of the amplitude of a sine over all of them.
+const SEEN: f64 = 0.99;
+
+#[test]
+fn analytic_velocity_residual_is_seen_between_the_ends_of_a_run() {
+    // Simpson's rule on a cosine leaves a sine, which is zero at the end
+    let scene = belt::Ride::default();
+    let order = || Simulation::new(&scene).method(Method::rk4(1.0 / 64.0)).project(Projection::None);
+    let value = |order: Simulation<'_, belt::Ride>| order.run().unwrap().monitors.velocity_residual.unwrap().value;
+    let (seldom, always) = (value(order()), value(order().max_drift(1.0)));
+    assert!(seldom >= SEEN * always && always > 1e-9, "{seldom:.3e} of {always:.3e}");
+}
+
+#[test]
+fn invariant_rounding_of_a_large_potential_energy_is_no_error() {
+    let run = Simulation::new(&tower::Swing::default()).method(Method::rk4(0.01)).run().unwrap();
+    let energy = run.monitors.energy.unwrap();
+    assert!(energy.joules != 0.0 && energy.relative == 0.0, "{energy:?}");
 }
 
 #[test]

@@ -77,11 +77,28 @@ model! {
     }
 }
 
+model! {
+    /// A stone that falls between two belts, which carry it along at two points of the same height.
+    pub model TwoBelts {
+        param speed: m/s = 1.0;
+        param front: m = 0.25;
+        param rear: m = 0.25;
+        /// acceleration of the second belt beyond that of the first
+        param more: m/s^2 = 0.0;
+        body stone { mass: 1.0, inertia: 1.0 }
+        velocity constraint first: stone.vx - front*stone.omega = speed;
+        velocity constraint second: stone.vx - rear*stone.omega = speed + more*t;
+        gravity (0, -9.81);
+        start falling { stone at (0, 0) angle 0 rate 0; }
+        scene fall { start falling; until 0.1 s; }
+    }
+}
+
 /// What tolerances of 1e-10 leave of positions over a second.
 const MOTION: f64 = 1e-9;
 
-/// Digits of multipliers that belong to one row of several: rounding over the damping of 1e-9.
-const SHARES: f64 = 1e-6;
+/// Rounding of multipliers around 1 N: of two equal rows each takes half, by a solution without damping.
+const SHARES: f64 = 1e-12;
 
 const METHODS: [Method; 4] = [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::radau(1e-11)];
 
@@ -120,6 +137,24 @@ fn analytic_motors_that_agree_share_the_work_and_others_are_an_error() {
         let scene = two_motors::Turn { more: 0.5, ..Default::default() };
         let error = Simulation::new(&scene).method(method).run().unwrap_err().to_string();
         assert!(error.contains("contradict each other") && error.contains("first, second"), "{method:?}: {error}");
+    }
+}
+
+/// A step that is long beside 1e-6 of the speed, and short beside 1e-4 of it.
+const STEP_S: f64 = 1e-3;
+
+#[test]
+fn analytic_belts_that_differ_are_refused_where_they_begin_to() {
+    // as shares of 9.81 m/s² and of 1 m/s: what the belts ask for differs by this after a step
+    for (more, level) in [(1.0, "of the accelerations"), (0.02, "of the velocities")] {
+        let scene = two_belts::Fall { more, ..Default::default() };
+        let run = Simulation::new(&scene).method(Method::rk4(STEP_S)).run();
+        let (at, message) = match run {
+            Err(error) => (0.0, error.to_string()),
+            Ok(run) => (run.last().t, run.outcome.to_string()),
+        };
+        assert!(at == 0.0 && message.contains("contradict") && message.contains("first, second"), "{at} s: {message}");
+        assert!(message.contains(level.trim_start_matches("of ")), "{more}: {message}");
     }
 }
 

@@ -62,6 +62,16 @@ fn invariant_levers_and_masses_too_far_apart_are_not_eliminated() {
     }
 }
 
+/// Fourth powers of 1e90 are no doubles.
+#[test]
+fn invariant_masses_whose_powers_are_no_doubles_are_not_eliminated() {
+    for mass in [1e-180, 1e180] {
+        let scene = scaled(1.0, mass);
+        assert!(!System::new(&scene, Backend::Auto).unwrap().uses_elimination(), "{mass} kg");
+        assert!(System::new(&scene, Backend::Generated).is_err(), "{mass} kg");
+    }
+}
+
 /// 1e-170 m squared is zero.
 #[test]
 fn invariant_inertia_that_underflows_is_none() {

@@ -32,6 +32,22 @@ ezy_core::model! {
     }
 }
 
+ezy_core::model! {
+    /// A load on a rope of light rods, as many as one likes.
+    model Rope {
+        count n = 2;
+        param light: kg = 1e-7;
+        body link[n] { mass: light, inertia: light/12 }
+        body load { mass: 1, inertia: 1/12 }
+        hinge top: ground(0, 0) ~ link[0](-0.5, 0);
+        for i in 1..n { hinge pin[i]: link[i-1](0.5, 0) ~ link[i](-0.5, 0); }
+        hinge hook: link[n-1](0.5, 0) ~ load(-0.5, 0);
+        gravity (0, -9.81);
+        start bent { for i in 0..n { link[i] angle 0.3 - 0.7*i; } load angle 0.9; at rest; }
+        scene swing { start bent; until 1 s; }
+    }
+}
+
 fn rods(upper_mass: f64, lower_mass: f64) -> rods::Swing {
     rods::Swing { upper_mass, lower_mass }
 }
@@ -63,6 +79,22 @@ fn analytic_accelerations_of_any_ratio_of_masses() {
             assert!(error <= ACCELERATIONS, "{masses:?} kg: {error:.1e}");
         }
     }
+}
+
+#[test]
+fn cross_accelerations_of_a_rope_of_light_rods_are_the_dense_ones() {
+    let scene = rope::Swing::default();
+    let accelerations = |backend| {
+        let mut system = System::new(&scene, backend).unwrap();
+        let State { t, q, v, .. } = system.consistent_start(&system.scene_start()).unwrap();
+        let (mut a, mut lambda) = (vec![0.0; q.len()], vec![0.0; system.info().n_rows()]);
+        system.accelerations(t, &q, &v, &mut a, &mut lambda).unwrap();
+        a
+    };
+    let (found, exact) = (accelerations(Backend::Auto), accelerations(Backend::Dense));
+    let largest = exact.iter().fold(0.0_f64, |largest, a| largest.max(a.abs()));
+    let error = crate::scenes::distance(&found, &exact) / largest;
+    assert!(error <= ACCELERATIONS, "{error:.1e}");
 }
 
 /// Ten times the tolerance of the methods, and what grows from it in two seconds.

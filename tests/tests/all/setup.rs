@@ -3,7 +3,7 @@
 use crate::scenes::{Case, driven, set};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
-use ezy_core::simulate::StopReason;
+use ezy_core::simulate::{SetupError, StopReason};
 
 fn message(change: impl for<'s> Fn(Simulation<'s, dyn Scene + 's>) -> Simulation<'s, dyn Scene + 's>) -> String {
     let case = driven().remove(0);
@@ -37,6 +37,27 @@ fn invariant_bad_ends_and_intervals_are_refused() {
         assert!(error.starts_with(&format!("the recording interval is {every} s")), "{error}");
     }
     assert!(message(|s| s.every(1e-9)).contains("give a longer interval"));
+}
+
+/// What is accepted fails later, by a limit that is none.
+fn is_accepted(order: impl for<'s> FnOnce(Simulation<'s, dyn Scene + 's>) -> Simulation<'s, dyn Scene + 's>) -> bool {
+    let case = driven().remove(0);
+    let error = order(Simulation::new(&*case.scene)).until(60.0).max_drift(-1.0).run().unwrap_err();
+    matches!(error, SetupError::Limit { .. })
+}
+
+#[test]
+fn invariant_orders_out_of_proportion_are_refused_and_large_ones_accepted() {
+    for (n, accepted) in [(1e9, true), (1e11, false)] {
+        assert_eq!(is_accepted(|s| s.method(Method::rk4(60.0 / n))), accepted, "{n:e} steps");
+    }
+    for (tolerance, accepted) in [(0.5, true), (50.0, false)] {
+        assert_eq!(is_accepted(|s| s.method(Method::dop853(tolerance))), accepted, "a tolerance of {tolerance}");
+    }
+    // 18 numbers of coordinates, velocities and accelerations, and four multipliers, make a sample
+    for (numbers, accepted) in [(1e8, true), (1e10, false)] {
+        assert_eq!(is_accepted(|s| s.every(60.0 * 22.0 / numbers)), accepted, "{numbers:e} numbers");
+    }
 }
 
 #[test]

@@ -120,6 +120,16 @@ fn invariant_start_value_that_is_not_finite_is_named() {
     }
 }
 
+/// From 1e9 on rounding is 1e-7, of metres and of radians.
+#[test]
+fn invariant_start_value_beyond_a_billion_is_refused_by_name() {
+    let start =
+        |x: f64| Simulation::new(&ezy_models::knife_edge::Cycloid::default()).until(0.0).give("blade.omega", x).run();
+    assert!(start(5e8).is_ok());
+    let error = start(5e9).unwrap_err();
+    assert!(matches!(error, SetupError::Start(StartError::TooLarge { name: "blade.omega", .. })), "{error}");
+}
+
 /// Assembles all coordinates from zero, except for those given by index.
 fn from_zero(mut scene: impl Scene, parameters: &[(&str, f64)], given: &[(usize, f64)]) -> State {
     crate::scenes::set(&mut scene, parameters);

@@ -168,6 +168,25 @@ fn analytic_sled_slides_on_to_the_other_side_where_it_cannot_hold() {
     }
 }
 
+/// Half of the time for which the push exceeds the limit, s.
+const HUMP_S: f64 = 0.005;
+
+#[test]
+fn analytic_slide_shorter_than_a_quarter_of_a_step_is_followed() {
+    // with u = t - 2 + d the push exceeds the limit by 2 d u - u²; the speed d u² - u³/3 over the mass returns to zero at u = 3 d,
+    // where it falls with 3 d²/m
+    let d = HUMP_S;
+    let scene = sled::Waved { limit: 4.0 - d * d, ..sled::Waved::default() };
+    let located = LOCATED_S / d + FOLLOWED / (3.0 * d * d / scene.mass);
+    for method in [Method::rk4(0.1), METHODS[1], METHODS[2], METHODS[3]] {
+        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let found = named(&run);
+        let [("runner slides", begins), ("runner stops", ends)] = found[..] else { panic!("{found:?}") };
+        let off = (begins - (2.0 - d)).abs().max((ends - (2.0 + 2.0 * d)).abs());
+        assert!(off <= located, "{}: {off:.1e}", method.name());
+    }
+}
+
 #[test]
 fn analytic_input_that_jumps_over_the_limit_lets_the_sled_go_at_once() {
     let scene = sled::Pushed::default();

@@ -80,3 +80,13 @@ fn invariant_stepper_that_is_not_looked_at_evaluates_neither() {
     stepper.outputs();
     assert_eq!(scene.outputs.load(Relaxed), 1);
 }
+
+#[test]
+fn invariant_sample_on_the_end_of_a_step_costs_nothing() {
+    // three steps of 0.1 s end at 0.30000000000000004 s
+    let scene = Crank::default();
+    let order = || Simulation::new(&scene).method(Method::rk4(0.1)).until(3.0);
+    let (sampled, plain) = (order().every(0.3).run().unwrap(), order().run().unwrap());
+    assert_eq!(sampled.samples().len(), 11);
+    assert_eq!(sampled.cost.evaluations, plain.cost.evaluations);
+}

@@ -1,10 +1,6 @@
 //! Double roots: an event function that passes zero and comes back between two samples.
 
-/// Parabolas that are tried, each through the last three samples.
-const MAX_TRIES: usize = 3;
-
-/// A predicted minimum above this part of the smaller end value does not reach zero.
-const SHALLOW: f64 = 0.5;
+use crate::simulate::tolerances::events::{MAX_PARABOLAS, SHALLOW};
 
 /// A point between `a` and `b` where `f` is negative. At `a`, `b` and the `others` beyond them it is positive.
 pub(super) fn double_root<E>(
@@ -18,7 +14,7 @@ pub(super) fn double_root<E>(
         least([a, b, third]).filter(inside)
     };
     let mut next = others.filter_map(foreseen).min_by(|x, y| x.1.total_cmp(&y.1));
-    for _ in 0..MAX_TRIES {
+    for _ in 0..MAX_PARABOLAS {
         let Some((x, _)) = next else { return Ok(None) };
         let y = f(x)?;
         if y < 0.0 {
@@ -64,7 +60,7 @@ mod tests {
     fn analytic_dip_of_another_curve_is_followed() {
         // least at 0.4, as flat as a fourth power on top of a parabola
         let (x, n) = found(|x| (x - 0.4).powi(4) + 0.3 * (x - 0.4).powi(2) - 1e-3);
-        assert!((x.unwrap() - 0.4).abs() <= 0.05 && n <= MAX_TRIES, "{x:?} after {n}");
+        assert!((x.unwrap() - 0.4).abs() <= 0.05 && n <= MAX_PARABOLAS, "{x:?} after {n}");
     }
 
     #[test]

@@ -10,14 +10,9 @@ use super::root::{resolution_at, root, side_of};
 use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::model::{EventInfo, EventKind, Scene};
+use crate::simulate::tolerances::events::{N_PARTS, NOTHING};
 use double_root::double_root;
 pub(super) use event_function::EventFunction;
-
-/// Parts of a step at whose ends event functions are sampled.
-const N_PARTS: usize = 4;
-
-/// An initial value below this part of the largest one in the first step is rounding: its sign is taken as zero.
-const NOTHING: f64 = 1e-10;
 
 /// An event that took place.
 #[derive(Debug, Clone)]

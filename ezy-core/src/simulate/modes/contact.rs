@@ -11,21 +11,9 @@ use crate::simulate::SetupError;
 use crate::simulate::events::EventFunction;
 use crate::simulate::root::resolution_at;
 use crate::simulate::stepper_state::StepperState;
+use crate::simulate::tolerances::modes::{LONG_ENOUGH, LOWEST_FLIGHT, SHORTEST_FLIGHT};
 
 const FREE: usize = 0;
-
-/// Bounces become shorter and shorter, infinitely many in a finite time. A flight shorter than this many times the resolution
-/// of time is skipped: the stop holds.
-const SHORTEST_FLIGHT: f64 = 1e3;
-
-/// A flight lower than this many roundings of the quantity is skipped, too.
-const LOWEST_FLIGHT: f64 = 16.0;
-
-/// A flight ends within this factor of its duration under a constant force.
-const LONG_ENOUGH: f64 = 1.25;
-
-/// A start may be beyond an end by this many position tolerances.
-const BEYOND: f64 = 100.0;
 
 /// The end of the stop that is nearest.
 struct Contact {
@@ -47,7 +35,7 @@ pub(super) fn start<'s, S: Scene + ?Sized>(
     let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
     let Some(rest) = modes.parked_in(end + 1) else { return Ok(()) };
-    let touching = BEYOND * rest.system.position_tolerance(&row);
+    let touching = rest.system.position_tolerance(&row);
     if gap < -touching {
         let scene = stepper.system.info().name;
         return Err(SetupError::BeyondStop { scene, stop: info.name, end: info.end(end), beyond: -gap });

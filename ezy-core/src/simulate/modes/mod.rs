@@ -9,16 +9,8 @@ use super::root::resolution_at;
 use super::stepper_state::StepperState;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, Scene, SceneInfo, StickSlipInfo, StopInfo};
-
-/// Smallest step, relative to the requested one, when a mode ends where it begins. In shorter steps the rounding of an
-/// interpolated value dominates.
-const SHORTEST: f64 = 1e-5;
-
-/// The step is shortened by this factor when a mode may end within a quarter of it.
-const SHORTER: f64 = 0.25;
-
-/// Changes of mode at one time after which the run gives up.
-const MAX_AT_ONCE: usize = 8;
+use crate::simulate::tolerances::events::N_PARTS;
+use crate::simulate::tolerances::modes::MAX_AT_ONCE;
 
 /// The law that gives a scene its modes.
 #[derive(Clone, Copy)]
@@ -189,7 +181,6 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// Repeats a step that goes past the end of the mode.
     fn cut(&mut self, stepper: &mut StepperState<'s, S>) -> Result<Cut, MotionError> {
         let start = stepper.now.state.t;
-        let shortest = SHORTEST * (stepper.next.state.t - start);
         loop {
             stepper.evaluate_next()?;
             let first = match self.detector.first(stepper, self.begins) {
@@ -209,9 +200,9 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
             if !self.detector.ends_below() {
                 return Ok(Cut::Whole);
             }
-            // the event function is below zero at the end, and began at zero: the mode ends earlier
-            let h = SHORTER * (stepper.next.state.t - start);
-            if h < shortest || start + h <= start {
+            // the event function began at zero and is below it at all samples: the mode ends before the first one
+            let h = (stepper.next.state.t - start) / N_PARTS as f64;
+            if h <= resolution_at(start) {
                 return Ok(Cut::AtOnce);
             }
             self.advance_again(stepper, start + h)?;

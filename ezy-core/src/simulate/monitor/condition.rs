@@ -3,6 +3,7 @@
 use crate::dynamics::{State, System};
 use crate::linalg::{ConditionEstimator, Conditioning};
 use crate::model::Scene;
+use crate::simulate::tolerances::monitors::{FEWEST_BETWEEN, LARGEST_WATCHED};
 
 /// Condition of the equations of motion where a run looked at it: at its start and end, and on the way now and then, so that
 /// looks take less than a hundredth of the time of steps. A singular position that is crossed in between is not seen.
@@ -20,12 +21,6 @@ pub struct ConditionPeak {
     pub t: f64,
 }
 
-/// Unknowns up to which a dense factorisation at start and end is cheap beside a run.
-const LARGEST: usize = 200;
-
-/// Steps between two looks at least; in larger scenes the square of their unknowns.
-const FEWEST_BETWEEN: u64 = 4096;
-
 /// The estimates of a run under way.
 pub(super) struct ConditionWatch {
     estimator: ConditionEstimator,
@@ -38,7 +33,7 @@ impl ConditionWatch {
     pub(super) fn new<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Option<Box<Self>> {
         let info = system.info();
         let n = info.n_unknowns();
-        if info.n_rows() == 0 || n > LARGEST {
+        if info.n_rows() == 0 || n > LARGEST_WATCHED {
             return None;
         }
         let mut estimator = system.condition_estimator();

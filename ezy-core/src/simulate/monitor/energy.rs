@@ -2,6 +2,7 @@
 
 use crate::dynamics::{State, System};
 use crate::model::Scene;
+use crate::simulate::tolerances::monitors::{LARGEST_ENERGY_ERROR, ROUNDING};
 
 /// The largest energy balance of a run: kinetic and potential energy less work, less the value at the start. Zero but for
 /// the error of the method.
@@ -17,19 +18,14 @@ pub struct EnergyError {
 }
 
 impl EnergyError {
-    /// Largest `relative` of a run with fixed steps whose result is trusted. A fixed step has no tolerance to compare with, so this is the
-    /// least that a result is good for: three digits. RK4 makes errors of positions that are larger than those of the
-    /// energy: (hω)⁴/120 of a radian for every radian that an oscillator turns, against (hω)⁵/72 of its energy.
-    pub const LARGEST_OF_FIXED_STEPS: f64 = 1e-3;
+    /// Largest `relative` of a run with fixed steps whose result is trusted: the least that a result is good for, three digits.
+    pub const LARGEST_OF_FIXED_STEPS: f64 = LARGEST_ENERGY_ERROR;
 
     /// Whether a run with fixed steps is to be trusted; not where the balance is no number.
     pub(in crate::simulate) fn may_be_of_fixed_steps(&self) -> bool {
         self.relative <= Self::LARGEST_OF_FIXED_STEPS
     }
 }
-
-/// What a sum of a handful of terms may lose to rounding, over their size.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The balance step by step.
 pub(super) struct EnergyWatch {

@@ -1,10 +1,7 @@
 //! Limits of a run.
 
 use crate::simulate::SetupError;
-
-/// Default limit on the steps of a method that chooses their length: about a minute of computing. The number of fixed steps is
-/// checked when the run is built.
-const MAX_CHOSEN_STEPS: u64 = 10_000_000;
+use crate::simulate::tolerances::monitors::MAX_CHOSEN_STEPS;
 
 /// Limits as set; infinite where none was.
 #[derive(Debug, Clone, Copy)]
@@ -87,4 +84,16 @@ pub enum ExceededLimit {
         /// Length of the last good step, s; zero without one.
         step_s: f64,
     },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn regress_chosen_steps_end_at_ten_million_as_the_manual_says() {
+        assert_eq!(Limits::default().most_steps(true), 10_000_000);
+        assert_eq!(Limits::default().most_steps(false), u64::MAX);
+        assert_eq!(Limits { steps: Some(7), ..Limits::default() }.most_steps(true), 7);
+    }
 }

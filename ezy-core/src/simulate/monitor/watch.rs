@@ -5,10 +5,7 @@ use super::energy::EnergyWatch;
 use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors, Peak};
 use crate::dynamics::{Projected, Projection, State, System, Worst};
 use crate::model::{Scene, SceneInfo};
-
-/// Steps between two evaluations of velocity residuals. One costs a third of an evaluation of the accelerations, and after a
-/// projection the residual is rounding.
-const N_BETWEEN_LOOKS: u64 = 16;
+use crate::simulate::tolerances::monitors::N_BETWEEN_LOOKS;
 
 /// The monitors of a run under way.
 pub(in crate::simulate) struct Watch {

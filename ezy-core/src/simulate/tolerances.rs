@@ -1,0 +1,281 @@
+//! Every threshold of the layer: where it comes from, its unit, and a test that fails when it is a hundred times as large or as small,
+//! or gone.
+
+/// Lengths of steps.
+pub(crate) mod steps {
+    /// Shortest step, relative to the time or to one second: shorter steps change nothing.
+    /// Unit: share of the time, or s.
+    /// Test: `analytic_dry_friction_is_followed_through_every_reversal`.
+    pub(crate) const SHORTEST: f64 = 1e-14;
+
+    /// Attempts of one step to end at a discontinuity: each one locates it better.
+    /// Unit: attempts.
+    /// Test: `analytic_springs_that_meet_are_followed_as_well_as_one`.
+    pub(crate) const MAX_DISCONTINUITIES: u32 = 3;
+
+    /// Stages of a long step that ends at a discontinuity may be beyond it by their own error and then see the other law. So a step covers
+    /// this part of the way to the discontinuity, and the rest is a short step of its own.
+    /// Unit: 1.
+    /// Test: `analytic_springs_that_meet_are_followed_as_well_as_one`.
+    pub(crate) const APPROACH: f64 = 31.0 / 32.0;
+
+    /// The rest is short when it is below this part of the attempted step.
+    /// Unit: 1.
+    /// Test: `analytic_springs_that_meet_are_followed_as_well_as_one`.
+    pub(crate) const LEFT: f64 = 1.0 / 16.0;
+
+    /// A sample within this fraction of a step of a step's end is that end.
+    /// Unit: share of a step.
+    /// Test: `invariant_sample_on_the_end_of_a_step_costs_nothing`.
+    pub(crate) const ON_STEP: f64 = 1e-9;
+
+    /// Number of progress reports.
+    /// Unit: reports.
+    /// Test: `invariant_progress_rises_to_one`.
+    pub(crate) const N_PROGRESS: f64 = 100.0;
+}
+
+/// Steps next to singular positions.
+pub(crate) mod singular {
+    /// A singular position may be this many times as far as predicted, and is searched for that far; one that may be within a usual
+    /// step counts.
+    /// Unit: 1.
+    /// Test: `cross_parallelogram_stays_one_through_its_flat_positions`,
+    /// and `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
+    pub(crate) const NEAR: f64 = 1.6;
+
+    /// A pivot vanishes where it falls below this part of its present value on the predicted path.
+    /// Unit: 1.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
+    pub(crate) const VANISHES: f64 = 0.02;
+
+    /// Where rows are redundant, pivots are evaluated at this many points ahead, each twice as far as the one before. The smallest pivot of
+    /// independent rows hardly changes until the last quarter of a radian before a singular position, so that its trend predicts nothing. A
+    /// position between two points is at most half as far from one of them as from the present state.
+    /// Unit: points.
+    /// Test: `reference_five_cranks_pass_the_level_position`.
+    pub(crate) const N_AHEAD: i32 = 7;
+
+    /// Golden sections: they reduce the path to 1/2000.
+    /// Unit: sections.
+    /// Test: `cross_parallelogram_stays_one_through_its_flat_positions`.
+    pub(crate) const N_SECTIONS: usize = 16;
+
+    /// The usual length falls by this part of each shorter step.
+    /// Unit: 1.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`,
+    /// and `analytic_level_cranks_by_taylor_are_a_pendulum_or_refused`.
+    pub(crate) const FADING: f64 = 0.1;
+
+    /// A step that ends at a singular position is shortened by this factor, since accelerations are inaccurate there.
+    /// Unit: 1.
+    /// Test: `analytic_level_cranks_by_taylor_are_a_pendulum_or_refused`.
+    pub(crate) const SHORTENED: f64 = 0.9;
+
+    /// A step ends next to a singular position when the smallest pivot falls below this part of its value at the start.
+    /// Unit: 1.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
+    pub(crate) const TOO_NEAR: f64 = 0.03;
+
+    /// A step whose end cannot be projected is taken again, shorter by this factor, as in CVODE (Hindmarsh and others, ACM Trans. Math.
+    /// Softw. 31, 2005).
+    /// Unit: 1.
+    /// Test: none.
+    pub(crate) const QUARTERED: f64 = 0.25;
+
+    /// Part of the usual length below which steps next to a singular position end the run: six cranks that pass their level position at
+    /// 29.7 rad/s take 3,566 steps of dop853 at 1e-13 there, and leave their branch (`level_cranks.rs`).
+    /// Unit: share of the usual step.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
+    pub(crate) const CREEPING: f64 = 1e-4;
+
+    /// Repetitions of one step.
+    /// Unit: attempts.
+    /// Test: none.
+    pub(crate) const MAX_SHORTENED: usize = 3;
+}
+
+/// Steps across singular positions.
+pub(crate) mod crossing {
+    /// Place of the singular position in the crossing step, from 0 to 1: 0.13 of the step from the nearest node of DOP853.
+    /// Unit: share of the step.
+    /// Test: `cross_parallelogram_stays_one_through_its_flat_positions`.
+    pub(crate) const MIDDLE: f64 = 0.46;
+
+    /// The crossing step may begin this factor too far from its ideal start.
+    /// Unit: 1.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`,
+    /// and `cross_parallelogram_stays_one_through_its_flat_positions`.
+    pub(crate) const ABOUT: f64 = 1.1;
+
+    /// Relative error that the shortest steps may have: it is noise.
+    /// Unit: 1.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
+    pub(crate) const NOISE: f64 = 1e-10;
+
+    /// Attempts of one step.
+    /// Unit: attempts.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
+    pub(crate) const MAX_TRIES: u32 = 10;
+
+    /// Smallest useful tolerance: below it error estimates next to a singular position are rounding.
+    /// Unit: 1, m or m/s.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
+    pub(crate) const FINEST: f64 = 1e-13;
+
+    /// A step across a singular position is not made shorter than this part of the usual step: a shorter one would end in the noise next to
+    /// the position. At this length an error up to [`NOISE`] is accepted.
+    /// Unit: share of the usual step.
+    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`,
+    /// and `cross_parallelogram_stays_one_through_its_flat_positions`.
+    pub(crate) const SHORTEST: f64 = 1.0 / 16.0;
+}
+
+/// Where a force is not smooth.
+pub(crate) mod discontinuities {
+    /// A discontinuity this close to an end of a step is ignored, in resolutions of the time.
+    /// Unit: resolutions of the time.
+    /// Test: `analytic_springs_that_meet_are_followed_as_well_as_one`,
+    /// and `order_rk4_is_four_across_discontinuities`.
+    pub(crate) const AT_END: f64 = 10.0;
+
+    /// Steps end this far behind a discontinuity, in resolutions of the time, so that the next one begins on its other side.
+    /// Unit: resolutions of the time.
+    /// Test: `analytic_limit_with_a_discontinuity_is_followed_in_every_mode`.
+    pub(crate) const BEHIND: f64 = 2.0;
+
+    /// Uncertainty of the predicted distance to a discontinuity, relative to that distance, for a whole step. For shorter distances it
+    /// falls in proportion to the distance.
+    /// Unit: 1.
+    /// Test: `order_rk4_is_four_across_discontinuities`.
+    pub(crate) const UNKNOWN: f64 = 1.0 / 32.0;
+
+    /// Guard against chattering: each shortened step adds [`CUT`], each full step subtracts one. From [`CHATTERING_GUARD`] on discontinuities are
+    /// stepped over, as where dry friction sticks or where a value is only rounding.
+    /// Unit: points.
+    /// Test: `analytic_dry_friction_is_followed_through_every_reversal`.
+    pub(crate) const CUT: u32 = 2;
+
+    /// See [`CUT`].
+    /// Unit: points.
+    /// Test: `analytic_dry_friction_is_followed_through_every_reversal`.
+    pub(crate) const CHATTERING_GUARD: u32 = 48;
+}
+
+/// Roots of event functions.
+pub(crate) mod events {
+    /// Events are located to this accuracy, s, or to the resolution of the time.
+    /// Unit: s.
+    /// Test: `analytic_events_of_a_throw_are_located_by_every_method`.
+    pub(crate) const RESOLUTION_S: f64 = 1e-12;
+
+    /// More evaluations are never needed: each second one halves the bracket at least, from an hour to 1e-12 s in 52.
+    /// Unit: evaluations.
+    /// Test: `analytic_events_of_a_throw_are_located_by_every_method`.
+    pub(crate) const MAX_EVALUATIONS: usize = 200;
+
+    /// Parts of a step at whose ends event functions are sampled.
+    /// Unit: parts.
+    /// Test: `analytic_two_passages_within_one_step_are_both_found`,
+    /// and `analytic_slide_shorter_than_a_quarter_of_a_step_is_followed`.
+    pub(crate) const N_PARTS: usize = 4;
+
+    /// An initial value below this part of the largest one in the first step is rounding: its sign is taken as zero.
+    /// Unit: 1.
+    /// Test: `analytic_start_on_an_event_within_rounding_is_no_event`.
+    pub(crate) const NOTHING: f64 = 1e-10;
+
+    /// Parabolas that are tried, each through the last three samples.
+    /// Unit: tries.
+    /// Test: `analytic_events_of_a_throw_are_located_by_every_method`.
+    pub(crate) const MAX_PARABOLAS: usize = 3;
+
+    /// A predicted minimum above this part of the smaller end value does not reach zero.
+    /// Unit: 1.
+    /// Test: `analytic_value_that_stays_away_from_zero_costs_nothing`.
+    pub(crate) const SHALLOW: f64 = 0.5;
+}
+
+/// Changes of mode.
+pub(crate) mod modes {
+    /// Changes of mode at one time after which the run gives up.
+    /// Unit: changes.
+    /// Test: `analytic_input_that_jumps_over_the_limit_lets_the_sled_go_at_once`.
+    pub(crate) const MAX_AT_ONCE: usize = 8;
+
+    /// Bounces become shorter and shorter, infinitely many in a finite time. A flight shorter than this many times the resolution
+    /// of time is skipped: the stop holds.
+    /// Unit: resolutions of the time.
+    /// Test: `analytic_stone_bounces_until_it_rests_by_every_method`.
+    pub(crate) const SHORTEST_FLIGHT: f64 = 1e3;
+
+    /// A flight lower than this many roundings of the quantity is skipped, too.
+    /// Unit: roundings of the quantity.
+    /// Test: `analytic_stone_rests_on_a_floor_away_from_the_origin`.
+    pub(crate) const LOWEST_FLIGHT: f64 = 16.0;
+
+    /// A flight ends within this factor of its duration under a constant force.
+    /// Unit: 1.
+    /// Test: `analytic_stone_bounces_until_it_rests_by_every_method`.
+    pub(crate) const LONG_ENOUGH: f64 = 1.25;
+}
+
+/// What a run watches.
+pub(crate) mod monitors {
+    /// Unknowns up to which a dense factorisation at start and end is cheap beside a run.
+    /// Unit: unknowns.
+    /// Test: `invariant_condition_rises_where_rows_come_near_each_other`.
+    pub(crate) const LARGEST_WATCHED: usize = 200;
+
+    /// Steps between two looks at least; in larger scenes the square of their unknowns.
+    /// Unit: steps.
+    /// Test: `analytic_condition_is_worst_on_the_way_where_crank_and_rod_are_upright`.
+    pub(crate) const FEWEST_BETWEEN: u64 = 4096;
+
+    /// What a sum of a handful of terms may lose to rounding, over their size.
+    /// Unit: 1.
+    /// Test: `invariant_rounding_of_a_large_potential_energy_is_no_error`.
+    pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+    /// Largest energy error of a run with fixed steps whose result is trusted. A fixed step has no tolerance to compare with, so this is the
+    /// least that a result is good for: three digits. RK4 makes errors of positions that are larger than those of the energy: (hω)⁴/120 of a
+    /// radian for every radian that an oscillator turns, against (hω)⁵/72 of its energy.
+    /// Unit: share of the energy turned over.
+    /// Test: `invariant_fixed_steps_that_lose_energy_are_not_trusted`.
+    pub(crate) const LARGEST_ENERGY_ERROR: f64 = 1e-3;
+
+    /// Default limit on the steps of a method that chooses their length: about a minute of computing. The number of fixed steps is
+    /// checked when the run is built.
+    /// Unit: steps.
+    /// Test: `regress_chosen_steps_end_at_ten_million_as_the_manual_says`.
+    pub(crate) const MAX_CHOSEN_STEPS: u64 = 10_000_000;
+
+    /// Steps between two evaluations of velocity residuals. One costs a third of an evaluation of the accelerations, and after a
+    /// projection the residual is rounding.
+    /// Unit: steps.
+    /// Test: `analytic_velocity_residual_is_seen_between_the_ends_of_a_run`.
+    pub(crate) const N_BETWEEN_LOOKS: u64 = 16;
+
+    /// More intervals say nothing new: the mechanism passes a singular position at every turn.
+    /// Unit: intervals.
+    /// Test: `analytic_rank_loss_names_the_rows`.
+    pub(crate) const MAX_INTERVALS: usize = 16;
+}
+
+/// What may be ordered.
+pub(crate) mod orders {
+    /// A quarter of an hour at 100 ns a step; more is a typing error.
+    /// Unit: steps.
+    /// Test: `invariant_orders_out_of_proportion_are_refused_and_large_ones_accepted`.
+    pub(crate) const MAX_STEPS: f64 = 1e10;
+
+    /// A larger tolerance accepts any motion.
+    /// Unit: 1, m, rad, m/s or rad/s.
+    /// Test: `invariant_orders_out_of_proportion_are_refused_and_large_ones_accepted`.
+    pub(crate) const LARGEST_TOLERANCE: f64 = 1.0;
+
+    /// Numbers in all samples together: 8 GB. A sample of ten thousand bodies has a hundred thousand numbers.
+    /// Unit: numbers.
+    /// Test: `invariant_orders_out_of_proportion_are_refused_and_large_ones_accepted`.
+    pub(crate) const MAX_NUMBERS: f64 = 1e9;
+}

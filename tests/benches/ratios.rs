@@ -5,7 +5,6 @@
 
 use ezy_core::linalg::SparseKkt;
 use ezy_core::prelude::*;
-use ezy_core::simulate::Ensemble;
 use ezy_models::{chain, ezy_roller};
 use nalgebra::{SMatrix, SVector};
 use std::hint::black_box;

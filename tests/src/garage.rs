@@ -1,9 +1,7 @@
 //! References for the models of the garage: `answers/*.json`. Each was computed by two independent formulations in
 //! 113-bit arithmetic, or from a closed form; each file says so, and how far double precision can follow.
 
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
-use ezy_core::record::Sample;
 use serde_json::Value;
 use std::path::Path;
 

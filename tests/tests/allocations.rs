@@ -1,6 +1,5 @@
 //! No step of a run allocates: a run of ten times the steps allocates as often.
 
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_models::{chain, ezy_roller};
 use ezy_tests::hand_roller::HandRoller;

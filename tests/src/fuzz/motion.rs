@@ -1,6 +1,5 @@
 //! A short run: it comes to its end with sound numbers, or says why not.
 
-use ezy_core::integrate::Tolerance;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 

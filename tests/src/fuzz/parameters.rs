@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use ezy_core::model::{ModelInfo, SceneEntry};
+use ezy_core::model::SceneEntry;
 use ezy_core::prelude::*;
 use ezy_models::registry::MODELS;
 

@@ -1,9 +1,8 @@
 //! What the methods that choose their steps have in common; what is their own stands with each of them.
 
 use crate::scenes::{Case, distance, driven};
-use ezy_core::model;
 use ezy_core::prelude::*;
-use ezy_core::simulate::{Outcome, SetupError, StopReason};
+use ezy_core::simulate::{SetupError, StopReason};
 use ezy_models::ezy_roller;
 use ezy_tests::reference::load;
 

@@ -1,10 +1,9 @@
 //! Inputs while a scene runs: numbers, tables, files, control laws.
 
 use crate::scenes::distance;
-use ezy_core::model::{Scene, SceneInfo};
+use ezy_core::model::SceneInfo;
 use ezy_core::prelude::*;
-use ezy_core::record::{input_index, output_index};
-use ezy_core::simulate::{InputFileError, TableError, read_inputs};
+use ezy_core::simulate::{InputFileError, TableError};
 use ezy_tests::piloted::piloted;
 use std::f64::consts::PI;
 

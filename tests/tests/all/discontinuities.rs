@@ -1,6 +1,5 @@
 //! Discontinuities of laws: steps end there.
 
-use ezy_core::dynamics::State;
 use ezy_core::model::EventKind;
 use ezy_core::prelude::*;
 use ezy_models::ezy_roller;

@@ -1,9 +1,7 @@
 //! Rows that move with time, from the language: they are followed, and their work is counted.
 
-use crate::scenes::distance;
-use ezy_core::model::Scene;
+use crate::scenes::{assert_checks, distance};
 use ezy_core::prelude::*;
-use ezy_core::testing::check_scene;
 use ezy_tests::crank::{self, Crank};
 
 model! {
@@ -44,9 +42,7 @@ const ROUNDING: f64 = 1e-12;
 fn fd_driven_scenes_pass_their_checks() {
     let scenes: [&dyn Scene; 3] = [&motor::Level::default(), &motor::Upright::default(), &sledge::Run::default()];
     for scene in scenes {
-        if let Err(error) = check_scene(scene) {
-            panic!("{error}");
-        }
+        assert_checks(scene);
     }
 }
 

@@ -1,8 +1,7 @@
 //! Runs that step together in lanes, against the same runs one by one.
 
-use ezy_core::dynamics::State;
 use ezy_core::prelude::*;
-use ezy_core::simulate::{Ensemble, SetupError};
+use ezy_core::simulate::SetupError;
 use ezy_models::{chain, ezy_roller};
 
 /// Rounding of 5000 steps of the driven roller, whose sensitivity is 50 after 5 s; sines differ in their last bit.

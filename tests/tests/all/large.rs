@@ -1,10 +1,10 @@
 //! Scenes with counts: sizes at run time, cost that grows with the number of bodies and no faster, refusals.
 
+use crate::scenes::assert_checks;
 use ezy_core::dynamics::{MotionError, SystemError};
 use ezy_core::linalg::{KktFactorization, SparseKkt};
-use ezy_core::model::{LayoutFault, Scene, Start};
+use ezy_core::model::{LayoutFault, Start};
 use ezy_core::prelude::*;
-use ezy_core::testing::check_scene;
 
 model! {
     /// Rods of 1 m and 1 kg in a row, hung from one end, at angles that go on turning.
@@ -85,9 +85,7 @@ fn cross_star_is_solved_as_by_the_dense_backend() {
 #[test]
 fn fd_chains_pass_their_checks() {
     for n in [1, 6] {
-        if let Err(error) = check_scene(&chain::Swing { n }) {
-            panic!("{n} rods: {error}");
-        }
+        assert_checks(&chain::Swing { n });
     }
 }
 

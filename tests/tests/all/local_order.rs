@@ -1,8 +1,6 @@
 //! The order of every method in every scene: the error of one step against the length of it.
 
 use crate::scenes::distance;
-use ezy_core::dynamics::State;
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_core::testing::{GivenSteps, StepsBy};
 use ezy_models::registry::MODELS;

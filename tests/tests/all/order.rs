@@ -1,7 +1,6 @@
 //! The measured order of the method.
 
 use crate::scenes::{Case, coast, distance, driven};
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_models::registry::MODELS;
 use ezy_tests::reference::load;

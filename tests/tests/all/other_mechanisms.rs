@@ -1,9 +1,8 @@
 //! Chains of many rows, rows that depend on time, bodies without rows: what the EzyRoller does not have.
 
 use crate::large::chain;
-use crate::scenes::{Case, coast, distance, set};
+use crate::scenes::{Case, assert_checks, coast, distance, set};
 use ezy_core::prelude::*;
-use ezy_core::testing::check_scene;
 use ezy_tests::crank::{self, Crank};
 
 /// Rounding times the condition of K, which for chains grows with the square of their length.
@@ -37,9 +36,7 @@ fn cross_backends_on_chains_of_any_length() {
 
 #[test]
 fn fd_crank_passes_the_checks() {
-    if let Err(error) = check_scene(&Crank::default()) {
-        panic!("{error}");
-    }
+    assert_checks(&Crank::default());
 }
 
 #[test]

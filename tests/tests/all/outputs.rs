@@ -1,10 +1,7 @@
 //! Inputs and outputs of generated scenes: what they are worth, and where they are not.
 
-use crate::scenes::distance;
-use ezy_core::dynamics::State;
-use ezy_core::model::Scene;
+use crate::scenes::{assert_checks, distance};
 use ezy_core::prelude::*;
-use ezy_core::testing::check_scene;
 use ezy_tests::piloted::piloted;
 
 /// Products of a handful of numbers up to a thousand.
@@ -74,8 +71,6 @@ fn cross_input_of_zero_is_the_scene_without_it() {
 #[test]
 fn fd_scenes_with_inputs_pass_their_checks() {
     for entry in piloted::MODEL.scenes {
-        if let Err(error) = check_scene(&*(entry.new)()) {
-            panic!("{error}");
-        }
+        assert_checks(&*(entry.new)());
     }
 }

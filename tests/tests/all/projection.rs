@@ -1,7 +1,6 @@
 //! Projections: what they leave, what they do not touch, what they cost in energy.
 
 use crate::scenes::{Case, all, distance, driven};
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 
 /// What the projection promises.

@@ -1,10 +1,7 @@
 //! Radau IIA: its order, stiff and not, its dense output, and the steps that stiffness does not hold.
 
 use crate::scenes::{distance, stepped};
-use ezy_core::dynamics::State;
-use ezy_core::model;
 use ezy_core::prelude::*;
-use ezy_core::record::Sample;
 use ezy_core::simulate::{Cost, SetupError};
 use ezy_core::testing::StepsBy;
 use ezy_models::{chain, double_pendulum, ezy_roller};

@@ -2,7 +2,6 @@
 
 use crate::scenes::{Case, coast, set};
 use ezy_core::dynamics::RankLoss;
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 

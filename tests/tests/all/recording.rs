@@ -2,7 +2,7 @@
 
 use crate::scenes::{Case, all, distance, driven};
 use ezy_core::prelude::*;
-use ezy_core::record::{RecordError, Recorder, columns};
+use ezy_core::record::columns;
 use ezy_tests::reference::load;
 use std::io::Write;
 

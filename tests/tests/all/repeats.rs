@@ -1,10 +1,9 @@
 //! Counts, arrays and `for` in the model language: every construct once, faults of counts at run time.
 
+use crate::scenes::assert_checks;
 use ezy_core::dynamics::SystemError;
-use ezy_core::model;
-use ezy_core::model::{LayoutFault, Scene};
+use ezy_core::model::LayoutFault;
 use ezy_core::prelude::*;
-use ezy_core::testing::check_scene;
 
 model! {
     /// A hub with spokes, a train of carts behind it, sledges on a grid.
@@ -92,9 +91,7 @@ model! {
 #[test]
 fn fd_members_met_twice_in_a_row_count_twice() {
     for n in [2, 4] {
-        if let Err(error) = check_scene(&twice::Run { n, ..Default::default() }) {
-            panic!("n = {n}: {error}");
-        }
+        assert_checks(&twice::Run { n, ..Default::default() });
     }
 }
 
@@ -104,9 +101,7 @@ fn fd_every_construct_passes_the_checks_at_several_counts() {
         let scenes: [&dyn Scene; 2] =
             [&everything::All { n, m, ..Default::default() }, &everything::Driven { n, m, ..Default::default() }];
         for scene in scenes {
-            if let Err(error) = check_scene(scene) {
-                panic!("n = {n}, m = {m}: {error}");
-            }
+            assert_checks(scene);
         }
     }
 }

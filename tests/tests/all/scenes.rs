@@ -2,7 +2,7 @@
 
 use ezy_core::model::Scene;
 use ezy_core::prelude::{Backend, State, System};
-use ezy_core::testing::{GivenSteps, StepsBy};
+use ezy_core::testing::{GivenSteps, StepsBy, check_scene};
 use ezy_models::ezy_roller;
 pub use ezy_tests::garage::set;
 use ezy_tests::hand_roller::HandRoller;
@@ -38,6 +38,13 @@ pub fn all() -> Vec<Case> {
 pub fn distance(x: &[f64], y: &[f64]) -> f64 {
     assert_eq!(x.len(), y.len());
     x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, |m, d| if d > m || d.is_nan() { d } else { m })
+}
+
+/// The checks that a user runs on a scene.
+pub fn assert_checks(scene: &dyn Scene) {
+    if let Err(error) = check_scene(scene) {
+        panic!("{error}");
+    }
 }
 
 /// One step of the classical Runge–Kutta method for y' = `slope`(t, y), apart from that of EZY.

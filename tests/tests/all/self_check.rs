@@ -1,25 +1,29 @@
 //! The checks that a user runs on a scene, run on every scene.
 
-use crate::scenes::{Case, all};
+use crate::scenes::{all, assert_checks};
+use ezy_core::model::ModelInfo;
 use ezy_core::testing::{check_model, check_scene};
 use ezy_models::registry::MODELS;
 use ezy_tests::{random_models, shapes};
 
 #[test]
 fn fd_every_scene_of_the_registry_passes_its_checks() {
-    for entry in MODELS.iter().flat_map(|model| model.scenes) {
-        if let Err(error) = check_scene(&*(entry.new)()) {
-            panic!("{error}");
-        }
-    }
+    assert_models_pass(MODELS);
 }
 
 #[test]
 fn fd_models_of_other_shapes_pass_their_checks() {
-    for entry in shapes::MODELS.iter().flat_map(|model| model.scenes) {
-        if let Err(error) = check_scene(&*(entry.new)()) {
-            panic!("{error}");
-        }
+    assert_models_pass(&shapes::MODELS);
+}
+
+#[test]
+fn fd_random_models_pass_their_checks() {
+    assert_models_pass(&random_models::MODELS);
+}
+
+fn assert_models_pass(models: &[&ModelInfo]) {
+    for model in models {
+        check_model(model).unwrap_or_else(|error| panic!("{error}"));
     }
 }
 
@@ -33,18 +37,6 @@ fn fd_states_next_to_a_corner_are_left_out_and_counted() {
 }
 
 #[test]
-fn fd_random_models_pass_their_checks() {
-    for model in random_models::MODELS {
-        check_model(model).unwrap_or_else(|error| panic!("{error}"));
-    }
-}
-
-#[test]
 fn fd_every_route_passes_its_checks() {
-    for Case { route, scene } in all() {
-        match check_scene(&*scene) {
-            Ok(report) => println!("{route} {report}"),
-            Err(error) => panic!("{route}: {error}"),
-        }
-    }
+    all().iter().for_each(|case| assert_checks(&*case.scene));
 }

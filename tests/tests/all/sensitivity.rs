@@ -2,7 +2,7 @@
 
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
-use ezy_core::simulate::{Sensitivities, SetupError, Tangent};
+use ezy_core::simulate::{SetupError, Tangent};
 use ezy_models::ezy_roller::Driven;
 
 const METHOD: Method = Method::dop853(1e-12);

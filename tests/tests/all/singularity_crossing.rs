@@ -1,7 +1,5 @@
 //! Mechanisms that pass positions where their rows lose rank, and go on as they came.
 
-use ezy_core::model;
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_models::{four_bar, n_four_bar};
 

@@ -1,7 +1,6 @@
 //! Changes of frame, sign, scale and direction of time that leave the motion as it is.
 
 use crate::scenes::{Case, coast, distance, driven, set};
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use std::f64::consts::PI;
 

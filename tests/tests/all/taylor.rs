@@ -1,8 +1,6 @@
 //! Taylor's method: its order, its dense output, its steps, and what it cannot run.
 
 use crate::scenes::{distance, set, stepped};
-use ezy_core::dynamics::State;
-use ezy_core::model;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_core::testing::StepsBy;

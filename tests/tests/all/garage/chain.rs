@@ -3,7 +3,6 @@
 
 use ezy_core::dynamics::SystemError;
 use ezy_core::linalg::SparseKkt;
-use ezy_core::model::Scene;
 use ezy_core::prelude::*;
 use ezy_models::{chain, double_pendulum, hanging_net};
 use ezy_tests::garage::{at_times, case, load, number, worse};

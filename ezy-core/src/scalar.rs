@@ -8,9 +8,7 @@ mod plain;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
-pub(crate) use plain::legible;
-#[cfg(feature = "cli")]
-pub(crate) use plain::rounded;
+pub(crate) use plain::{legible, rounded};
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

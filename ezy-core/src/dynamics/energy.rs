@@ -1,16 +1,14 @@
 //! Energies, powers, and what else a scene says of its state.
 
+use super::tolerances::geometry::TOLERANCE;
 use super::{MotionError, System, max_abs};
 use crate::model::{Scene, StickSlipInfo, StopInfo};
-
-/// Part of the size of a mechanism to which its positions are known in a run: their tolerance.
-const KNOWN: f64 = 1e-12;
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Work of the largest multiplier over the tolerance of positions, J: a body that is held gains or loses as much by rounding.
     /// Test: `monitors.rs`, a plate that cannot move.
     pub(crate) fn work_of_rounding(&self, multipliers: &[f64]) -> f64 {
-        KNOWN * self.geometry.length * max_abs(multipliers)
+        TOLERANCE * self.geometry.length * max_abs(multipliers)
     }
 
     /// ½ vᵀ M v, J.

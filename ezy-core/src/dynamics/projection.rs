@@ -4,7 +4,7 @@ use super::euclidean::Euclidean;
 use super::solved::{Rows, Solved};
 use super::system::Buffers;
 use super::tolerances::projection::{
-    MAX_PASSES, NEAR_RANK_LOSS, NOTICEABLE, PASSES_NEAR_RANK_LOSS, PASSES_TO_ROUNDING,
+    MAX_PASSES, NEAR_RANK_LOSS, NOTICEABLE, PASSES_NEAR_RANK_LOSS, PASSES_TO_ROUNDING, TOLERANCE_OF_REDUNDANT,
 };
 use super::{MotionError, Projected, System, Worst, max_abs};
 use crate::linalg::{INDEPENDENT, Independent};
@@ -176,6 +176,9 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
             }
             if passes == MAX_PASSES {
+                if solved.is_rank_deficient && norm <= TOLERANCE_OF_REDUNDANT {
+                    return Ok(([before, worst], passes));
+                }
                 let tolerance = self.geometry.position_tolerance(worst.row, self.geometry.extent(q));
                 return Err(if solved.is_rank_deficient && self.independent_rows_are_met(t, q) {
                     self.disagreement(t, q, "the positions", norm, tolerance)

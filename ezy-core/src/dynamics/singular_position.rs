@@ -1,22 +1,9 @@
 //! Positions in which constraints depend on each other, and not beside them.
 
+use super::tolerances::singular_position::{BESIDE, LEAVES, PASSES, SHORTEST};
 use super::{Metric, MotionError, Rows, Solved, State, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED};
 use crate::model::Scene;
-
-/// How far beside a position its rows are looked at, rad and longest levers. A row that depends on others in this position only has a
-/// pivot of about this size there, a hundred times [`INDEPENDENT`]. Test: `singular_starts.rs`, shaking in both directions.
-const BESIDE: f64 = 1e-3;
-
-/// Shorter ways are no motion, but rounding of positions.
-const SHORTEST: f64 = 1e-8;
-
-/// Corrections onto the independent rows, from an error of 1e-6: quadratic convergence, and one for rounding.
-const PASSES: usize = 3;
-
-/// What a redundant row may leave of velocities after a way, as a share of the way. Where the motion leads on it is the square of the
-/// way, 1e-3 of it; where it does not, about 1.
-const LEAVES: f64 = 0.1;
 
 const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 

@@ -37,6 +37,12 @@ pub(crate) mod projection {
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const PASSES_NEAR_RANK_LOSS: usize = 2;
 
+    /// |C| that redundant rows may leave where nothing leaves less: what they differ by is rounding of lengths. Forty four-bars in their level
+    /// position leave some 1e-11 m (`a02_n_four_bar, N = 40` in docs/hard-cases.md), and the next step, farther away, removes it.
+    /// Unit: m or rad.
+    /// Test: `analytic_motors_that_part_are_followed_to_a_tenth_of_a_nanometre`.
+    pub(crate) const TOLERANCE_OF_REDUNDANT: f64 = 1e-10;
+
     /// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each
     /// other; levers of a centimetre make it a hundred times as large.
     /// Unit: 1.
@@ -66,6 +72,31 @@ pub(crate) mod rank {
     /// Unit: 1.
     /// Test: `analytic_motor_against_a_stretched_rod_ends_the_run_with_the_rows`.
     pub(crate) const NEARLY_DEPENDENT: f64 = 0.1;
+}
+
+/// Positions in which constraints depend on each other, and not beside them.
+pub(crate) mod singular_position {
+    /// How far beside a position its rows are looked at. A row that depends on others in this position only has a pivot of about this size
+    /// there, a hundred times [`INDEPENDENT`](crate::linalg::INDEPENDENT).
+    /// Unit: rad and longest levers.
+    /// Test: `analytic_stretched_bars_are_refused_by_every_method`.
+    pub(crate) const BESIDE: f64 = 1e-3;
+
+    /// Shorter ways are no motion, but rounding of positions.
+    /// Unit: rad and longest levers.
+    /// Test: `analytic_parallel_cranks_leave_their_level_position`.
+    pub(crate) const SHORTEST: f64 = 1e-8;
+
+    /// Corrections onto the independent rows, from an error of 1e-6: quadratic convergence, and one for rounding.
+    /// Unit: passes.
+    /// Test: `analytic_cranks_of_two_rates_in_a_level_position_contradict_no_row`.
+    pub(crate) const PASSES: usize = 3;
+
+    /// What a redundant row may leave of velocities after a way, as a share of the way. Where the motion leads on it is the square of the
+    /// way, 1e-3 of it; where it does not, about 1.
+    /// Unit: 1.
+    /// Test: `analytic_parallel_cranks_leave_their_level_position`.
+    pub(crate) const LEAVES: f64 = 0.1;
 }
 
 /// A consistent start.

@@ -60,6 +60,7 @@ impl Page {
     }
 
     /// A heading inside a section.
+    #[cfg(feature = "figures")]
     pub(crate) fn heading(&mut self, heading: &str) -> &mut Self {
         self.html(&format!("<h3>{}</h3>", escape(heading)))
     }

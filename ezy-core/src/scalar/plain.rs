@@ -72,7 +72,6 @@ pub(crate) fn legible(x: f64) -> String {
 }
 
 /// A number rounded to so many significant digits.
-#[cfg(any(test, feature = "cli"))]
 pub(crate) fn rounded(x: f64, n_digits: usize) -> String {
     let digits = n_digits.saturating_sub(1);
     format!("{x:.digits$e}").parse().map_or_else(|_| legible(x), legible)

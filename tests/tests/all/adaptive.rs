@@ -39,7 +39,8 @@ fn reference_driven_at_all_samples() {
 fn order_error_follows_the_tolerance() {
     let reference = load("ezyroller_driven");
     let scene = ezy_roller::Driven::default();
-    let cases: [(fn(f64) -> Method, f64, [f64; 2]); 2] =
+    type OfTolerance = fn(f64) -> Method;
+    let cases: [(OfTolerance, f64, [f64; 2]); 2] =
         [(Method::dop853, 60.0, [1e-7, 1e-11]), (Method::radau, 10.0, [1e-6, 1e-10])];
     for (method, until_s, tolerances) in cases {
         let end = reference.iter().find(|r| r.t == until_s).expect("a reference at the end");

@@ -140,6 +140,18 @@ fn analytic_motors_that_agree_share_the_work_and_others_are_an_error() {
     }
 }
 
+/// Over 0.4 s the second motor gets ahead by 0.08 s² of what is more: the cranks differ by half of that.
+#[test]
+fn analytic_motors_that_part_are_followed_to_a_tenth_of_a_nanometre() {
+    let outcome = |more| {
+        let scene = two_motors::Turn { more, ..Default::default() };
+        Simulation::new(&scene).method(Method::rk4(0.01)).run().unwrap().outcome.to_string()
+    };
+    let (agree, differ) = (outcome(4e-10), outcome(4e-8));
+    assert!(agree.starts_with("reached the end"), "{agree}");
+    assert!(differ.contains("contradict each other") && differ.contains("of the positions"), "{differ}");
+}
+
 /// A step that is long beside 1e-6 of the speed, and short beside 1e-4 of it.
 const STEP_S: f64 = 1e-3;
 

@@ -2,7 +2,7 @@
 
 use super::singular::{Approach, about};
 use super::snapshot::Snapshot;
-use super::tolerances::crossing::{ABOUT, FINEST, MAX_TRIES, MIDDLE, NOISE, SHORTEST};
+use super::tolerances::crossing::{ABOUT, FINEST, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
@@ -39,7 +39,7 @@ impl SingularityCrossing {
         let info = system.info();
         let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
         let n_works = end.power.len();
-        let wanted = tolerance.unwrap_or(Tolerance { relative: FINEST, absolute: FINEST });
+        let wanted = tolerance.unwrap_or(Tolerance { relative: OF_FIXED_STEPS, absolute: OF_FIXED_STEPS });
         Self {
             method: Dop853::new(n_q, info.n_rows(), n_works),
             on_rows: State::zero(n_q, 0),

@@ -112,6 +112,11 @@ pub(crate) mod crossing {
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const FINEST: f64 = 1e-13;
 
+    /// Tolerance of crossing steps for methods with a fixed step, whose own errors are larger. Shorter crossing steps end nearer to the position.
+    /// Unit: 1, m or m/s.
+    /// Test: `analytic_three_level_cranks_by_rk4_are_a_pendulum`.
+    pub(crate) const OF_FIXED_STEPS: f64 = 1e-9;
+
     /// A step across a singular position is not made shorter than this part of the usual step: a shorter one would end in the noise next to
     /// the position. At this length an error up to [`NOISE`] is accepted.
     /// Unit: share of the usual step.

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 
 const LAYERS: [&str; 3] = ["dynamics", "linalg", "simulate"];
 
-/// Numbers that are no thresholds: the modes of a scene, and what mathematics gives.
-const NO_THRESHOLDS: [&str; 6] = ["FREE", "HOLDS", "SLIDES_LEFT", "SLIDES_RIGHT", "GOLDEN", "GOLDEN_RATIO"];
+/// Numbers that are no thresholds: the modes of a scene, what mathematics gives, and the public name of a threshold.
+const NO_THRESHOLDS: [&str; 7] =
+    ["FREE", "HOLDS", "SLIDES_LEFT", "SLIDES_RIGHT", "GOLDEN", "GOLDEN_RATIO", "LARGEST_OF_FIXED_STEPS"];
 
 const NUMBERS: [&str; 8] = ["f64", "f32", "usize", "u32", "u64", "i32", "std::ops::Range<f64>", "Range<f64>"];
 

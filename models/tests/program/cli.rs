@@ -307,10 +307,14 @@ fn invariant_run_replaces_a_longer_file() {
 
 #[test]
 fn invariant_run_with_too_large_a_step_says_so() {
-    let coarse = output(&["run", "ezyroller/driven", "--step", "0.5"]);
-    assert!(coarse.contains("step of 0.5 s is too large"), "{coarse}");
-    let as_json = ezy(&["run", "ezyroller/driven", "--step", "0.5", "--json"]);
-    assert!(text(&as_json.stderr).contains("step of 0.5 s is too large"), "{}", text(&as_json.stderr));
+    for (arguments, remark_in_json) in [(&["--step", "0.5"][..], false), (&["--step", "0.5", "--json"], true)] {
+        let coarse = ezy(&[&["run", "ezyroller/driven"], arguments].concat());
+        let (told, error) = (text(&coarse.stdout), text(&coarse.stderr));
+        assert_eq!(coarse.status.code(), Some(1), "{error}");
+        let remark = if remark_in_json { &error } else { &told };
+        assert!(remark.contains("step of 0.5 s is too large"), "{remark}");
+        assert!(told.contains("not to be trusted") && error.contains("not to be trusted"), "{told}{error}");
+    }
     let fine = output(&["run", "ezyroller/coast"]);
     assert!(!fine.contains("remark"), "{fine}");
 }

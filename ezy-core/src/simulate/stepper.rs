@@ -5,7 +5,7 @@ use super::control::{Control, check_inputs};
 use super::given::give;
 use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
-use crate::model::{Scene, Start};
+use crate::model::{Scene, SceneInfo, Start};
 use crate::record::EnergyState;
 
 /// A scene with its state and inputs, made by [`Simulation::stepper`](super::Simulation::stepper).
@@ -106,6 +106,11 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         };
         new.reset();
         new
+    }
+
+    /// Names and sizes.
+    pub fn info(&self) -> &'static SceneInfo {
+        self.stepper.system.info()
     }
 
     /// Returns to the start and the inputs of the simulation. A controller keeps its state.

@@ -6,7 +6,7 @@ use super::integrator::Integrator;
 use super::singular::Approach;
 use super::singularity_crossing::SingularityCrossing;
 use super::snapshot::Snapshot;
-use super::tolerances::singular::{CREEPING, FADING, SHORTENED, TOO_NEAR};
+use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, QUARTERED, SHORTENED, TOO_NEAR};
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
@@ -156,18 +156,28 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         Ok(true)
     }
 
-    /// A step that ends next to a singular position is taken again, shorter, where the method chooses steps.
+    /// A step that ends next to a singular position, or cannot be projected, is taken again shorter where the method chooses steps.
     #[inline]
     fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         if !self.integrator.chooses_steps() {
             return self.step(h, t_next);
         }
-        self.step(h, t_next)?;
-        if self.ends_near_singular_position() {
+        let mut outcome = self.step(h, t_next);
+        for _ in 0..MAX_SHORTENED {
+            let shorter = match &outcome {
+                Ok(()) if self.ends_near_singular_position() => SHORTENED,
+                Err(
+                    MotionError::ProjectionStalled { .. }
+                    | MotionError::ContradictoryRows { .. }
+                    | MotionError::SingularPosition { .. },
+                ) => QUARTERED,
+                _ => break,
+            };
             let t = self.now.state.t;
-            let shorter = SHORTENED * (self.next.state.t - t);
-            self.step(shorter, t + shorter)?;
+            let shorter = shorter * (self.next.state.t - t);
+            outcome = self.step(shorter, t + shorter);
         }
+        outcome?;
         if self.creeps(t_next) {
             let State { t, .. } = self.now.state;
             return Err(MotionError::StepCollapsed { t, step_s: self.next.state.t - t });

@@ -77,6 +77,17 @@ pub(crate) mod singular {
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const TOO_NEAR: f64 = 0.03;
 
+    /// A step whose end cannot be projected is taken again, shorter by this factor, as in CVODE (Hindmarsh and others, ACM Trans. Math.
+    /// Softw. 31, 2005).
+    /// Unit: 1.
+    /// Test: `analytic_parallel_cranks_leave_their_level_position`.
+    pub(crate) const QUARTERED: f64 = 0.25;
+
+    /// Repetitions of one step.
+    /// Unit: attempts.
+    /// Test: `analytic_parallel_cranks_leave_their_level_position`.
+    pub(crate) const MAX_SHORTENED: usize = 3;
+
     /// Part of the usual length below which steps next to a singular position end the run: six cranks that pass their level position at
     /// 29.7 rad/s take 3,566 steps of dop853 at 1e-13 there, and leave their branch (`level_cranks.rs`).
     /// Unit: share of the usual step.

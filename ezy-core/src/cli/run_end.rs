@@ -6,7 +6,9 @@ use crate::model::SceneInfo;
 use crate::record::Sample;
 use crate::report::table::{Table, fixed};
 use crate::scalar::{legible, rounded};
-use crate::simulate::{Cost, EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, StopReason};
+use crate::simulate::{
+    Cost, EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, SingularityCrossed, StopReason,
+};
 
 use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
@@ -79,6 +81,12 @@ pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Ru
     ]);
     if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.intervals.is_empty()) {
         members.push(("rank", Json::List(rank.intervals.iter().map(spell_json).collect())));
+    }
+    if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.crossings.is_empty()) {
+        let of = |crossed: &SingularityCrossed| {
+            Json::object([("from", Json::Number(crossed.from_s)), ("to", Json::Number(crossed.to_s))])
+        };
+        members.push(("crossings", Json::list(rank.crossings.iter().map(of))));
     }
     Json::object(members)
 }

@@ -39,7 +39,7 @@ pub use input_file::{InputFileError, read_inputs};
 pub use input_table::{InputTable, TableError};
 pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, LeastPivot, Monitors, Peak};
 pub use outcome::{Cost, Outcome, Run, StopReason};
-pub use rank_watch::{RankDeficientInterval, RankRecord};
+pub use rank_watch::{RankDeficientInterval, RankRecord, SingularityCrossed};
 pub use sensitivity::{Sensitivities, Tangent};
 pub use simulation::Simulation;
 pub use stepper::Stepper;

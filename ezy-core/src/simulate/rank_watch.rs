@@ -1,9 +1,10 @@
-//! Intervals of a run in which constraints were redundant.
+//! Where constraints of a run depended on each other: in stretches of time, and in singular positions that it crossed.
 
-use super::snapshot::Snapshot;
+use super::stepper_state::StepperState;
 use super::tolerances::monitors::MAX_INTERVALS;
-use crate::dynamics::{RankLoss, System};
+use crate::dynamics::RankLoss;
 use crate::model::Scene;
+use crate::scalar::rounded;
 
 /// A stretch of a run in which constraints depended on each other: from the first state at which they did to the last.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,12 +24,32 @@ pub struct RankRecord {
     pub intervals: Vec<RankDeficientInterval>,
     /// How many came after those.
     pub n_more: u64,
+    /// Stretches that were crossed by steps of another method, the first 16 of them.
+    pub crossings: Vec<SingularityCrossed>,
+    /// How many came after those.
+    pub n_more_crossings: u64,
     is_open: bool,
+    /// End of the last crossing, s.
+    crossed_until_s: f64,
+}
+
+/// A stretch that led across a singular position, in which rank is lost for an instant, or up to one. Its steps were of DOP853 with
+/// projected stages, whatever the method of the run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SingularityCrossed {
+    /// Its beginning, s.
+    pub from_s: f64,
+    /// Its end, s. That of the run may come before.
+    pub to_s: f64,
 }
 
 impl RankRecord {
     /// Registers an accepted state.
-    pub(super) fn see<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, at: &Snapshot) {
+    pub(super) fn see<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) {
+        if let Some([from_s, to_s]) = stepper.crossed_s.take() {
+            self.see_crossing(from_s, to_s);
+        }
+        let StepperState { system, now: at, .. } = stepper;
         let was_open = std::mem::replace(&mut self.is_open, at.solved.is_rank_deficient);
         if !at.solved.is_rank_deficient {
             return;
@@ -45,9 +66,21 @@ impl RankRecord {
             }),
         }
     }
+
+    fn see_crossing(&mut self, from_s: f64, to_s: f64) {
+        let (n_known, continues) = (self.crossings.len(), from_s == self.crossed_until_s);
+        match self.crossings.last_mut() {
+            Some(crossing) if continues && self.n_more_crossings == 0 => crossing.to_s = to_s,
+            Some(_) if continues => {}
+            _ if n_known == MAX_INTERVALS => self.n_more_crossings += 1,
+            _ => self.crossings.push(SingularityCrossed { from_s, to_s }),
+        }
+        self.crossed_until_s = to_s;
+    }
 }
 
-/// `constraints depended on each other from 0 s to 2 s: rank 17 of 20 (…)`, a line for each stretch; empty where there was none.
+/// `constraints depended on each other from 0 s to 2 s: rank 17 of 20 (…)`, a line for each stretch and each crossing; empty where there was
+/// none.
 impl std::fmt::Display for RankRecord {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for RankDeficientInterval { from_s, to_s, loss } in &self.intervals {
@@ -58,9 +91,19 @@ impl std::fmt::Display for RankRecord {
             }
             writeln!(f)?;
         }
-        match self.n_more {
+        if self.n_more > 0 {
+            writeln!(f, "and {} times more", self.n_more)?;
+        }
+        for SingularityCrossed { from_s, to_s } in &self.crossings {
+            let [from, to] = [from_s, to_s].map(|t| rounded(*t, 6));
+            writeln!(
+                f,
+                "crossed a singular position from t = {from} s to {to} s, in steps of dop853 with projected stages"
+            )?;
+        }
+        match self.n_more_crossings {
             0 => Ok(()),
-            n => writeln!(f, "and {n} times more"),
+            n => writeln!(f, "and {n} crossings more"),
         }
     }
 }

@@ -76,7 +76,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         sampler.keep(&mut stepper.system, &stepper.now)?;
         let mut rank = RankRecord::default();
-        rank.see(&mut stepper.system, &stepper.now);
+        rank.see(&mut stepper);
         let inputs = stepper.system.inputs().to_vec();
         let detector =
             EventDetector::new(EventFunction::Events, plan.events, info.n_coordinates(), stepper.now.power.len());
@@ -194,7 +194,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         let on_end = self.is_on_end(self.next_sample());
         self.stepper.accept();
-        self.rank.see(&mut self.stepper.system, &self.stepper.now);
+        self.rank.see(&mut self.stepper);
         self.inputs.copy_from_slice(self.stepper.system.inputs());
         if on_end && !last {
             self.sampler.keep(&mut self.stepper.system, &self.stepper.now)?;
@@ -219,6 +219,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         self.record_between(end.t)?;
         self.stepper.end_at(end.t, &mut self.between.state)?;
         self.stepper.accept();
+        self.rank.see(&mut self.stepper);
         Ok(end)
     }
 

@@ -32,6 +32,8 @@ pub(super) struct SingularityCrossing {
     ahead_s: Option<f64>,
     /// No attempt before this time, s.
     in_vain_until_s: f64,
+    /// Rejected attempts.
+    pub n_rejected: u64,
 }
 
 impl SingularityCrossing {
@@ -52,6 +54,7 @@ impl SingularityCrossing {
             is_under_way: false,
             ahead_s: None,
             in_vain_until_s: f64::NEG_INFINITY,
+            n_rejected: 0,
         }
     }
 
@@ -104,12 +107,14 @@ impl SingularityCrossing {
                 self.length_s = length.max(h * self.control.accept(error.max(f64::MIN_POSITIVE)));
                 self.begin_s = t;
                 if self.finish(system, now).is_err() {
+                    self.n_rejected += 1;
                     break;
                 }
                 self.is_under_way = true;
                 self.ahead_s = (!crosses_now).then_some(t + distance);
                 return true;
             }
+            self.n_rejected += 1;
             if !self.chooses_steps || length <= shortest {
                 break;
             }
@@ -141,6 +146,11 @@ impl SingularityCrossing {
         self.end.evaluate(system)?;
         let mut on_rows = OnRows::new(system, &mut self.on_rows);
         self.method.prepare_dense(&mut on_rows, now.node(), self.end.node())
+    }
+
+    /// Start and end of the last step, s.
+    pub(super) fn interval_s(&self) -> [f64; 2] {
+        [self.begin_s, self.end.state.t]
     }
 
     /// The state at `t` within the step, not projected.

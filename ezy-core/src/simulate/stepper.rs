@@ -194,6 +194,9 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         if !self.evaluated {
             check_inputs(self.stepper.now.state.t, &self.stepper.system)?;
             self.stepper.evaluate_now()?;
+            if self.n_steps == 0 && self.stepper.now.state.t == self.start_s {
+                self.stepper.check_beginning(f64::INFINITY)?;
+            }
             self.evaluated = true;
         }
         Ok(())

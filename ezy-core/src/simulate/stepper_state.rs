@@ -26,6 +26,10 @@ pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     crossing: Option<Box<SingularityCrossing>>,
     /// A buffer for positions ahead.
     foreseen: Vec<f64>,
+    /// The stretch that the last step over a singular position or towards it leads through, s, until it is recorded.
+    pub crossed_s: Option<[f64; 2]>,
+    /// Steps taken again shorter next to a singular position.
+    n_shortened: u64,
     /// Usual step length, s, of which single steps are cut short; zero before the first step.
     usual_s: f64,
     /// Whether works are integrated.
@@ -59,6 +63,8 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             tolerance: method.tolerance(),
             crossing: None,
             foreseen: vec![0.0; info.n_coordinates()],
+            crossed_s: None,
+            n_shortened: 0,
             usual_s: 0.0,
             work,
             projected: Projected::default(),
@@ -86,6 +92,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
 
     fn forget_crossing(&mut self) {
         self.usual_s = 0.0;
+        self.crossed_s = None;
         if let Some(crossing) = &mut self.crossing {
             crossing.restart();
         }
@@ -135,6 +142,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             if !crossing.step(system, &approach, within, self.usual_s) {
                 return Ok(false);
             }
+            self.crossed_s = Some(crossing.interval_s());
         }
         let Some(crossing) = crossing else { return Ok(false) };
         let end = &crossing.end;
@@ -176,6 +184,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             let t = self.now.state.t;
             let shorter = shorter * (self.next.state.t - t);
             outcome = self.step(shorter, t + shorter);
+            self.n_shortened += 1;
         }
         outcome?;
         if self.creeps(t_next) {
@@ -317,7 +326,8 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     }
 
     pub(super) fn n_rejected(&self) -> u64 {
-        self.integrator.n_rejected()
+        let of_crossings = self.crossing.as_ref().map_or(0, |crossing| crossing.n_rejected);
+        self.integrator.n_rejected() + self.n_shortened + of_crossings
     }
 
     pub(super) fn stiff_since(&self) -> Option<f64> {

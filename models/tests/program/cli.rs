@@ -226,6 +226,16 @@ fn invariant_run_from_a_singular_position_says_which_rows_depend_on_each_other()
     assert_eq!((object["rank"][0]["from"].as_f64(), object["rank"][0]["redundant"].as_u64()), (Some(0.0), Some(1)));
 }
 
+#[test]
+fn invariant_run_over_a_level_position_says_from_when_to_when_it_crossed() {
+    let level = ["run", "four_bar/turning", "--until", "1", "--method", "dop853"];
+    let as_text = output(&level);
+    assert!(as_text.contains("crossed a singular position from t = 0."), "{as_text}");
+    let object: Value = serde_json::from_str(&output(&[&level[..], &["--json"]].concat())).unwrap();
+    let [from, to] = ["from", "to"].map(|key| object["crossings"][0][key].as_f64().unwrap());
+    assert!(0.6 < from && from < to && to < 0.8, "{from} s to {to} s");
+}
+
 /// Rubber turns the trucks of a skateboard back at 270 per second, while the rider takes a second for a turn.
 #[test]
 fn invariant_run_that_stiffness_holds_says_since_when() {

@@ -43,6 +43,12 @@ fn analytic_stretched_bars_are_refused_by_every_method() {
                 assert!(residual > 0.0, "{phi}: {residual:e}");
             }
         }
+        let mut stepper = stretched(&scene, phi).method(Method::rk4(1e-3)).stepper().unwrap();
+        for _ in 0..2 {
+            let refused = stepper.step(1).unwrap_err();
+            assert!(matches!(refused, MotionError::SingularPosition { .. }), "{phi}: {refused}");
+            stepper.reset();
+        }
     }
 }
 

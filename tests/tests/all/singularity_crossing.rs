@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_models::{four_bar, n_four_bar};
+use std::f64::consts::PI;
 
 model! {
     /// The pendulum that a parallelogram of equal rods is.
@@ -86,6 +87,34 @@ fn cross_parallelogram_stays_one_through_its_flat_positions() {
             assert!((run.last().coordinates[8] - phi).abs() <= FLOOR, "{method:?}");
             assert!(run.cost.steps <= usual.cost.steps / 10, "{method:?}: {} steps", run.cost.steps);
         }
+    }
+}
+
+#[test]
+fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
+    let (rod, scene) = (equivalent::Turn::default(), four_bar::Turning::default());
+    let turning = Simulation::new(&rod).method(Method::dop853(1e-12)).until(5.0).every(1e-3).run().unwrap();
+    // in half turns; between two samples the angle is linear to 1e-6 of them
+    let turning: Vec<_> = turning.samples().map(|sample| (sample.t, sample.coordinates[2] / PI)).collect();
+    let level = |pair: &[(f64, f64)]| {
+        let [(t, from), (next_t, to)] = [pair[0], pair[1]];
+        let half_turns = from.max(to).floor();
+        (half_turns > from.min(to)).then(|| t + (half_turns - from) / (to - from) * (next_t - t))
+    };
+    let level: Vec<f64> = turning.windows(2).filter_map(level).collect();
+    assert!(level.len() >= 2, "{level:?}");
+    for method in [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::radau(1e-9)] {
+        let run = Simulation::new(&scene).method(method).until(5.0).run().unwrap();
+        let crossings = &run.rank.crossings;
+        // a long step may begin and end far from a level position
+        let least = if matches!(method, Method::Rk4 { .. }) { level.len() } else { 1 };
+        assert!((least..=level.len()).contains(&crossings.len()), "{method:?}: {crossings:?} of {level:?}");
+        for crossing in crossings {
+            let n_level = level.iter().filter(|level_s| (crossing.from_s..crossing.to_s).contains(level_s)).count();
+            assert_eq!(n_level, 1, "{method:?}: {crossing:?} of {level:?}");
+        }
+        let run = Simulation::new(&rod).method(method).until(1.0).run().unwrap();
+        assert!(run.rank.crossings.is_empty(), "{method:?}: {}", run.rank);
     }
 }
 

@@ -186,19 +186,9 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         self.record_between(f64::INFINITY)?;
         if controlled {
-            // from here on the start of the next step is evaluated
-            let stepper = &mut self.stepper;
-            let (h, _) = self.plan.schedule.step(n + 1 - self.n_cut, stepper.next.state.t);
-            self.control.act(&stepper.next.state, h, &mut stepper.system)?;
-            stepper.evaluate_next()?;
+            self.control_next(n)?;
         }
-        let on_end = self.is_on_end(self.next_sample());
-        self.stepper.accept();
-        self.rank.see(&mut self.stepper);
-        self.inputs.copy_from_slice(self.stepper.system.inputs());
-        if on_end && !last {
-            self.sampler.keep(&mut self.stepper.system, &self.stepper.now)?;
-        }
+        self.accept(last)?;
         let changed = match &mut self.modes {
             Some(modes) if changes && !last => modes.change(&mut self.stepper),
             _ => Ok(()),
@@ -206,6 +196,26 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         self.follow_mode();
         changed?;
         Ok(None)
+    }
+
+    /// Sets the inputs for the step after step `n`; from here on `next` is evaluated as the start of that step.
+    fn control_next(&mut self, n: u64) -> Result<(), MotionError> {
+        let stepper = &mut self.stepper;
+        let (h, _) = self.plan.schedule.step(n + 1 - self.n_cut, stepper.next.state.t);
+        self.control.act(&stepper.next.state, h, &mut stepper.system)?;
+        stepper.evaluate_next()
+    }
+
+    /// `next` becomes `now`, and a sample where one is due there; the `last` one is recorded at the end of the run.
+    fn accept(&mut self, last: bool) -> Result<(), StopReason> {
+        let on_end = self.is_on_end(self.next_sample());
+        self.stepper.accept();
+        self.rank.see(&mut self.stepper);
+        self.inputs.copy_from_slice(self.stepper.system.inputs());
+        if on_end && !last {
+            self.sampler.keep(&mut self.stepper.system, &self.stepper.now)?;
+        }
+        Ok(())
     }
 
     /// Ends the run within a step; monitors do not see the rest of the step.

@@ -63,7 +63,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let count_of = |quantity| derived.kernels.get(&quantity).map(Kernel::count).unwrap_or_default();
     let [acceleration_operations, correction_operations] =
         [Quantity::Accelerations, Quantity::Correction].map(|quantity| operations(count_of(quantity)));
-    let series = series(of.series_cost());
+    let series = series(derived.series_cost());
     quote! {
         ezy::SceneInfo {
             model: #model_name,

@@ -46,8 +46,12 @@ pub struct Expression {
 }
 
 impl Expression {
-    fn atom(tokens: TokenStream) -> Self {
+    pub fn atom(tokens: TokenStream) -> Self {
         Self { tokens, binding: Binding::Atom }
+    }
+
+    pub fn sum(tokens: TokenStream) -> Self {
+        Self { tokens, binding: Binding::Sum }
     }
 
     /// In brackets if its outermost operator binds less tightly.
@@ -63,18 +67,9 @@ impl ToTokens for Expression {
     }
 }
 
-/// Writes a program; `other` says where inputs besides time, coordinates and velocities are found.
+/// Writes a program, with coordinates and velocities at the indices that `place` says; `other` says where inputs besides those
+/// and time are found.
 pub fn body(
-    numbers: Numbers,
-    program: &Program,
-    vocabulary: Vocabulary<'_>,
-    other: &dyn Fn(Symbol) -> TokenStream,
-) -> Body {
-    body_at(numbers, program, vocabulary, &|i| quote!(#i), other)
-}
-
-/// As [`body`], with coordinates and velocities at the indices that `place` says.
-pub fn body_at(
     numbers: Numbers,
     program: &Program,
     vocabulary: Vocabulary<'_>,

@@ -2,11 +2,6 @@
 //! counts.
 
 mod describe;
-pub mod jacobians;
-pub mod kernels;
-mod loops;
-pub mod series;
-mod slots;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -81,7 +76,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
         quote!(ezy::CountInfo { name: #name, default: #default, documentation: #documentation })
     });
     let defaults = model.counts.iter().map(|count| count.default as usize);
-    let series = info::series(of.series_cost());
+    let series = info::series(derived.series_cost());
     let motion = equations::motion_of(templates).tokens();
     quote! {
         ezy::SceneInfo {

@@ -6,9 +6,11 @@ use quote::quote;
 use super::abbreviations::Abbreviations;
 use super::constants::Constants;
 use super::kernel::Vocabulary;
+use super::passes::Method;
+use super::places::Lengths;
 use super::signature::{self, Trait};
 use super::type_names::{module_of_modes, scene_type};
-use super::{info, page, repeated, series, straight};
+use super::{info, jacobians, page, repeated, series};
 use crate::mechanics::Derived;
 use crate::mechanics::derived::Form;
 use crate::mechanics::kernels::{Kernel, Quantity};
@@ -22,23 +24,15 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let structure = structure(model, derived, &type_name, &page);
     let constants = Constants::new(model, derived);
     let vocabulary = Vocabulary { symbols: derived.symbols(), constants: &constants, outputs_early: false };
-    let of_series = Vocabulary { outputs_early: true, ..vocabulary };
-    let [equations, of_derived, methods] =
-        [Trait::Equations, Trait::Derived, Trait::Scene].map(|of| methods(model, derived, vocabulary, of));
+    let methods = |vocabulary, of| methods(model, derived, vocabulary, of);
+    let [equations, of_derived, of_scene] =
+        [Trait::Equations, Trait::Derived, Trait::Scene].map(|of| methods(vocabulary, of));
+    let of_series = methods(Vocabulary { outputs_early: true, ..vocabulary }, Trait::Series);
+    let series = series::implementation(&type_name, model, derived, &of_series);
     let constants = constants.method();
     let parameters: Vec<&Ident> = derived.parameters().iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
     let modes = access_to_modes(derived, &parameters);
-    let series = match &derived.form {
-        Form::Straight(of) => {
-            let series = of.series.as_ref().ok();
-            series.map(|series| series::implementation(&type_name, &of.equations, series, derived.n_fixed(), of_series))
-        }
-        Form::Counted(of) => {
-            let series = of.series.as_ref().ok();
-            series.map(|series| repeated::series::implementation(&type_name, model, &of.templates, series, of_series))
-        }
-    };
     let access_to_series = series.is_some().then(access_to_series);
     quote! {
         #structure
@@ -70,7 +64,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
             fn set_parameter(&mut self, index: usize, value: f64) {
                 #set_parameter
             }
-            #methods
+            #of_scene
         }
 
         #series
@@ -128,12 +122,13 @@ fn methods(model: &Model, derived: &Derived<'_>, vocabulary: Vocabulary<'_>, of:
     let of_trait = signature::ALL.iter().filter(|signature| signature.of == of);
     let kernels = of_trait.filter_map(|signature| Some((signature, derived.kernels.get(&signature.quantity)?)));
     let methods = kernels.map(|(signature, kernel)| {
+        let method = Method { model, vocabulary, signature, kernel };
         let body = match &derived.form {
-            Form::Straight(of) => straight::body(of, derived.n_fixed(), vocabulary, signature, kernel),
-            Form::Counted(_) => repeated::kernels::body(model, vocabulary, signature, kernel),
+            Form::Straight(of) => method.straight(&Lengths::new(derived, of)),
+            Form::Counted(_) => method.looped(),
         };
         let places = (signature.quantity == Quantity::Jacobians).then(|| jacobian_places(model, derived));
-        let method = signature.method(body);
+        let method = signature.method(body, matches!(derived.form, Form::Straight(_)));
         quote!(#places #method)
     });
     methods.collect()
@@ -142,9 +137,10 @@ fn methods(model: &Model, derived: &Derived<'_>, vocabulary: Vocabulary<'_>, of:
 /// The method that says which Jacobians there are.
 fn jacobian_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let places = match &derived.form {
-        Form::Straight(of) => of.jacobians.as_ref().map(straight::jacobian_places),
+        Form::Straight(of) => of.jacobians.as_ref().map(jacobians::places),
         Form::Counted(of) => {
-            of.jacobians.as_ref().map(|jacobians| repeated::jacobians::places(model, &of.templates, jacobians))
+            let items = of.jacobians.as_ref();
+            items.map(|items| jacobians::places_of_items(model, &of.templates, items))
         }
     };
     quote! {

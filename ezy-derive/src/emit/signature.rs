@@ -1,10 +1,11 @@
 //! What the methods that compute are called, read and write: the same for every scene.
 
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, quote};
 
+use super::kernel::Expression;
 use super::numbers::Numbers;
-use crate::mechanics::kernels::Quantity;
+use crate::mechanics::kernels::{Ahead, Quantity};
 
 /// The traits of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,6 +13,7 @@ pub enum Trait {
     Equations,
     Derived,
     Scene,
+    Series,
 }
 
 /// A method that computes.
@@ -35,6 +37,8 @@ pub enum Writes {
     Value,
     /// They are given to a `Start`.
     Start,
+    /// They go to the storage of a series.
+    Store(Order),
 }
 
 impl Writes {
@@ -42,7 +46,29 @@ impl Writes {
     pub fn vectors(self) -> &'static [&'static str] {
         match self {
             Self::Vectors(names) | Self::Solution(names) => names,
-            Self::Value | Self::Start => &[],
+            Self::Value | Self::Start | Self::Store(_) => &[],
+        }
+    }
+}
+
+/// The order that a kernel of a series is for.
+#[derive(Clone, Copy)]
+pub enum Order {
+    /// None: at the start of a step, what is one order ahead is of order 0.
+    Start,
+    /// k, an argument.
+    Present,
+}
+
+impl Order {
+    /// The order that is so far ahead.
+    pub fn ahead(self, ahead: Ahead) -> Expression {
+        match self {
+            Self::Start => Expression::atom(Literal::usize_unsuffixed(ahead.saturating_sub(1)).into_token_stream()),
+            Self::Present => {
+                let ahead = Literal::usize_unsuffixed(ahead);
+                Expression::sum(quote!(k + #ahead))
+            }
         }
     }
 }
@@ -50,7 +76,7 @@ impl Writes {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 18] = [
+pub const ALL: [Signature; 22] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
@@ -69,6 +95,10 @@ pub const ALL: [Signature; 18] = [
     scene(Quantity::PotentialEnergy, "potential_energy", &["t", "q"], Writes::Value),
     scene(Quantity::Start, "start", &[], Writes::Start),
     derived(Quantity::Jacobians, "jacobians", &["t", "q", "v", "a", "lambda"], Writes::Vectors(&["by_q", "by_v"])),
+    series(Quantity::SeriesBegin, "begin", &["t"], Order::Start),
+    series(Quantity::SeriesRightSide, "right_side", &["k"], Order::Present),
+    series(Quantity::SeriesSolution, "solve", &["k"], Order::Present),
+    series(Quantity::SeriesFinish, "finish", &["k"], Order::Present),
 ];
 
 const fn any(quantity: Quantity, name: &'static str, reads: &'static [&'static str], writes: Writes) -> Signature {
@@ -83,33 +113,49 @@ const fn scene(quantity: Quantity, name: &'static str, reads: &'static [&'static
     Signature { quantity, of: Trait::Scene, name, reads, writes }
 }
 
+const fn series(quantity: Quantity, name: &'static str, reads: &'static [&'static str], order: Order) -> Signature {
+    Signature { quantity, of: Trait::Series, name, reads, writes: Writes::Store(order) }
+}
+
 impl Signature {
-    /// Equations are written for any number.
+    /// Equations and series are written for any number.
     pub const fn numbers(&self) -> Numbers {
         match self.of {
-            Trait::Equations => Numbers::Any,
+            Trait::Equations | Trait::Series => Numbers::Any,
             Trait::Derived | Trait::Scene => Numbers::F64,
         }
     }
 
-    /// The method around what it does.
-    pub fn method(&self, body: TokenStream) -> TokenStream {
+    /// The method around what it does. Orders of a series are computed by straight lines in one function.
+    pub fn method(&self, body: TokenStream, is_straight: bool) -> TokenStream {
         let (name, number) = (argument(self.name), self.numbers().name());
         let reads = self.reads.iter().map(|&read| {
             let name = argument(read);
-            if read == "t" { quote!(#name: #number) } else { quote!(#name: &[#number]) }
+            match read {
+                "t" => quote!(#name: #number),
+                "k" => quote!(#name: usize),
+                _ => quote!(#name: &[#number]),
+            }
         });
         let written = self.writes.vectors().iter().map(|&written| {
             let name = argument(written);
             quote!(#name: &mut [#number])
         });
-        let start = matches!(self.writes, Writes::Start).then(|| quote!(start: &mut ezy::Start));
-        let arguments = reads.chain(written).chain(start);
-        let (inline, result) = match self.writes {
-            Writes::Solution(_) => (quote!(#[inline]), quote!(-> ezy::Pivots)),
-            Writes::Value => (quote!(), quote!(-> #number)),
-            _ => (quote!(), quote!()),
+        let (inline, other, result) = match self.writes {
+            Writes::Solution(_) => (quote!(#[inline]), None, quote!(-> ezy::Pivots)),
+            Writes::Value => (quote!(), None, quote!(-> #number)),
+            Writes::Start => (quote!(), Some(quote!(start: &mut ezy::Start)), quote!()),
+            Writes::Store(order) => {
+                let (inline, result) = match order {
+                    Order::Start => (quote!(), quote!(-> ezy::Pivots)),
+                    Order::Present if is_straight => (quote!(#[inline(always)]), quote!()),
+                    Order::Present => (quote!(), quote!()),
+                };
+                (inline, Some(quote!(store: &mut ezy::SeriesStore<#number>)), result)
+            }
+            Writes::Vectors(_) => (quote!(), None, quote!()),
         };
+        let arguments = reads.chain(written).chain(other);
         quote! {
             #inline
             fn #name(&self, c: &[#number], #(#arguments),*) #result {

@@ -1,10 +1,10 @@
 //! All that follows from a scene, stage by stage. What is emitted is this, printed.
 
 use super::jacobians::Jacobians;
-use super::kernels::{Kernels, Quantity};
+use super::kernels::{Entries, Kernels, Quantity};
 use super::programs;
 use super::scene::Equations;
-use super::series::{Recurrences, Series};
+use super::series::Series;
 use super::solve::Solutions;
 use super::symbols::Symbols;
 use super::templates::Templates;
@@ -21,6 +21,8 @@ pub struct Derived<'m> {
     pub scene: Scene,
     pub form: Form<'m>,
     pub kernels: Kernels<'m>,
+    /// Whether there are kernels of the Taylor series, or the function that has none.
+    pub series: Result<(), Function>,
     /// What kernels read of parameters; each is computed once.
     pub constants: ConstantPool,
     /// The scenes that a skate with a limit, or a stop, makes of it.
@@ -40,40 +42,15 @@ pub struct Straight {
     pub equations: Equations,
     /// Blocks in the order of elimination, with whether the pivot is constant.
     pub elimination: Vec<(Vec<usize>, bool)>,
-    /// Or the function that has none.
-    pub series: Result<Series, Function>,
     /// `None` when they are too long to write.
     pub jacobians: Option<Jacobians>,
 }
 
-/// Of a scene whose sizes are numbers of a run; series and Jacobians by item.
+/// Of a scene whose sizes are numbers of a run; Jacobians by item.
 #[derive(Debug)]
 pub struct Counted<'m> {
     pub templates: Templates<'m>,
-    pub series: Result<Vec<Recurrences>, Function>,
     pub jacobians: Option<Vec<Jacobians>>,
-}
-
-impl Straight {
-    /// Products and operations of one order of the series.
-    ///
-    /// # Errors
-    /// The function that has none.
-    pub fn series_cost(&self) -> Result<(usize, Count), Function> {
-        self.series.as_ref().map(Series::cost).map_err(|function| *function)
-    }
-}
-
-impl Counted<'_> {
-    /// Products and operations of one order of the series, of one member of each item.
-    ///
-    /// # Errors
-    /// The function that has none.
-    pub fn series_cost(&self) -> Result<(usize, Count), Function> {
-        let items = self.series.as_ref().map_err(|function| *function)?;
-        let (products, operations): (Vec<usize>, Vec<Count>) = items.iter().map(Recurrences::cost).unzip();
-        Ok((products.into_iter().sum(), operations.into_iter().sum()))
-    }
 }
 
 impl<'m> Derived<'m> {
@@ -94,10 +71,11 @@ impl<'m> Derived<'m> {
         let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
         let jacobians = Jacobians::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
         let mut kernels = programs::straight(&equations, jacobians.as_ref(), &mut constants);
+        let series = series.map(|series| kernels.extend(programs::series(vec![series])));
         let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
         kernels.extend(solutions.into_iter().flat_map(programs::solutions));
-        let form = Form::Straight(Box::new(Straight { equations, elimination, series, jacobians }));
-        Self { scene: scene.clone(), form, kernels, constants, modes: Vec::new() }
+        let form = Form::Straight(Box::new(Straight { equations, elimination, jacobians }));
+        Self { scene: scene.clone(), form, kernels, series, constants, modes: Vec::new() }
     }
 
     fn counted(model: &'m Model, scene: &'m Scene) -> Self {
@@ -109,8 +87,20 @@ impl<'m> Derived<'m> {
         if let Some(jacobians) = &jacobians {
             kernels.insert(Quantity::Jacobians, programs::counted_jacobians(&templates, jacobians, &mut constants));
         }
-        let form = Form::Counted(Box::new(Counted { templates, series, jacobians }));
-        Self { scene: scene.clone(), form, kernels, constants, modes: Vec::new() }
+        let series = series.map(|series| kernels.extend(programs::series(series)));
+        let form = Form::Counted(Box::new(Counted { templates, jacobians }));
+        Self { scene: scene.clone(), form, kernels, series, constants, modes: Vec::new() }
+    }
+
+    /// Products and operations of one order of the series; in a scene with counts, those of one member of each item.
+    ///
+    /// # Errors
+    /// The function that has none.
+    pub fn series_cost(&self) -> Result<(usize, Count), Function> {
+        self.series?;
+        let of_order = [Quantity::SeriesRightSide, Quantity::SeriesSolution, Quantity::SeriesFinish];
+        let operations = of_order.map(|quantity| self.kernels[&quantity].count()).into_iter().sum();
+        Ok((self.kernels[&Quantity::SeriesBegin].n(Entries::Products), operations))
     }
 
     pub fn algebra(&self) -> &Algebra {

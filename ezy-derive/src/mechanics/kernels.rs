@@ -27,6 +27,11 @@ pub enum Quantity {
     PotentialEnergy,
     Start,
     Jacobians,
+    /// Of the Taylor series: the start of a step, then three kernels an order.
+    SeriesBegin,
+    SeriesRightSide,
+    SeriesSolution,
+    SeriesFinish,
 }
 
 /// The kernels of a scene.
@@ -37,12 +42,17 @@ pub type Kernels<'m> = BTreeMap<Quantity, Kernel<'m>>;
 pub struct Kernel<'m> {
     pub passes: Vec<Pass<'m>>,
     /// Of an elimination, rows of each watched pivot. Pivots and their thresholds are the last outputs of the program.
-    pub pivots: Vec<Vec<usize>>,
+    pub pivots: Option<Vec<Vec<usize>>>,
 }
 
 impl<'m> Kernel<'m> {
     pub fn of(passes: Vec<Pass<'m>>) -> Self {
-        Self { passes, pivots: Vec::new() }
+        Self { passes, pivots: None }
+    }
+
+    /// How many of these one member of each pass has.
+    pub fn n(&self, what: Entries) -> usize {
+        self.passes.iter().map(|pass| pass.n(what)).sum()
     }
 
     /// Operations of all passes, each made once.
@@ -62,15 +72,38 @@ pub struct Pass<'m> {
     pub puts: Vec<Put>,
     /// What it reads besides time, coordinates, velocities and inputs; ascending by symbol.
     pub reads: Vec<(Symbol, Read)>,
-    /// Rows of the item, where a kernel counts on which rows are its own.
-    pub n_rows: usize,
+    /// How many rows and entries of a series a member has for itself, where a kernel counts them.
+    pub lengths: Vec<(Entries, usize)>,
 }
 
-impl Pass<'_> {
+impl<'m> Pass<'m> {
+    /// Made once, without anything to count.
+    pub fn once(program: Program, puts: Vec<Put>, reads: Vec<(Symbol, Read)>) -> Self {
+        Self { over: Over::Loops(&[]), slots: Vec::new(), program, puts, reads, lengths: Vec::new() }
+    }
+
+    /// How many of these a member has for itself.
+    pub fn n(&self, what: Entries) -> usize {
+        self.lengths.iter().find(|(other, _)| *other == what).map_or(0, |&(_, n)| n)
+    }
+
     /// What a symbol stands for that is no time, coordinate, velocity or input.
     pub fn read(&self, symbol: Symbol) -> Option<Read> {
         self.reads.binary_search_by_key(&symbol, |&(other, _)| other).ok().map(|place| self.reads[place].1)
     }
+}
+
+/// What an array has entries for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Entries {
+    Coordinates,
+    Rows,
+    /// Products of series.
+    Products,
+    /// Numbers of a whole step.
+    Base,
+    /// Coefficients that later orders read.
+    Kept,
 }
 
 /// How often a pass is made.
@@ -95,6 +128,8 @@ pub enum Put {
     Total,
     /// A start value of a coordinate.
     Start { index: usize, rate: bool, near: bool },
+    /// To the storage of a series.
+    Slot(Slot),
 }
 
 /// What a symbol stands for.
@@ -106,4 +141,38 @@ pub enum Read {
     Multiplier(usize),
     /// Of a row.
     Residual(usize),
+    /// Of the storage of a series.
+    Slot(Slot),
 }
+
+/// A number in the storage of a series. `Ahead` counts orders from the present one, k: what belongs to order k + 2 is 2 ahead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Slot {
+    /// A value at the start of the step, or of the factors of K.
+    Base(usize),
+    /// The sum of a product.
+    Sum(usize),
+    /// A coefficient that later orders read.
+    Kept(Ahead, usize),
+    /// A coefficient of q.
+    Coordinate(Ahead, usize),
+    /// f of order k.
+    Force(usize),
+    /// r of order k.
+    Row(usize),
+    /// a of order k.
+    Acceleration(usize),
+    /// λ of order k.
+    Multiplier(usize),
+    /// A coefficient of the left factor of a product.
+    Left(Ahead, usize),
+    /// A coefficient of the right factor of a product.
+    Right(Ahead, usize),
+    /// The order as a number.
+    Order(Ahead),
+    /// Its reciprocal.
+    InverseOrder(Ahead),
+}
+
+/// Orders after the present one.
+pub type Ahead = usize;

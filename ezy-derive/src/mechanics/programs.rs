@@ -1,8 +1,9 @@
 //! The programs of all kernels, from the expressions of a scene.
 
 use super::jacobians::Jacobians;
-use super::kernels::{Kernel, Kernels, Over, Pass, Put, Quantity, Read};
+use super::kernels::{Entries, Kernel, Kernels, Over, Pass, Put, Quantity, Read};
 use super::scene::{Equations, Group};
+use super::series::{Series, Solution};
 use super::solve::{Solutions, Solver};
 use super::templates::{RowTemplate, Templates};
 use crate::model::{BodyId, Coordinate};
@@ -29,7 +30,7 @@ impl Lower<'_> {
     }
 
     fn pass<'m>(&mut self, over: Over<'m>, slots: &[BodyId], sums: &[SumId], puts: Vec<Put>) -> Pass<'m> {
-        Pass { over, slots: slots.to_vec(), program: self.program(sums), puts, reads: Vec::new(), n_rows: 0 }
+        Pass { over, slots: slots.to_vec(), ..Pass::once(self.program(sums), puts, Vec::new()) }
     }
 
     /// A pass that fills the only vector of its kernel.
@@ -44,8 +45,7 @@ impl Lower<'_> {
 
     /// A kernel of one pass.
     fn once<'m>(&mut self, sums: &[SumId], puts: Vec<Put>, reads: Vec<(Symbol, Read)>) -> Kernel<'m> {
-        let pass = self.pass(Over::Loops(&[]), &[], sums, puts);
-        Kernel::of(vec![Pass { reads, ..pass }])
+        Kernel::of(vec![Pass::once(self.program(sums), puts, reads)])
     }
 }
 
@@ -106,12 +106,31 @@ pub fn solutions<'m>(solutions: Solutions) -> impl Iterator<Item = (Quantity, Ke
     .into_iter()
     .map(|(quantity, Solver { program, n_outputs, pivots }, first, reads)| {
         let puts = (0..n_outputs).map(|i| Put::Next(usize::from(i >= first))).collect();
-        let pass = Pass { over: Over::Loops(&[]), slots: Vec::new(), program, puts, reads, n_rows: 0 };
-        (quantity, Kernel { passes: vec![pass], pivots })
+        (quantity, Kernel { passes: vec![Pass::once(program, puts, reads)], pivots: Some(pivots) })
     })
 }
 
-/// The kernels of a scene with counts, but for the Jacobians.
+/// The kernels of the Taylor series of a scene, or of the items of a scene with counts.
+pub fn series(items: Vec<Series<'_>>) -> [(Quantity, Kernel<'_>); 4] {
+    let [mut begin, mut right_side, mut solution, mut finish] = [(); 4].map(|()| Kernel::of(Vec::new()));
+    for item in items {
+        begin.passes.push(item.begin);
+        right_side.passes.push(item.right_side);
+        finish.passes.push(item.finish);
+        if let Some(Solution { pivots, pass }) = item.solution {
+            begin.pivots = Some(pivots);
+            solution.passes.push(pass);
+        }
+    }
+    [
+        (Quantity::SeriesBegin, begin),
+        (Quantity::SeriesRightSide, right_side),
+        (Quantity::SeriesSolution, solution),
+        (Quantity::SeriesFinish, finish),
+    ]
+}
+
+/// The kernels of a scene with counts, but for the Jacobians and the series.
 pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> Kernels<'m> {
     let Templates { rows, forces, groups, .. } = templates;
     let mut lower = Lower { algebra: &templates.algebra, constants };
@@ -162,7 +181,7 @@ pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> K
         let (sums, puts) = if moves { (vec![row.power], vec![group(Group::Drives)]) } else { (vec![], vec![]) };
         let reads = row.multipliers.iter().map(|&(symbol, own)| (symbol, Read::Multiplier(own))).collect();
         let pass = lower.pass(Over::Loops(&row.row.loops), &row.slots, &sums, puts);
-        Pass { reads, n_rows: row.constraints.rows.len(), ..pass }
+        Pass { reads, lengths: vec![(Entries::Rows, row.constraints.rows.len())], ..pass }
     }));
     kernels.insert(Quantity::Power, Kernel::of(power));
     let potential = forces.iter().filter(|force| !force.potential.is_zero());
@@ -191,7 +210,7 @@ pub fn counted_jacobians<'m>(
     let mut lower = Lower { algebra: &templates.algebra, constants };
     let passes = templates.items().zip(jacobians).map(|(item, jacobians)| {
         let pass = lower.pass(Over::Loops(item.loops), item.slots, &jacobians.values(), jacobians.puts());
-        Pass { reads: jacobians.reads.clone(), n_rows: item.n_rows(), ..pass }
+        Pass { reads: jacobians.reads.clone(), lengths: vec![(Entries::Rows, item.n_rows())], ..pass }
     });
     Kernel::of(passes.collect())
 }

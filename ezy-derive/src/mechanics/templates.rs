@@ -5,10 +5,11 @@ use super::event::SceneEvent;
 use super::expression::Writer;
 use super::forces::Load;
 use super::jacobians::Jacobians;
+use super::kernels::{Over, Pass};
 use super::kinematics::Vector;
 use super::rows;
 use super::scene::{Group, drives};
-use super::series::Recurrences;
+use super::series::Series;
 use super::symbols::Symbols;
 use crate::function::Function;
 use crate::model::{
@@ -194,17 +195,22 @@ impl<'m> Templates<'m> {
         items(&self.rows, &self.forces)
     }
 
-    /// The recurrences of each item.
+    /// The series of each item.
     ///
     /// # Errors
     /// A function that has no Taylor series.
-    pub fn series(&mut self, constants: &mut ConstantPool) -> Result<Vec<Recurrences>, Function> {
+    pub fn series(&mut self, constants: &mut ConstantPool) -> Result<Vec<Series<'m>>, Function> {
         let Self { algebra, symbols, rows, forces, .. } = self;
         let mut extended = constants.clone();
-        let of_item = |item: Item| Recurrences::of_item(algebra, symbols, &mut extended, item.constraints, item.force);
-        let recurrences = items(rows, forces).map(of_item).collect::<Result<_, _>>()?;
+        let of_item = |item: Item<'_, 'm>| {
+            let series = Series::of_item(algebra, symbols, &mut extended, item.constraints, item.force)?;
+            let of_members = |pass| Pass { over: Over::Loops(item.loops), slots: item.slots.to_vec(), ..pass };
+            let [begin, right_side, finish] = [series.begin, series.right_side, series.finish].map(of_members);
+            Ok(Series { begin, right_side, finish, ..series })
+        };
+        let series = items(rows, forces).map(of_item).collect::<Result<_, _>>()?;
         *constants = extended;
-        Ok(recurrences)
+        Ok(series)
     }
 
     /// The Jacobians of each item; `None` when some are too long to write.

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::loops::{about, looped, variable, whole};
+use crate::emit::loops::{about, looped, variable, whole};
 use crate::emit::templates::Template;
 use crate::mechanics::Templates;
 use crate::model::{Model, Slot};

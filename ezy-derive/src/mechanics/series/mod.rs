@@ -15,56 +15,40 @@ mod solution;
 
 use crate::function::Function;
 use crate::mechanics::constraints::Constraints;
+use crate::mechanics::kernels::{Entries, Pass, Slot};
 use crate::mechanics::scene::Equations;
-use crate::mechanics::solve::{self, Elimination};
+use crate::mechanics::solve::{self, Elimination, Written};
 use crate::mechanics::symbols::Symbols;
 use crate::symbolic::interner::Interner;
 use crate::symbolic::lower::{ConstantPool, Lowering};
-use crate::symbolic::program::{Count, Node, NodeId, Program, Value};
+use crate::symbolic::program::{Node, NodeId, Program, Value};
 use crate::symbolic::{Algebra, SumId};
 use level::{Level, Source};
-use lowered::Sums;
+use lowered::{Lowered, Sums};
 use product::Product;
-pub use slot::{Ahead, Slot, Slots};
-
-/// A program and where each of its outputs is written.
-#[derive(Debug)]
-pub struct Kernel {
-    pub program: Program,
-    pub targets: Vec<Slot>,
-}
+use slot::Slots;
 
 /// The recurrences of a scene, or of an item of a scene with counts.
 #[derive(Debug)]
-pub struct Recurrences {
-    /// Values at the start of a step. For it, what is one order ahead of k is of order 0. Its outputs past the targets are
-    /// pivots and their thresholds.
-    pub begin: Kernel,
+pub struct Series<'m> {
+    /// Values at the start of a step. For it, what is one order ahead of k is of order 0. Its outputs past those that are
+    /// put somewhere are pivots and their thresholds.
+    pub begin: Pass<'m>,
     /// f and r of order k.
-    pub right_side: Kernel,
+    pub right_side: Pass<'m>,
+    /// `None` without elimination: a and λ come from elsewhere.
+    pub solution: Option<Solution<'m>>,
     /// Order k + 2 of q, for a scene, and of what depends on positions and time.
-    pub finish: Kernel,
-    pub slots: Slots,
-    pub n_base: usize,
-    pub n_kept: usize,
-    pub n_products: usize,
-}
-
-/// The recurrences of a scene.
-#[derive(Debug)]
-pub struct Series {
-    pub recurrences: Recurrences,
-    /// `None` for a scene without elimination, whose solver finds a and λ.
-    pub solution: Option<Solution>,
+    pub finish: Pass<'m>,
 }
 
 /// How a scene with an elimination solves.
 #[derive(Debug)]
-pub struct Solution {
+pub struct Solution<'m> {
     /// Rows of each watched pivot.
     pub pivots: Vec<Vec<usize>>,
     /// a and λ of order k.
-    pub kernel: Kernel,
+    pub pass: Pass<'m>,
 }
 
 /// What the programs of a step share.
@@ -82,7 +66,9 @@ pub struct Step<'e> {
     of_item: bool,
 }
 
-impl Series {
+impl Series<'_> {
+    /// Of a scene.
+    ///
     /// # Errors
     /// A function that has no Taylor series.
     pub fn derive(equations: &mut Equations, constants: &mut ConstantPool) -> Result<Self, Function> {
@@ -104,25 +90,9 @@ impl Series {
         let program = lowering.program;
         let mut step = lowered.step(program, &mut equations.symbols, slots)?;
         *constants = extended;
-        let right_side = orders::right_side(&mut step, &lowered);
-        let finish = orders::finish(&mut step, 0..n_q);
-        let solution = written.as_ref().map(|written| solution::kernel(&mut step, written));
-        let pivots = written.map(|written| written.pivots).unwrap_or_default();
-        let begin = orders::begin(&mut step, &lowered, &pivots);
-        let pivots = pivots.into_iter().map(|(rows, ..)| rows).collect();
-        let solution = solution.map(|kernel| Solution { pivots, kernel });
-        Ok(Self { recurrences: step.recurrences(begin, right_side, finish), solution })
+        Ok(step.series(&lowered, n_q, n_c, written))
     }
 
-    /// Products and operations of one order.
-    pub fn cost(&self) -> (usize, Count) {
-        let (n_products, count) = self.recurrences.cost();
-        let solution = self.solution.iter().map(|solution| solution.kernel.program.count());
-        (n_products, std::iter::once(count).chain(solution).sum())
-    }
-}
-
-impl Recurrences {
     /// Of an item of a scene with counts: its rows, or its force by coordinate.
     ///
     /// # Errors
@@ -140,26 +110,30 @@ impl Recurrences {
         let program = lowering.program;
         let mut step = lowered.step(program, symbols, Slots::default())?;
         step.of_item = true;
-        let right_side = orders::right_side(&mut step, &lowered);
-        let finish = orders::finish(&mut step, 0..0);
-        let begin = orders::begin(&mut step, &lowered, &[]);
-        Ok(step.recurrences(begin, right_side, finish))
-    }
-}
-
-impl Recurrences {
-    /// Products and operations of one order, without those of a solution.
-    pub fn cost(&self) -> (usize, Count) {
-        let kernels = [&self.right_side, &self.finish];
-        (self.n_products, kernels.map(|kernel| kernel.program.count()).into_iter().sum())
+        Ok(step.series(&lowered, 0, constraints.map_or(0, |constraints| constraints.rows.len()), None))
     }
 }
 
 impl Step<'_> {
-    fn recurrences(self, begin: Kernel, right_side: Kernel, finish: Kernel) -> Recurrences {
-        let Self { slots, products, base, kept, .. } = self;
-        let (n_base, n_kept, n_products) = (base.len(), kept.len(), products.len());
-        Recurrences { begin, right_side, finish, slots, n_base, n_kept, n_products }
+    /// All passes; q of order k + 2 is found for the first `n_q` coordinates.
+    fn series<'m>(&mut self, lowered: &Lowered, n_q: usize, n_rows: usize, written: Option<Written>) -> Series<'m> {
+        let right_side = orders::right_side(self, lowered);
+        let finish = orders::finish(self, 0..n_q);
+        let solution = written.as_ref().map(|written| solution::pass(self, written));
+        let pivots = written.map(|written| written.pivots).unwrap_or_default();
+        let begin = orders::begin(self, lowered, &pivots);
+        let pivots = pivots.into_iter().map(|(rows, ..)| rows).collect();
+        let solution = solution.map(|pass| Solution { pivots, pass });
+        let (n_products, n_base, n_kept) = (self.products.len(), self.base.len(), self.kept.len());
+        let lengths = [
+            (Entries::Rows, n_rows),
+            (Entries::Products, n_products),
+            (Entries::Base, n_base),
+            (Entries::Kept, n_kept),
+        ];
+        let [begin, right_side, finish] =
+            [begin, right_side, finish].map(|pass| Pass { lengths: lengths.to_vec(), ..pass });
+        Series { begin, right_side, solution, finish }
     }
 
     /// Place of a product among all.

@@ -4,26 +4,29 @@ use super::level::{Level, plus};
 use super::lowered::{Lowered, Term};
 use super::product::{Product, RightFactor};
 use super::recurrence::{Coefficients, Target};
-use super::{Kernel, Slot, Step};
+use super::{Slot, Slots, Step};
+use crate::mechanics::kernels::{Pass, Put};
 use crate::symbolic::program::{Node, Program, Value};
 
 /// Outputs of a program as they are written.
 #[derive(Default)]
 pub struct Outputs {
     values: Vec<Value>,
-    targets: Vec<Slot>,
+    puts: Vec<Put>,
 }
 
 impl Outputs {
     pub fn push(&mut self, target: Slot, value: Value) {
         self.values.push(value);
-        self.targets.push(target);
+        self.puts.push(Put::Slot(target));
     }
 
-    pub fn kernel(self, mut program: Program) -> Kernel {
-        self.values.into_iter().for_each(|value| program.push_output(value));
+    /// The pass that puts them there, and gives what is watched besides.
+    pub fn pass<'m>(self, slots: &Slots, mut program: Program, watched: impl Iterator<Item = Value>) -> Pass<'m> {
+        self.values.into_iter().chain(watched).for_each(|value| program.push_output(value));
         program.settle_signs();
-        Kernel { program, targets: self.targets }
+        let reads = slots.reads(&program);
+        Pass::once(program, self.puts, reads)
     }
 }
 
@@ -40,7 +43,7 @@ fn total(coefficients: &mut Coefficients<'_, '_>, terms: &[Term]) -> Value {
 }
 
 /// f_k = F_k − Σ_{j≥1} G_jᵀ λ_{k−j}; r_k = −(k + 1)(k + 2) Ĉ_{k+2} or −(k + 1) (S v + s_t)^_{k+1}, with the unknown left out.
-pub fn right_side(step: &mut Step<'_>, lowered: &Lowered) -> Kernel {
+pub fn right_side<'m>(step: &mut Step<'_>, lowered: &Lowered) -> Pass<'m> {
     let mut outputs = Outputs::default();
     let mut of = Coefficients::new(step, Target::Velocity);
     for (i, force, reaction) in &lowered.force {
@@ -84,11 +87,11 @@ pub fn right_side(step: &mut Step<'_>, lowered: &Lowered) -> Kernel {
         }
         i += 1;
     }
-    outputs.kernel(of.program)
+    outputs.pass(&of.step.slots, of.program, std::iter::empty())
 }
 
 /// Order k + 2 of `coordinates` and of what depends on positions.
-pub fn finish(step: &mut Step<'_>, coordinates: std::ops::Range<usize>) -> Kernel {
+pub fn finish<'m>(step: &mut Step<'_>, coordinates: std::ops::Range<usize>) -> Pass<'m> {
     let mut outputs = Outputs::default();
     let mut of = Coefficients::new(step, Target::Position);
     for i in coordinates {
@@ -124,7 +127,7 @@ pub fn finish(step: &mut Step<'_>, coordinates: std::ops::Range<usize>) -> Kerne
             k += 1;
         }
     }
-    outputs.kernel(of.program)
+    outputs.pass(&of.step.slots, of.program, std::iter::empty())
 }
 
 /// Σ k x
@@ -139,7 +142,7 @@ fn combination(of: &mut Coefficients<'_, '_>, parts: Vec<(Value, Value)>) -> Val
 }
 
 /// Order 0 and 1 of everything; then the watched pivots.
-pub fn begin(step: &mut Step<'_>, lowered: &Lowered, pivots: &[(Vec<usize>, Value, Value)]) -> Kernel {
+pub fn begin<'m>(step: &mut Step<'_>, lowered: &Lowered, pivots: &[(Vec<usize>, Value, Value)]) -> Pass<'m> {
     let mut outputs = Outputs::default();
     let (products, kept, base) =
         (step.products.values().to_vec(), step.kept.values().to_vec(), step.base.values().to_vec());
@@ -173,10 +176,6 @@ pub fn begin(step: &mut Step<'_>, lowered: &Lowered, pivots: &[(Vec<usize>, Valu
         let first = of.of(node);
         outputs.push(Slot::Kept(2, i), first);
     }
-    let mut program = of.program;
-    let Outputs { values, targets } = outputs;
     let watched = pivots.iter().flat_map(|&(_, pivot, threshold)| [pivot, threshold]);
-    values.into_iter().chain(watched).for_each(|value| program.push_output(value));
-    program.settle_signs();
-    Kernel { program, targets }
+    outputs.pass(&of.step.slots, of.program, watched)
 }

@@ -10,8 +10,8 @@ use rustc_hash::FxHashMap;
 use super::Step;
 use super::level::{Level, plus};
 use super::product::{Factor, Product, RightFactor};
-use super::slot::{Ahead, Slot};
 use crate::function::Function;
+use crate::mechanics::kernels::{Ahead, Slot};
 use crate::mechanics::symbols::Meaning;
 use crate::symbolic::program::{Node, NodeId, Program, Value};
 

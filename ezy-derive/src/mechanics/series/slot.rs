@@ -1,41 +1,11 @@
-//! Where the numbers of a recurrence are found and written.
+//! Symbols of the numbers that a recurrence reads.
 
 use rustc_hash::FxHashMap;
 
+use crate::mechanics::kernels::{Read, Slot};
 use crate::mechanics::symbols::Symbols;
 use crate::symbolic::Symbol;
-
-/// A number of a step. `Ahead` counts orders from the present one, k: what belongs to order k + 2 is 2 ahead.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Slot {
-    /// A value at the start of the step, or of the factors of K.
-    Base(usize),
-    /// The sum of a product.
-    Sum(usize),
-    /// A coefficient that later orders read.
-    Kept(Ahead, usize),
-    /// A coefficient of q.
-    Coordinate(Ahead, usize),
-    /// f of the present order.
-    Force(usize),
-    /// r of the present order.
-    Row(usize),
-    /// a of the present order.
-    Acceleration(usize),
-    /// λ of the present order.
-    Multiplier(usize),
-    /// A coefficient of the left factor of a product.
-    Left(Ahead, usize),
-    /// A coefficient of the right factor of a product.
-    Right(Ahead, usize),
-    /// The order as a number.
-    Order(Ahead),
-    /// Its reciprocal.
-    InverseOrder(Ahead),
-}
-
-/// Orders after the present one.
-pub type Ahead = usize;
+use crate::symbolic::program::Program;
 
 /// Symbols that stand for slots.
 #[derive(Debug, Default)]
@@ -53,6 +23,14 @@ impl Slots {
 
     pub fn slot(&self, symbol: Symbol) -> Option<Slot> {
         self.slots.get(&symbol).copied()
+    }
+
+    /// What a program reads of them, ascending by symbol.
+    pub fn reads(&self, program: &Program) -> Vec<(Symbol, Read)> {
+        let read = |symbol| Some((symbol, Read::Slot(self.slot(symbol)?)));
+        let mut reads: Vec<(Symbol, Read)> = program.inputs().into_iter().filter_map(read).collect();
+        reads.sort_unstable_by_key(|&(symbol, _)| symbol);
+        reads
     }
 }
 

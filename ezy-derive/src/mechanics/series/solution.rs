@@ -3,13 +3,13 @@
 use rustc_hash::FxHashMap;
 
 use super::orders::Outputs;
-use super::slot::Slot;
-use super::{Kernel, Step};
+use super::{Slot, Step};
+use crate::mechanics::kernels::Pass;
 use crate::mechanics::solve::Written;
 use crate::symbolic::program::{Node, NodeId, Program, Value};
 
 /// a and λ from f, r and what is known at the start of the step.
-pub fn kernel(step: &mut Step<'_>, written: &Written) -> Kernel {
+pub fn pass<'m>(step: &mut Step<'_>, written: &Written) -> Pass<'m> {
     let mut copy = Copy { repeated: repeated(step), step, program: Program::default(), done: FxHashMap::default() };
     let mut outputs = Outputs::default();
     for (i, &value) in written.solution.iter().enumerate() {
@@ -20,7 +20,7 @@ pub fn kernel(step: &mut Step<'_>, written: &Written) -> Kernel {
         let value = copy.value(value);
         outputs.push(Slot::Multiplier(i), value);
     }
-    outputs.kernel(copy.program)
+    outputs.pass(&copy.step.slots, copy.program, std::iter::empty())
 }
 
 /// Which nodes depend on the right side.

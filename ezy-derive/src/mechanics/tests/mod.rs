@@ -44,7 +44,7 @@ struct Trial {
     numbers: Vec<f64>,
     solutions: Solutions,
     /// Or the function that has none.
-    series: Result<Series, Function>,
+    series: Result<Series<'static>, Function>,
 }
 
 /// Every mechanism that the macro accepts.

@@ -6,7 +6,8 @@ use super::oracle::State;
 use super::run::outputs;
 use super::{Trial, trials};
 use crate::function::Function;
-use crate::mechanics::series::{Kernel, Series, Slot};
+use crate::mechanics::kernels::{Entries, Pass, Put, Read, Slot};
+use crate::mechanics::series::Series;
 use crate::symbolic::Symbol;
 
 /// Orders of the accelerations.
@@ -18,29 +19,29 @@ const PER_CONDITION: f64 = 1e-12;
 /// Coefficients of one step, as the emitted code would store them.
 struct Store<'t> {
     trial: &'t Trial,
-    series: &'t Series,
+    series: &'t Series<'t>,
     state: &'t State,
     /// By slot with its order in place of how far ahead it is; what belongs to no order stands at 0.
     numbers: HashMap<(Slot, usize), f64>,
 }
 
 impl<'t> Store<'t> {
-    fn new(trial: &'t Trial, series: &'t Series, state: &'t State) -> Self {
+    fn new(trial: &'t Trial, series: &'t Series<'t>, state: &'t State) -> Self {
         let mut store = Self { trial, series, state, numbers: HashMap::new() };
         for i in 0..state.q.len() {
             store.numbers.insert((Slot::Coordinate(0, i), 0), state.q[i]);
             store.numbers.insert((Slot::Coordinate(0, i), 1), state.v[i]);
         }
-        store.run(&series.recurrences.begin, -1);
+        store.run(&series.begin, -1);
         let solution = series.solution.as_ref().expect("a small mechanism has an elimination");
-        store.run(&solution.kernel, 0);
+        store.run(&solution.pass, 0);
         store.sums(2);
-        store.run(&series.recurrences.finish, 0);
+        store.run(&series.finish, 0);
         for k in 1..N_ORDERS as isize {
             store.sums(k as usize + 2);
-            store.run(&series.recurrences.right_side, k);
-            store.run(&solution.kernel, k);
-            store.run(&series.recurrences.finish, k);
+            store.run(&series.right_side, k);
+            store.run(&solution.pass, k);
+            store.run(&series.finish, k);
         }
         store
     }
@@ -66,19 +67,20 @@ impl<'t> Store<'t> {
         }
     }
 
-    fn run(&mut self, kernel: &Kernel, k: isize) {
+    fn run(&mut self, pass: &Pass<'_>, k: isize) {
         let other = |symbol: Symbol| {
-            let slot = self.series.recurrences.slots.slot(symbol).expect("programs read slots");
+            let Some(Read::Slot(slot)) = pass.read(symbol) else { panic!("programs read slots") };
             self.number(slot, k)
         };
-        let found = outputs(self.trial, &kernel.program, self.state, &other);
-        for (&target, value) in kernel.targets.iter().zip(found) {
+        let found = outputs(self.trial, &pass.program, self.state, &other);
+        for (put, value) in pass.puts.iter().zip(found) {
+            let &Put::Slot(target) = put else { panic!("series fill slots") };
             self.numbers.insert(Self::key(target, k), value);
         }
     }
 
     fn sums(&mut self, n: usize) {
-        for i in 0..self.series.recurrences.n_products {
+        for i in 0..self.series.begin.n(Entries::Products) {
             let get = |slot, order| self.numbers.get(&(slot, order)).copied().unwrap_or(0.0);
             let sum = (1..n).map(|j| get(Slot::Left(0, i), j) * get(Slot::Right(0, i), n - j)).sum();
             self.numbers.insert((Slot::Sum(i), 0), sum);

@@ -89,13 +89,13 @@ impl ezy::Derived for Swing {
         let first_link: i64 = 0;
         let mut place_q = 0;
         let mut place_v = 0;
-        let mut place = 0;
+        let mut row_place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
-            let multiplier_0 = lambda[place + 0usize];
+            let multiplier_0 = lambda[row_place + 0];
             let link_0_phi = q[slots[0] + 2];
             let (sin_link_0_phi, cos_link_0_phi) = f64::sin_cos(link_0_phi);
-            let multiplier_1 = lambda[place + 1usize];
+            let multiplier_1 = lambda[row_place + 1];
             let sum_9 = multiplier_0 * cos_link_0_phi + multiplier_1 * sin_link_0_phi;
             let l_over_two = c[2usize];
             let link_0_omega = v[slots[0] + 2];
@@ -117,17 +117,17 @@ impl ezy::Derived for Swing {
             place_v += 1;
             by_v[place_v] = sin_link_0_phi * link_0_omega_l;
             place_v += 1;
-            place += 2usize;
+            row_place += 2usize;
         }
         for at_i in 1..(self.n as i64) {
             let slots: [usize; 2] = [
                 3 * (first_link + (at_i - 1)) as usize,
                 3 * (first_link + at_i) as usize,
             ];
-            let multiplier_0 = lambda[place + 0usize];
+            let multiplier_0 = lambda[row_place + 0];
             let link_i_1_phi = q[slots[0] + 2];
             let (sin_link_i_1_phi, cos_link_i_1_phi) = f64::sin_cos(link_i_1_phi);
-            let multiplier_1 = lambda[place + 1usize];
+            let multiplier_1 = lambda[row_place + 1];
             let sum_9 = multiplier_0 * cos_link_i_1_phi
                 + multiplier_1 * sin_link_i_1_phi;
             let l_over_two = c[2usize];
@@ -171,7 +171,7 @@ impl ezy::Derived for Swing {
             place_v += 1;
             by_v[place_v] = sin_link_i_phi * link_i_omega_l;
             place_v += 1;
-            place += 2usize;
+            row_place += 2usize;
         }
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];

@@ -229,7 +229,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
     }
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
         let first_link: i64 = 0;
-        out.fill(T::from_f64(0.0));
+        out.fill(T::from_f64(0f64));
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
             let m_g = c[3usize];

@@ -29,7 +29,7 @@ impl ezy::Scene for Swing {
         lambda: &[f64],
         out: &mut [f64],
     ) {
-        out.fill(0.0);
+        out.fill(0f64);
     }
     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {
         let first_link: i64 = 0;
@@ -83,7 +83,7 @@ impl ezy::Scene for Swing {
     }
     fn potential_energy(&self, c: &[f64], t: f64, q: &[f64]) -> f64 {
         let first_link: i64 = 0;
-        let mut total = 0.0;
+        let mut total = 0f64;
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
             let m_g = c[3usize];

@@ -13,17 +13,10 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
         {
             size.n_products += 4usize;
             size.n_base += 2usize;
-            size.n_kept += 0usize;
         }
         for at_i in 1..(self.n as i64) {
             size.n_products += 8usize;
             size.n_base += 4usize;
-            size.n_kept += 0usize;
-        }
-        for at_i in 0..(self.n as i64) {
-            size.n_products += 0usize;
-            size.n_base += 0usize;
-            size.n_kept += 0usize;
         }
         size.n_products = size.n_products.next_multiple_of(ezy::PRODUCT_GROUP);
         size
@@ -44,14 +37,11 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
         } = store;
         let (n_q, n_c, n_products) = (force.len(), row.len(), sums.len());
         let n_kept = if n_q == 0 { 0 } else { kept.len() / (q.len() / n_q) };
-        let (mut row_place, mut product_place, mut base_place, mut kept_place) = (
-            0,
-            0,
-            0,
-            0,
-        );
         let (q, v) = q[..2 * n_q].split_at(n_q);
         force.fill(T::from_f64(0f64));
+        let mut row_place = 0;
+        let mut product_place = 0;
+        let mut base_place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let l_over_two = c[2usize];
@@ -82,7 +72,6 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             row_place += 2usize;
             product_place += 4usize;
             base_place += 2usize;
-            kept_place += 0usize;
         }
         for at_i in 1..(self.n as i64) {
             let slots: [usize; 2] = [
@@ -147,17 +136,12 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             row_place += 2usize;
             product_place += 8usize;
             base_place += 4usize;
-            kept_place += 0usize;
         }
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
             let m_g = c[3usize];
             let value_1 = -m_g;
             force[slots[0] + 1] = force[slots[0] + 1] + value_1;
-            row_place += 0usize;
-            product_place += 0usize;
-            base_place += 0usize;
-            kept_place += 0usize;
         }
         ezy::Pivots::ALL_VANISHED
     }
@@ -177,13 +161,10 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
         } = store;
         let (n_q, n_c, n_products) = (force.len(), row.len(), sums.len());
         let n_kept = if n_q == 0 { 0 } else { kept.len() / (q.len() / n_q) };
-        let (mut row_place, mut product_place, mut base_place, mut kept_place) = (
-            0,
-            0,
-            0,
-            0,
-        );
         force.fill(T::from_f64(0f64));
+        let mut row_place = 0;
+        let mut product_place = 0;
+        let mut base_place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let l_over_two = c[2usize];
@@ -213,7 +194,6 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             row_place += 2usize;
             product_place += 4usize;
             base_place += 2usize;
-            kept_place += 0usize;
         }
         for at_i in 1..(self.n as i64) {
             let slots: [usize; 2] = [
@@ -268,15 +248,10 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             row_place += 2usize;
             product_place += 8usize;
             base_place += 4usize;
-            kept_place += 0usize;
         }
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
             force[slots[0] + 1] = force[slots[0] + 1] + T::from_f64(0f64);
-            row_place += 0usize;
-            product_place += 0usize;
-            base_place += 0usize;
-            kept_place += 0usize;
         }
     }
     fn solve(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {}
@@ -296,17 +271,14 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
         } = store;
         let (n_q, n_c, n_products) = (force.len(), row.len(), sums.len());
         let n_kept = if n_q == 0 { 0 } else { kept.len() / (q.len() / n_q) };
-        let (mut row_place, mut product_place, mut base_place, mut kept_place) = (
-            0,
-            0,
-            0,
-            0,
-        );
         let inverse = T::from_f64(1f64) / T::from_f64(((k + 1) * (k + 2)) as f64);
         q[(k + 2) * n_q..(k + 3) * n_q]
             .iter_mut()
             .zip(a.iter())
             .for_each(|(q, a)| *q = *a * inverse);
+        let mut row_place = 0;
+        let mut product_place = 0;
+        let mut base_place = 0;
         {
             let slots: [usize; 1] = [3 * (first_link + 0) as usize];
             let lambda_0 = lambda[(k + 0) * n_c + row_place + 0];
@@ -333,7 +305,6 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             row_place += 2usize;
             product_place += 4usize;
             base_place += 2usize;
-            kept_place += 0usize;
         }
         for at_i in 1..(self.n as i64) {
             let slots: [usize; 2] = [
@@ -381,14 +352,9 @@ impl<T: ezy::Scalar> ezy::Series<T> for Swing {
             row_place += 2usize;
             product_place += 8usize;
             base_place += 4usize;
-            kept_place += 0usize;
         }
         for at_i in 0..(self.n as i64) {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
-            row_place += 0usize;
-            product_place += 0usize;
-            base_place += 0usize;
-            kept_place += 0usize;
         }
     }
 }

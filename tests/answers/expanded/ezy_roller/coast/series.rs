@@ -85,7 +85,7 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         target[3usize] = T::from_f64(0f64);
         target[4usize] = T::from_f64(0f64);
         target[5usize] = T::from_f64(0f64);
-        let target = ezy::row_mut::<16usize, T>(&mut store.left, 1usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.left, 1);
         target[0usize] = cos_seat_phi_seat_omega;
         target[1usize] = value_181;
         target[2usize] = cos_seat_phi_seat_omega;
@@ -102,7 +102,7 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         target[13usize] = value_181;
         target[14usize] = cos_bar_phi_bar_omega;
         target[15usize] = value_182;
-        let target = ezy::row_mut::<16usize, T>(&mut store.right, 1usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.right, 1);
         target[0usize] = T::from_f64(0f64);
         target[1usize] = T::from_f64(0f64);
         target[2usize] = T::from_f64(0f64);
@@ -146,15 +146,15 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         let convolved_7 = sums[7usize];
         let difference_17 = T::fused(-d, convolved_7, d * convolved_6);
         let convolved_8 = sums[8usize];
-        let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2usize) as f64);
+        let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2) as f64);
         let convolved_9 = sums[9usize];
         let sum_25 = T::fused(
             d,
             inverse_order_ahead * convolved_9,
             b * (convolved_8 * inverse_order_ahead),
         );
-        let order_next = T::from_f64((k + 1usize) as f64);
-        let order_ahead = T::from_f64((k + 2usize) as f64);
+        let order_next = T::from_f64((k + 1) as f64);
+        let order_ahead = T::from_f64((k + 2) as f64);
         let order_next_order_ahead = order_next * order_ahead;
         let product_29 = sum_25 * order_next_order_ahead;
         let convolved_10 = sums[10usize];
@@ -273,7 +273,7 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         target[3usize] = product_101;
         target[4usize] = product_105;
         target[5usize] = difference_111;
-        let target = ezy::row_mut::<4usize, T>(&mut store.lambda, k + 0usize);
+        let target = ezy::row_mut::<4usize, T>(&mut store.lambda, k + 0);
         target[0usize] = lambda_B_x;
         target[1usize] = lambda_B_y;
         target[2usize] = lambda_rear;
@@ -283,11 +283,11 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
     fn finish(&self, c: &[T], k: usize, store: &mut ezy::SeriesStore<T>) {
         let a = ezy::array::<6usize, T>(&store.a);
         let base = ezy::array::<8usize, T>(&store.base);
-        let lambda_0 = ezy::row::<4usize, T>(&store.lambda, k + 0usize);
+        let lambda_0 = ezy::row::<4usize, T>(&store.lambda, k + 0);
         let sums = ezy::array::<16usize, T>(&store.sums);
         let a_0 = a[0usize];
-        let inverse_order_next = T::from_f64(1f64) / T::from_f64((k + 1usize) as f64);
-        let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2usize) as f64);
+        let inverse_order_next = T::from_f64(1f64) / T::from_f64((k + 1) as f64);
+        let inverse_order_ahead = T::from_f64(1f64) / T::from_f64((k + 2) as f64);
         let product_3 = inverse_order_next * inverse_order_ahead;
         let product_4 = a_0 * product_3;
         let a_1 = a[1usize];
@@ -316,7 +316,7 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         let convolved_9 = sums[9usize];
         let base_3 = base[3usize];
         let sum_40 = T::fused(product_14, base_3, inverse_order_ahead * convolved_9);
-        let order_ahead = T::from_f64((k + 2usize) as f64);
+        let order_ahead = T::from_f64((k + 2) as f64);
         let product_42 = product_8 * order_ahead;
         let product_43 = product_14 * order_ahead;
         let product_44 = product_4 * order_ahead;
@@ -325,7 +325,7 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         let product_47 = product_12 * order_ahead;
         let value_48 = -sum_27;
         let value_49 = -sum_40;
-        let target = ezy::row_mut::<16usize, T>(&mut store.left, k + 2usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.left, k + 2);
         target[0usize] = sum_22;
         target[1usize] = value_48;
         target[2usize] = sum_22;
@@ -342,14 +342,14 @@ impl<T: ezy::Scalar> ezy::Series<T> for Coast {
         target[13usize] = value_48;
         target[14usize] = sum_35;
         target[15usize] = value_49;
-        let target = ezy::row_mut::<6usize, T>(&mut store.q, k + 2usize);
+        let target = ezy::row_mut::<6usize, T>(&mut store.q, k + 2);
         target[0usize] = product_4;
         target[1usize] = product_6;
         target[2usize] = product_8;
         target[3usize] = product_10;
         target[4usize] = product_12;
         target[5usize] = product_14;
-        let target = ezy::row_mut::<16usize, T>(&mut store.right, k + 2usize);
+        let target = ezy::row_mut::<16usize, T>(&mut store.right, k + 2);
         target[0usize] = lambda_2;
         target[1usize] = lambda_2;
         target[2usize] = lambda_0;

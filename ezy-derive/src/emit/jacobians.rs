@@ -1,16 +1,30 @@
-//! Where the Jacobians of a scene with counts are: those of each item, in loops over its members, rows before forces.
+//! Where Jacobians are. In a scene with counts: those of each item, in loops over its members, rows before forces.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::loops::looped;
-use super::slots::{coordinate, firsts, slot_places};
+use super::places::{coordinate, firsts, slot_places};
 use crate::mechanics::jacobians::{JacobianEntry, Jacobians};
 use crate::mechanics::{Item, Templates};
 use crate::model::Model;
 
 /// What `jacobian_places` does.
-pub fn places(model: &Model, templates: &Templates<'_>, jacobians: &[Jacobians]) -> TokenStream {
+pub fn places(jacobians: &Jacobians) -> TokenStream {
+    let list = |jacobians: &[JacobianEntry]| -> Vec<TokenStream> {
+        jacobians.iter().map(|JacobianEntry { row, column, .. }| quote!((#row, #column))).collect()
+    };
+    let (by_q, by_v) = (list(&jacobians.by_q), list(&jacobians.by_v));
+    quote! {
+        ::core::option::Option::Some(ezy::JacobianPlaces {
+            by_q: ::std::vec![#(#by_q),*],
+            by_v: ::std::vec![#(#by_v),*],
+        })
+    }
+}
+
+/// The same in a scene with counts.
+pub fn places_of_items(model: &Model, templates: &Templates<'_>, jacobians: &[Jacobians]) -> TokenStream {
     let firsts = firsts(model);
     let n_q = templates.symbols.n_coordinates();
     let places = templates.items().zip(jacobians).map(|(item, jacobians)| of_item(model, &item, jacobians, n_q));

@@ -14,7 +14,6 @@ mod function;
 mod lazy;
 mod mechanism;
 mod member;
-mod modes;
 mod names;
 mod output;
 mod point_array;

@@ -7,7 +7,7 @@ use super::constant::constant;
 use super::context::Context;
 use super::names::Symbol;
 use super::unit::Unit;
-use super::{Effect, EffectId, RowId, Scene, StartId};
+use super::{Effect, EffectId, Model, RowId, Scene, StartId};
 use crate::diag::{names, scenes};
 use crate::parse::ast;
 use proc_macro2::Ident;
@@ -141,6 +141,24 @@ impl Context<'_> {
                     let [first, second] = [first, second].map(|effect| &choice.effects[effect.0].name);
                     self.diag.error(scenes::shared_parameter(name, &scene.name, first, second));
                 }
+            }
+        }
+    }
+
+    /// A skate with a limit or a stop gives a scene several modes: it has one of them at most, and bodies of its own.
+    pub fn check_modes(&mut self, model: &Model) {
+        if model.is_repeated() {
+            let limited = model.rows.iter().filter(|row| row.limit().is_some());
+            limited.for_each(|row| self.diag.error(scenes::limit_with_counts(&row.name)));
+            model.stops.iter().for_each(|stop| self.diag.error(scenes::stop_with_counts(&stop.name)));
+            return;
+        }
+        for scene in &model.scenes {
+            let limited = model.rows_of(scene).filter(|(_, row)| row.limit().is_some());
+            let skates = limited.map(|(_, row)| (&row.name, "skate"));
+            let changing: Vec<_> = skates.chain(model.stops_of(scene).map(|stop| (&stop.name, "stop"))).collect();
+            if let [first, second, ..] = changing[..] {
+                self.diag.error(scenes::two_changing(&scene.name, first, second));
             }
         }
     }

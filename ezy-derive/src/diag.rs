@@ -3,6 +3,20 @@
 //! The wording of every message is in the catalogue below this module: [`syntax`], [`names`], [`values`], [`rules`],
 //! [`repeats`], [`scenes`], [`equations`].
 
+/// Functions that make a message: name, place of the message and what it speaks of; then the fault, the help, and what to
+/// say at a second place.
+macro_rules! messages {
+    ($($(#[$remark:meta])* $name:ident($at:ident: $place:ty $(, $argument:ident: $type:ty)*):
+        $fault:literal, $help:literal $(, $other:ident: $note:literal)?;)*) => {
+        $($(#[$remark])*
+        pub fn $name($at: $place $(, $argument: $type)*) -> syn::Error {
+            let error = $crate::diag::fault_with_help($at, format_args!($fault), format_args!($help));
+            $(let error = $crate::diag::fault_at_two_places(error, $other, format_args!($note));)?
+            error
+        })*
+    };
+}
+
 pub mod equations;
 pub mod names;
 pub mod nearest;
@@ -119,7 +133,7 @@ fn fault_with_help(at: impl Into<Extent>, text: impl std::fmt::Display, help: im
 }
 
 /// A message with a second span.
-fn fault_at_two_places(mut error: syn::Error, other: impl Into<Extent>, remark: &str) -> syn::Error {
+fn fault_at_two_places(mut error: syn::Error, other: impl Into<Extent>, remark: impl std::fmt::Display) -> syn::Error {
     error.combine(fault(other, remark));
     error
 }

@@ -30,25 +30,47 @@ pub enum Path {
     OfKernel(&'static str),
 }
 
+/// Its value for numbers, used to fold literals: the same functions as the emitted code calls.
+#[derive(Clone, Copy)]
+enum Value {
+    One(fn(f64) -> f64),
+    Two(fn(f64, f64) -> f64),
+}
+
+use Value::{One, Two};
+
 impl Function {
+    /// Name in the model language, and value.
+    fn row(self) -> (&'static str, Value) {
+        match self {
+            Self::Sin => ("sin", One(f64::sin)),
+            Self::Cos => ("cos", One(f64::cos)),
+            Self::Tan => ("tan", One(f64::tan)),
+            Self::Asin => ("asin", One(f64::asin)),
+            Self::Acos => ("acos", One(f64::acos)),
+            Self::Atan2 => ("atan2", Two(f64::atan2)),
+            Self::Sqrt => ("sqrt", One(f64::sqrt)),
+            Self::Exp => ("exp", One(f64::exp)),
+            Self::Ln => ("ln", One(f64::ln)),
+            Self::Tanh => ("tanh", One(f64::tanh)),
+            Self::Abs => ("abs", One(f64::abs)),
+            Self::Min => ("min", Two(f64::min)),
+            Self::Max => ("max", Two(f64::max)),
+            Self::Sign => ("sign", One(|x| if x == 0.0 { 0.0 } else { x.signum() })),
+            Self::Pow => ("pow", Two(f64::powf)),
+        }
+    }
+
     /// Name in the model language.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Sin => "sin",
-            Self::Cos => "cos",
-            Self::Tan => "tan",
-            Self::Asin => "asin",
-            Self::Acos => "acos",
-            Self::Atan2 => "atan2",
-            Self::Sqrt => "sqrt",
-            Self::Exp => "exp",
-            Self::Ln => "ln",
-            Self::Tanh => "tanh",
-            Self::Abs => "abs",
-            Self::Min => "min",
-            Self::Max => "max",
-            Self::Sign => "sign",
-            Self::Pow => "pow",
+        self.row().0
+    }
+
+    /// Number of arguments.
+    pub fn arity(self) -> usize {
+        match self.row().1 {
+            One(_) => 1,
+            Two(_) => 2,
         }
     }
 
@@ -61,30 +83,10 @@ impl Function {
         }
     }
 
-    /// Value for numbers, used to fold literals: the same functions as the emitted code calls.
     pub fn evaluate(self, x: &[f64]) -> f64 {
-        match (self, x) {
-            (Self::Sin, [x]) => x.sin(),
-            (Self::Cos, [x]) => x.cos(),
-            (Self::Tan, [x]) => x.tan(),
-            (Self::Asin, [x]) => x.asin(),
-            (Self::Acos, [x]) => x.acos(),
-            (Self::Atan2, [y, x]) => y.atan2(*x),
-            (Self::Sqrt, [x]) => x.sqrt(),
-            (Self::Exp, [x]) => x.exp(),
-            (Self::Ln, [x]) => x.ln(),
-            (Self::Tanh, [x]) => x.tanh(),
-            (Self::Abs, [x]) => x.abs(),
-            (Self::Min, [x, y]) => x.min(*y),
-            (Self::Max, [x, y]) => x.max(*y),
-            (Self::Sign, [x]) => {
-                if *x == 0.0 {
-                    0.0
-                } else {
-                    x.signum()
-                }
-            }
-            (Self::Pow, [x, y]) => x.powf(*y),
+        match (self.row().1, x) {
+            (One(value), [x]) => value(*x),
+            (Two(value), [x, y]) => value(*x, *y),
             _ => f64::NAN,
         }
     }
@@ -108,6 +110,16 @@ impl Operator {
             Self::Multiply => "*",
             Self::Divide => "/",
             Self::Power => "^",
+        }
+    }
+
+    pub fn evaluate(self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Add => a + b,
+            Self::Subtract => a - b,
+            Self::Multiply => a * b,
+            Self::Divide => a / b,
+            Self::Power => a.powf(b),
         }
     }
 }

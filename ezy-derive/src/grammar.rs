@@ -36,20 +36,18 @@ pub enum Part {
     Along,
     /// `across body(x, y)`
     Across,
-    /// `: expression`
+    /// `expression`
     Scalar(Expected),
-    /// `: expression`
+    /// `expression`
     Vector(Expected),
-    /// An expression without a sign before it.
-    BareVector(Expected),
-    /// `= expression`
-    Equals(Expected),
     /// `expression = expression`, of one dimension.
     Equation,
     /// `word expression, word expression`
     Settings(&'static [Setting]),
     /// `:`
     Colon,
+    /// `=`
+    Equals,
     /// The first of these whose beginning fits.
     Choice(&'static [&'static [Part]]),
 }
@@ -86,10 +84,7 @@ pub enum IfAbsent {
 
 use Class::{Force, PositionRow, VelocityRow};
 use IfAbsent::{Absent, Number, Required};
-use Part::{
-    Across, Along, At, BareVector, BodyOrCouple, Choice, Colon, Couple, Equals, Equation, Pair, Scalar, Settings,
-    Vector,
-};
+use Part::{Across, Along, At, BodyOrCouple, Choice, Colon, Couple, Equals, Equation, Pair, Scalar, Settings, Vector};
 
 const fn setting(word: &'static str, unit: &'static str, if_absent: IfAbsent) -> Setting {
     Setting { word, unit, if_absent, positive: false }
@@ -106,76 +101,67 @@ const TORQUE: Expected = Expected { what: "a torque", unit: "N*m" };
 const SPEED: Expected = Expected { what: "a rolling speed", unit: "m/s" };
 const GRAVITY: Expected = Expected { what: "gravity", unit: "m/s^2" };
 
+/// The settings of friction at a point.
+const FRICTION: &[Setting] = &[setting("force", "N", Required), setting("speed", "m/s", Required)];
+
+const fn position(word: &'static str, form: &'static [Part], example: &'static str) -> Word {
+    Word { word, class: PositionRow, form, example }
+}
+
+const fn velocity(word: &'static str, form: &'static [Part], example: &'static str) -> Word {
+    Word { word, class: VelocityRow, form, example }
+}
+
+const fn force(word: &'static str, form: &'static [Part], example: &'static str) -> Word {
+    Word { word, class: Force, form, example }
+}
+
 /// Every word, in the order of the manual.
 pub static WORDS: &[Word] = &[
-    Word { word: "hinge", class: PositionRow, form: &[Pair], example: "hinge B: seat(b, 0) ~ bar(-d, 0);" },
-    Word {
-        word: "slider",
-        class: PositionRow,
-        form: &[Pair, Along, Settings(&[setting("angle", "rad", Number(0.0))])],
-        example: "slider rail: ground(0, 0) ~ cart(0, 0) along ground(1, 0);",
-    },
-    Word {
-        word: "slot",
-        class: PositionRow,
-        form: &[Pair, Along],
-        example: "slot pin: arm(0, 0) ~ block(0, 0) along arm(1, 0);",
-    },
-    Word {
-        word: "rod",
-        class: PositionRow,
-        form: &[Pair, Settings(&[positive("length", "m")])],
-        example: "rod link: ground(0, 0) ~ bob(0, 0) length l;",
-    },
-    Word {
-        word: "weld",
-        class: PositionRow,
-        form: &[Pair, Settings(&[setting("angle", "rad", Number(0.0))])],
-        example: "weld joint: a(l, 0) ~ b(0, 0) angle pi/2;",
-    },
-    Word {
-        word: "gear",
-        class: PositionRow,
-        form: &[Couple, Settings(&[setting("ratio", "1", Required), setting("offset", "rad", Number(0.0))])],
-        example: "gear mesh: pinion ~ wheel ratio -2;",
-    },
-    Word { word: "drive", class: PositionRow, form: &[Equation], example: "drive motor: B.angle = omega * t;" },
-    Word { word: "constraint", class: PositionRow, form: &[Equation], example: "constraint height: A.y = h * A.x^2;" },
-    Word {
-        word: "skate",
-        class: VelocityRow,
-        form: &[At, Along, Settings(&[Setting { word: "limit", unit: "N", if_absent: Absent, positive: true }])],
-        example: "skate rear: at A along seat(1, 0);",
-    },
-    Word {
-        word: "roll",
-        class: VelocityRow,
-        form: &[At, Along, Equals(SPEED)],
-        example: "roll left: at A along chassis(1, 0) = r * wheel.omega;",
-    },
-    Word {
-        word: "velocity constraint",
-        class: VelocityRow,
-        form: &[Equation],
-        example: "velocity constraint clutch: a.omega = 2 * b.omega;",
-    },
-    Word { word: "gravity", class: Force, form: &[BareVector(GRAVITY)], example: "gravity (0, -g);" },
-    Word {
-        word: "force",
-        class: Force,
-        form: &[At, Choice(&[&[Along, Scalar(FORCE_ALONG)], &[Across, Scalar(FORCE_ALONG)], &[Vector(FORCE)]])],
-        example: "force at A: -k * A.v;",
-    },
-    Word {
-        word: "torque",
-        class: Force,
-        form: &[BodyOrCouple, Scalar(TORQUE)],
-        example: "torque seat ~ bar: m0 * cos(omega*t);",
-    },
-    Word {
-        word: "spring",
-        class: Force,
-        form: &[
+    position("hinge", &[Pair], "hinge B: seat(b, 0) ~ bar(-d, 0);"),
+    position(
+        "slider",
+        &[Pair, Along, Settings(&[setting("angle", "rad", Number(0.0))])],
+        "slider rail: ground(0, 0) ~ cart(0, 0) along ground(1, 0);",
+    ),
+    position("slot", &[Pair, Along], "slot pin: arm(0, 0) ~ block(0, 0) along arm(1, 0);"),
+    position("rod", &[Pair, Settings(&[positive("length", "m")])], "rod link: ground(0, 0) ~ bob(0, 0) length l;"),
+    position(
+        "weld",
+        &[Pair, Settings(&[setting("angle", "rad", Number(0.0))])],
+        "weld joint: a(l, 0) ~ b(0, 0) angle pi/2;",
+    ),
+    position(
+        "gear",
+        &[Couple, Settings(&[setting("ratio", "1", Required), setting("offset", "rad", Number(0.0))])],
+        "gear mesh: pinion ~ wheel ratio -2;",
+    ),
+    position("drive", &[Equation], "drive motor: B.angle = omega * t;"),
+    position("constraint", &[Equation], "constraint height: A.y = h * A.x^2;"),
+    velocity(
+        "skate",
+        &[At, Along, Settings(&[Setting { word: "limit", unit: "N", if_absent: Absent, positive: true }])],
+        "skate rear: at A along seat(1, 0);",
+    ),
+    velocity("roll", &[At, Along, Equals, Scalar(SPEED)], "roll left: at A along chassis(1, 0) = r * wheel.omega;"),
+    velocity("velocity constraint", &[Equation], "velocity constraint clutch: a.omega = 2 * b.omega;"),
+    force("gravity", &[Vector(GRAVITY)], "gravity (0, -g);"),
+    force(
+        "force",
+        &[
+            At,
+            Choice(&[
+                &[Along, Colon, Scalar(FORCE_ALONG)],
+                &[Across, Colon, Scalar(FORCE_ALONG)],
+                &[Colon, Vector(FORCE)],
+            ]),
+        ],
+        "force at A: -k * A.v;",
+    ),
+    force("torque", &[BodyOrCouple, Colon, Scalar(TORQUE)], "torque seat ~ bar: m0 * cos(omega*t);"),
+    force(
+        "spring",
+        &[
             Pair,
             Colon,
             Settings(&[
@@ -184,18 +170,16 @@ pub static WORDS: &[Word] = &[
                 setting("damping", "N*s/m", Absent),
             ]),
         ],
-        example: "spring A ~ ground(0, 0): stiffness k, length l0;",
-    },
-    Word {
-        word: "damper",
-        class: Force,
-        form: &[Pair, Colon, Settings(&[setting("damping", "N*s/m", Required)])],
-        example: "damper A ~ ground(0, 0): damping c;",
-    },
-    Word {
-        word: "torsion",
-        class: Force,
-        form: &[
+        "spring A ~ ground(0, 0): stiffness k, length l0;",
+    ),
+    force(
+        "damper",
+        &[Pair, Colon, Settings(&[setting("damping", "N*s/m", Required)])],
+        "damper A ~ ground(0, 0): damping c;",
+    ),
+    force(
+        "torsion",
+        &[
             Couple,
             Colon,
             Settings(&[
@@ -204,12 +188,11 @@ pub static WORDS: &[Word] = &[
                 setting("damping", "N*m*s", Absent),
             ]),
         ],
-        example: "torsion seat ~ bar: stiffness k, angle pi;",
-    },
-    Word {
-        word: "drag",
-        class: Force,
-        form: &[
+        "torsion seat ~ bar: stiffness k, angle pi;",
+    ),
+    force(
+        "drag",
+        &[
             At,
             Colon,
             Settings(&[
@@ -218,27 +201,19 @@ pub static WORDS: &[Word] = &[
                 setting("angular", "N*m*s", Absent),
             ]),
         ],
-        example: "drag at A: linear k;",
-    },
-    Word {
-        word: "friction",
-        class: Force,
-        form: &[Choice(&[
-            &[
-                At,
-                Choice(&[
-                    &[Along, Colon, Settings(&[setting("force", "N", Required), setting("speed", "m/s", Required)])],
-                    &[Colon, Settings(&[setting("force", "N", Required), setting("speed", "m/s", Required)])],
-                ]),
-            ],
+        "drag at A: linear k;",
+    ),
+    force(
+        "friction",
+        &[Choice(&[
+            &[At, Choice(&[&[Along, Colon, Settings(FRICTION)], &[Colon, Settings(FRICTION)]])],
             &[Couple, Colon, Settings(&[setting("torque", "N*m", Required), setting("rate", "rad/s", Required)])],
         ])],
-        example: "friction at A: force mu * n, speed 1e-3;",
-    },
-    Word {
-        word: "tyre",
-        class: Force,
-        form: &[
+        "friction at A: force mu * n, speed 1e-3;",
+    ),
+    force(
+        "tyre",
+        &[
             At,
             Along,
             Colon,
@@ -248,9 +223,31 @@ pub static WORDS: &[Word] = &[
                 setting("speed", "m/s", Absent),
             ]),
         ],
-        example: "tyre at A along seat(1, 0): stiffness c, limit mu * n;",
-    },
+        "tyre at A along seat(1, 0): stiffness c, limit mu * n;",
+    ),
 ];
+
+/// How a part begins.
+#[derive(Debug, Clone, Copy)]
+pub enum Beginning {
+    Word(&'static str),
+    Sign(char),
+    /// The name of a body or of a point.
+    Name,
+}
+
+impl Part {
+    pub const fn beginning(&self) -> Beginning {
+        match self {
+            At => Beginning::Word("at"),
+            Along => Beginning::Word("along"),
+            Across => Beginning::Word("across"),
+            Colon => Beginning::Sign(':'),
+            Equals => Beginning::Sign('='),
+            _ => Beginning::Name,
+        }
+    }
+}
 
 impl Word {
     /// Whether its declarations have names: rows have, forces do not.

@@ -75,7 +75,7 @@ fn reference_example_of_a_new_row_works_as_the_page_says() {
 
     let page = fs::read_to_string(here.join("../CONTRIBUTING.md")).expect("the page is there");
     let [word, file, module, arm] = &blocks(&page)[..] else { panic!("the example has four blocks of code") };
-    insert_before(&source.join("grammar.rs"), "    Word { word: \"drive\"", word);
+    insert_before(&source.join("grammar.rs"), "    position(\"drive\"", word);
     fs::write(source.join("mechanics/rows/parallel.rs"), file).expect("the copy can be written");
     insert_before(&source.join("mechanics/rows/mod.rs"), "mod rod;\n", module);
     insert_before(&source.join("mechanics/rows/mod.rs"), "        \"rod\" =>", arm);

@@ -4,12 +4,14 @@ use super::nearest::quoted;
 use super::{Warning, fault_with_help};
 use proc_macro2::Ident;
 
-pub fn restricts_nothing(at: &Ident, row: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("constraint `{row}` restricts no motion: no velocity appears in it"),
-        "remove it, or attach it to a body that moves",
-    )
+messages! {
+    restricts_nothing(at: &Ident, row: &str):
+        "constraint `{row}` restricts no motion: no velocity appears in it",
+        "remove it, or attach it to a body that moves";
+
+    not_linear(at: &Ident, kind: &str, row: &str):
+        "{kind} `{row}` is not linear in the velocities",
+        "write sums of velocities times expressions of positions and `t`";
 }
 
 /// `what`: "row `g`".
@@ -54,14 +56,6 @@ pub fn dependent_as_declared(at: &Ident, row: &str, others: &[&str]) -> Warning 
              remove it if that is not meant"
         ),
     }
-}
-
-pub fn not_linear(at: &Ident, kind: &str, row: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("{kind} `{row}` is not linear in the velocities"),
-        "write sums of velocities times expressions of positions and `t`",
-    )
 }
 
 pub fn integrates(at: &Ident, kind: &str, row: &str) -> Warning {

@@ -3,8 +3,29 @@
 use super::{Extent, fault_with_help};
 use proc_macro2::Ident;
 
-pub fn too_many_loops(at: &Ident, limit: usize) -> syn::Error {
-    fault_with_help(at, format_args!("this `for` stands in {limit} others"), "compute with fewer indices")
+messages! {
+    too_many_loops(at: &Ident, limit: usize):
+        "this `for` stands in {limit} others", "compute with fewer indices";
+
+    index_shadows(variable: &Ident, what: &str):
+        "the index `{variable}` has the name of {what}",
+        "write another name, such as `{variable}1`";
+
+    not_an_index(at: Extent):
+        "this is no index",
+        "write whole numbers, counts and indices of `for`, with `+`, `-` and `*`";
+
+    /// `what`: "an array of bodies".
+    without_index(name: &Ident, what: &str):
+        "`{name}` is {what}", "write one of its members, such as `{name}[0]`";
+
+    index_on_single(at: Extent, name: &Ident, what: &str):
+        "`{name}` is {what}, not an array",
+        "write `{name}` without an index, or declare an array, such as `body link[n] {{ … }}`";
+
+    name_with_index(at: Extent, name: &Ident):
+        "`{name}` is declared with an index, but stands in no `for`",
+        "write `{name}`, or put the declaration into `for i in 0..n {{ … }}`";
 }
 
 pub fn count_not_whole(at: Extent, name: &Ident, value: f64) -> syn::Error {
@@ -16,18 +37,6 @@ pub fn count_not_whole(at: Extent, name: &Ident, value: f64) -> syn::Error {
     )
 }
 
-pub fn index_shadows(variable: &Ident, what: &str) -> syn::Error {
-    fault_with_help(
-        variable,
-        format_args!("the index `{variable}` has the name of {what}"),
-        format_args!("write another name, such as `{variable}1`"),
-    )
-}
-
-pub fn not_an_index(at: Extent) -> syn::Error {
-    fault_with_help(at, "this is no index", "write whole numbers, counts and indices of `for`, with `+`, `-` and `*`")
-}
-
 pub fn unknown_index(name: &Ident, known: &[String]) -> syn::Error {
     let help = match known {
         [] => "write a whole number, or `count name = …;` and its name".to_owned(),
@@ -37,23 +46,6 @@ pub fn unknown_index(name: &Ident, known: &[String]) -> syn::Error {
         ),
     };
     fault_with_help(name, format_args!("`{name}` is neither a count nor the index of a `for` around"), help)
-}
-
-/// `what`: "an array of bodies".
-pub fn without_index(name: &Ident, what: &str) -> syn::Error {
-    fault_with_help(
-        name,
-        format_args!("`{name}` is {what}"),
-        format_args!("write one of its members, such as `{name}[0]`"),
-    )
-}
-
-pub fn index_on_single(at: Extent, name: &Ident, what: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("`{name}` is {what}, not an array"),
-        format_args!("write `{name}` without an index, or declare an array, such as `body link[n] {{ … }}`"),
-    )
 }
 
 pub fn number_of_indices(at: Extent, name: &Ident, wanted: usize, found: usize) -> syn::Error {
@@ -93,14 +85,6 @@ pub fn name_needs_indices(at: Extent, name: &Ident, variables: &[String]) -> syn
         at,
         format_args!("`{name}` is declared once for each `{}`", variables.join("`, `")),
         format_args!("write `{name}[{}]`", variables.join(", ")),
-    )
-}
-
-pub fn name_with_index(at: Extent, name: &Ident) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("`{name}` is declared with an index, but stands in no `for`"),
-        format_args!("write `{name}`, or put the declaration into `for i in 0..n {{ … }}`"),
     )
 }
 

@@ -4,34 +4,68 @@ use super::nearest::{quoted, suggestion};
 use super::{Extent, Warning, fault_at_two_places, fault_with_help};
 use proc_macro2::Ident;
 
-pub fn ground_starts(at: &Ident) -> syn::Error {
-    fault_with_help(at, "the ground has no start values: it does not move", "remove this statement")
-}
+messages! {
+    ground_starts(at: &Ident):
+        "the ground has no start values: it does not move", "remove this statement";
 
-pub fn start_gives_twice(word: &Ident, start: &Ident, name: &str, first: &Ident) -> syn::Error {
-    fault_at_two_places(
-        fault_with_help(word, format_args!("start `{start}` gives `{name}` twice"), "remove one of them"),
-        first,
-        "first given here",
-    )
-}
+    ends_at_event_of_other_effect(name: &Ident, scene: &Ident, effect: &Ident):
+        "event `{name}` belongs to effect `{effect}`, which scene `{scene}` does not call for",
+        "write `with {effect};`, or declare the event in the model";
 
-pub fn moves_at_rest(rest: &Ident, start: &Ident, name: &str, word: &Ident) -> syn::Error {
-    fault_at_two_places(
-        fault_with_help(rest, format_args!("start `{start}` is at rest, but gives `{name}`"), "remove `at rest;`"),
-        word,
-        &format!("`{name}` is given here"),
-    )
-}
+    condition_never_changes(at: Extent, what: &str):
+        "{what} depends on nothing that changes",
+        "write something that moves on one side, such as `ball.y < 0`";
 
-pub fn start_breaks_row(start: &Ident, row: &str, level: &str, value: f64) -> syn::Error {
-    fault_with_help(
-        start,
-        format_args!(
-            "start `{start}` fixes too much: its values leave {value:.3} in constraint `{row}` at {level} level"
-        ),
-        "leave one of the values of its bodies out: what is not given is assembled from the constraints",
-    )
+    until_in_wrong_unit(unit: &Ident):
+        "`{unit}` is no unit of time", "write `s`, `ms`, `min` or `h`";
+
+    until_not_positive(at: Extent, scene: &Ident):
+        "scene `{scene}` ends before it begins",
+        "scenes begin at 0 s; write a positive time, such as `until 60 s;`";
+
+    shared_parameter(name: &Ident, scene: &Ident, first: &Ident, second: &Ident):
+        "scene `{scene}` calls for effects `{first}` and `{second}`, which both declare `{name}`",
+        "write another name in one of them, such as `{second}_{name}`";
+
+    releases_own_row(name: &Ident, effect: &Ident):
+        "effect `{effect}` releases `{name}`, which it declares itself",
+        "remove both, or name a constraint of the model";
+
+    release_outside_effect(row: &Ident):
+        "`{row}` is released outside of an effect, so that no scene could keep it",
+        "move this into an effect, or remove the constraint";
+
+    released_by_two(scene: &Ident, row: &Ident, first: &Ident, second: &Ident):
+        "scene `{scene}` calls for effects `{first}` and `{second}`, which both release `{row}`",
+        "two laws would replace one constraint; call for one of these effects";
+
+    stop_with_counts(stop: &Ident):
+        "stop `{stop}` cannot be followed in a model with counts, arrays or `for`",
+        "write single bodies, or a stiff `spring` or `torsion` in place of this stop";
+
+    limit_with_counts(row: &Ident):
+        "skate `{row}` has a limit, which a model with counts, arrays or `for` cannot follow",
+        "remove the limit, or write `tyre` in place of this skate";
+
+    start_gives_twice(word: &Ident, start: &Ident, name: &str, first: &Ident):
+        "start `{start}` gives `{name}` twice", "remove one of them", first: "first given here";
+
+    moves_at_rest(rest: &Ident, start: &Ident, name: &str, word: &Ident):
+        "start `{start}` is at rest, but gives `{name}`", "remove `at rest;`", word: "`{name}` is given here";
+
+    start_breaks_row(start: &Ident, row: &str, level: &str, value: f64):
+        "start `{start}` fixes too much: its values leave {value:.3} in constraint `{row}` at {level} level",
+        "leave one of the values of its bodies out: what is not given is assembled from the constraints";
+
+    effect_twice(name: &Ident, scene: &Ident, first: &Ident):
+        "scene `{scene}` calls for effect `{name}` twice", "remove one of them", first: "first called for here";
+
+    released_twice(name: &Ident, first: &Ident):
+        "constraint `{name}` is released twice", "remove one of them", first: "first released here";
+
+    same_type_name(scene: &Ident, type_name: &str, first: &Ident):
+        "scenes `{first}` and `{scene}` would both be the type `{type_name}`",
+        "write another name", first: "`{first}` is declared here";
 }
 
 pub fn scene_without_start(scene: &Ident, starts: &[&str]) -> syn::Error {
@@ -62,50 +96,6 @@ pub fn ends_at_no_event(name: &Ident, what: Option<&str>, events: &[&str]) -> sy
     fault_with_help(name, text, suggestion(&name.to_string(), events, "declared events"))
 }
 
-pub fn ends_at_event_of_other_effect(name: &Ident, scene: &Ident, effect: &Ident) -> syn::Error {
-    fault_with_help(
-        name,
-        format_args!("event `{name}` belongs to effect `{effect}`, which scene `{scene}` does not call for"),
-        format_args!("write `with {effect};`, or declare the event in the model"),
-    )
-}
-
-pub fn condition_never_changes(at: Extent, what: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("{what} depends on nothing that changes"),
-        "write something that moves on one side, such as `ball.y < 0`",
-    )
-}
-
-pub fn until_in_wrong_unit(unit: &Ident) -> syn::Error {
-    fault_with_help(unit, format_args!("`{unit}` is no unit of time"), "write `s`, `ms`, `min` or `h`")
-}
-
-pub fn until_not_positive(at: Extent, scene: &Ident) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("scene `{scene}` ends before it begins"),
-        "scenes begin at 0 s; write a positive time, such as `until 60 s;`",
-    )
-}
-
-pub fn effect_twice(name: &Ident, scene: &Ident, first: &Ident) -> syn::Error {
-    fault_at_two_places(
-        fault_with_help(name, format_args!("scene `{scene}` calls for effect `{name}` twice"), "remove one of them"),
-        first,
-        "first called for here",
-    )
-}
-
-pub fn shared_parameter(name: &Ident, scene: &Ident, first: &Ident, second: &Ident) -> syn::Error {
-    fault_with_help(
-        name,
-        format_args!("scene `{scene}` calls for effects `{first}` and `{second}`, which both declare `{name}`"),
-        format_args!("write another name in one of them, such as `{second}_{name}`"),
-    )
-}
-
 pub fn releases_no_row(name: &Ident, what: Option<&str>, rows: &[&str]) -> syn::Error {
     let text = match what {
         Some(what) => format!("`{name}` is {what}, not a constraint"),
@@ -115,38 +105,6 @@ pub fn releases_no_row(name: &Ident, what: Option<&str>, rows: &[&str]) -> syn::
         return fault_with_help(name, text, "declare the stop in an effect, and leave that out of scenes without it");
     }
     fault_with_help(name, text, suggestion(&name.to_string(), rows, "declared constraints"))
-}
-
-pub fn releases_own_row(name: &Ident, effect: &Ident) -> syn::Error {
-    fault_with_help(
-        name,
-        format_args!("effect `{effect}` releases `{name}`, which it declares itself"),
-        "remove both, or name a constraint of the model",
-    )
-}
-
-pub fn release_outside_effect(row: &Ident) -> syn::Error {
-    fault_with_help(
-        row,
-        format_args!("`{row}` is released outside of an effect, so that no scene could keep it"),
-        "move this into an effect, or remove the constraint",
-    )
-}
-
-pub fn released_twice(name: &Ident, first: &Ident) -> syn::Error {
-    fault_at_two_places(
-        fault_with_help(name, format_args!("constraint `{name}` is released twice"), "remove one of them"),
-        first,
-        "first released here",
-    )
-}
-
-pub fn released_by_two(scene: &Ident, row: &Ident, first: &Ident, second: &Ident) -> syn::Error {
-    fault_with_help(
-        scene,
-        format_args!("scene `{scene}` calls for effects `{first}` and `{second}`, which both release `{row}`"),
-        "two laws would replace one constraint; call for one of these effects",
-    )
 }
 
 /// Names with "skate" or "stop".
@@ -168,23 +126,7 @@ pub fn two_changing(scene: &Ident, first: (&Ident, &str), second: (&Ident, &str)
         ),
     };
     let fault = fault_with_help(second, format_args!("scene `{scene}` has {text}"), help);
-    fault_at_two_places(fault, first, &format!("`{first}` is declared here"))
-}
-
-pub fn stop_with_counts(stop: &Ident) -> syn::Error {
-    fault_with_help(
-        stop,
-        format_args!("stop `{stop}` cannot be followed in a model with counts, arrays or `for`"),
-        "write single bodies, or a stiff `spring` or `torsion` in place of this stop",
-    )
-}
-
-pub fn limit_with_counts(row: &Ident) -> syn::Error {
-    fault_with_help(
-        row,
-        format_args!("skate `{row}` has a limit, which a model with counts, arrays or `for` cannot follow"),
-        "remove the limit, or write `tyre` in place of this skate",
-    )
+    fault_at_two_places(fault, first, format_args!("`{first}` is declared here"))
 }
 
 pub fn effect_with_name_of_a_group(name: &Ident) -> syn::Error {
@@ -207,18 +149,6 @@ pub fn no_type_name(scene: &Ident, type_name: &str) -> syn::Error {
         format!("scene `{scene}` would be the type `{type_name}`, which is no name in Rust")
     };
     fault_with_help(scene, text, "write another name")
-}
-
-pub fn same_type_name(scene: &Ident, type_name: &str, first: &Ident) -> syn::Error {
-    fault_at_two_places(
-        fault_with_help(
-            scene,
-            format_args!("scenes `{first}` and `{scene}` would both be the type `{type_name}`"),
-            "write another name",
-        ),
-        first,
-        &format!("`{first}` is declared here"),
-    )
 }
 
 pub fn parameter_of_unused_effect(name: &Ident, effect: &Ident) -> Warning {

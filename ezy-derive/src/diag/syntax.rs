@@ -1,6 +1,6 @@
 //! Messages of the parser.
 
-use super::{Extent, fault, fault_at_two_places, fault_with_help, nearest::suggestion};
+use super::{Extent, fault, fault_with_help, nearest::suggestion};
 use proc_macro2::{Ident, Span};
 
 /// The next token is not what the grammar expects.
@@ -16,16 +16,80 @@ pub fn with_example(error: syn::Error, keyword: &str, example: &str) -> syn::Err
     fault_with_help(error.span(), &error, format_args!("`{keyword}` is written `{example}`"))
 }
 
-pub fn no_model(at: Span) -> syn::Error {
-    fault_with_help(at, "there is no model here", "write `pub model Name { … }`")
-}
+messages! {
+    no_model(at: Span):
+        "there is no model here", "write `pub model Name {{ … }}`";
 
-pub fn text_after_model(at: Span, found: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("{found} stands after the model's closing brace"),
-        "put it inside the braces; each `model!` holds one model",
-    )
+    text_after_model(at: Span, found: &str):
+        "{found} stands after the model's closing brace",
+        "put it inside the braces; each `model!` holds one model";
+
+    /// A word for which the language has another one.
+    other_word(word: &Ident, place: &str, instead: &str):
+        "`{word}` is no word of {place}", "did you mean `{instead}`?";
+
+    foreign_attribute(at: Span):
+        "a model takes no attribute but documentation", "write `/// …`, or remove the attribute";
+
+    documents_nothing(at: Span):
+        "this documentation stands before no item", "write `//` for a remark";
+
+    raw_name(at: Span, name: &str):
+        "`{name}` is a raw identifier", "write a name without `r#`";
+
+    power_of_other_languages(at: Span):
+        "`**` is no operator", "write `^` for a power, such as `x^2`";
+
+    number_with_suffix(at: Span, digits: &str, suffix: &str):
+        "the number `{digits}{suffix}` has a suffix",
+        "write `{digits}`; units stand in `param name: unit = value;`";
+
+    /// The time after `until` is the one number with a unit.
+    number_joined_with_unit(at: Span, digits: &str, suffix: &str):
+        "the number `{digits}{suffix}` has a suffix",
+        "write `{digits} {suffix}`, with a blank before the unit";
+
+    no_conditions(at: Span, word: &str):
+        "expressions know no {word}",
+        "write `smooth_step(x, from, to)`, `min`, `max` or `sign`; scenes choose between laws by their effects";
+
+    expression_too_large(at: Span, limit: usize):
+        "this expression has more than {limit} parts",
+        "name some of its parts with `let name = …;`";
+
+    brackets_too_deep(at: Span, limit: usize):
+        "these brackets are nested more than {limit} deep",
+        "name some of the parts with `let name = …;`";
+
+    field_missing(body: &Ident, field: &str):
+        "body `{body}` has no {field}", "write `body {body} {{ mass: …, inertia: … }}`";
+
+    bare_vector_component(at: impl Into<Extent>):
+        "a vector has two components", "write `(x, y)`";
+
+    empty_start_statement(body: &Ident):
+        "nothing is given for `{body}`", "write `{body} at (0, 0) angle 0;` or remove `{body}`";
+
+    body_at_rest(at: Span, body: &Ident):
+        "`rest` is said of all bodies at once, not of `{body}` alone",
+        "write `at rest;`, or `{body} velocity (0, 0) rate 0;`";
+
+    second_relation(at: Span, found: &str):
+        "a condition has two sides, but {found} begins a third one",
+        "write a condition for each bound, since what counts is the passage of one";
+
+    joined_conditions(at: Span, found: &str):
+        "conditions are not joined, but {found} stands behind one",
+        "write an `event` or an `until` for each; the first `until` that comes true ends the scene";
+
+    until_without_unit(at: impl Into<Extent>):
+        "the time after `until` has no unit", "write it with a unit, such as `until 60 s;`";
+
+    field_twice(field: &Ident, first: &Ident):
+        "`{field}` is given twice", "remove one of them", first: "first given here";
+
+    statement_twice(word: &Ident, first: &Ident, scene: &Ident):
+        "scene `{scene}` says `{word}` twice", "remove one of them", first: "first said here";
 }
 
 pub fn unknown_word(word: &Ident, place: &str, words: &[&str]) -> syn::Error {
@@ -45,50 +109,12 @@ pub fn word_of_a_model(word: &Ident, place: &str, words: &[&str]) -> syn::Error 
     )
 }
 
-/// A word for which the language has another one.
-pub fn other_word(word: &Ident, place: &str, instead: &str) -> syn::Error {
-    fault_with_help(word, format_args!("`{word}` is no word of {place}"), format_args!("did you mean `{instead}`?"))
-}
-
-pub fn foreign_attribute(at: Span) -> syn::Error {
-    fault_with_help(at, "a model takes no attribute but documentation", "write `/// …`, or remove the attribute")
-}
-
-pub fn documents_nothing(at: Span) -> syn::Error {
-    fault_with_help(at, "this documentation stands before no item", "write `//` for a remark")
-}
-
 pub fn keyword_as_name(at: Span, name: &str) -> syn::Error {
     let better = format!("{}_", name.trim_start_matches("r#"));
     fault_with_help(
         at,
         format_args!("`{name}` is a word of Rust and cannot be a name"),
         format_args!("write another name, such as `{better}`"),
-    )
-}
-
-pub fn raw_name(at: Span, name: &str) -> syn::Error {
-    fault_with_help(at, format_args!("`{name}` is a raw identifier"), "write a name without `r#`")
-}
-
-pub fn power_of_other_languages(at: Span) -> syn::Error {
-    fault_with_help(at, "`**` is no operator", "write `^` for a power, such as `x^2`")
-}
-
-pub fn number_with_suffix(at: Span, digits: &str, suffix: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("the number `{digits}{suffix}` has a suffix"),
-        format_args!("write `{digits}`; units stand in `param name: unit = value;`"),
-    )
-}
-
-/// The time after `until` is the one number with a unit.
-pub fn number_joined_with_unit(at: Span, digits: &str, suffix: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("the number `{digits}{suffix}` has a suffix"),
-        format_args!("write `{digits} {suffix}`, with a blank before the unit"),
     )
 }
 
@@ -116,80 +142,12 @@ pub fn number_too_large(at: Span, text: &str) -> syn::Error {
     )
 }
 
-pub fn no_conditions(at: Span, word: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("expressions know no {word}"),
-        "write `smooth_step(x, from, to)`, `min`, `max` or `sign`; scenes choose between laws by their effects",
-    )
-}
-
-pub fn expression_too_large(at: Span, limit: usize) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("this expression has more than {limit} parts"),
-        "name some of its parts with `let name = …;`",
-    )
-}
-
-pub fn brackets_too_deep(at: Span, limit: usize) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("these brackets are nested more than {limit} deep"),
-        "name some of the parts with `let name = …;`",
-    )
-}
-
-pub fn field_twice(field: &Ident, first: &Ident) -> syn::Error {
-    fault_at_two_places(
-        fault_with_help(field, format_args!("`{field}` is given twice"), "remove one of them"),
-        first,
-        "first given here",
-    )
-}
-
-pub fn field_missing(body: &Ident, field: &str) -> syn::Error {
-    fault_with_help(
-        body,
-        format_args!("body `{body}` has no {field}"),
-        format_args!("write `body {body} {{ mass: …, inertia: … }}`"),
-    )
-}
-
 pub fn no_setting(at: Span, place: &str, settings: &[&str]) -> syn::Error {
     fault(at, format_args!("{place} needs one of {}", super::nearest::quoted(settings)))
 }
 
 pub fn setting_missing(at: Span, setting: &str, place: &str) -> syn::Error {
     fault(at, format_args!("{place} needs its `{setting}`"))
-}
-
-pub fn statement_twice(word: &Ident, first: &Ident, scene: &Ident) -> syn::Error {
-    fault_at_two_places(
-        fault_with_help(word, format_args!("scene `{scene}` says `{word}` twice"), "remove one of them"),
-        first,
-        "first said here",
-    )
-}
-
-pub fn bare_vector_component(at: impl Into<Extent>) -> syn::Error {
-    fault_with_help(at, "a vector has two components", "write `(x, y)`")
-}
-
-pub fn empty_start_statement(body: &Ident) -> syn::Error {
-    fault_with_help(
-        body,
-        format_args!("nothing is given for `{body}`"),
-        format_args!("write `{body} at (0, 0) angle 0;` or remove `{body}`"),
-    )
-}
-
-pub fn body_at_rest(at: Span, body: &Ident) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("`rest` is said of all bodies at once, not of `{body}` alone"),
-        format_args!("write `at rest;`, or `{body} velocity (0, 0) rate 0;`"),
-    )
 }
 
 pub fn relation_with_equals(at: Span, word: &str) -> syn::Error {
@@ -199,24 +157,4 @@ pub fn relation_with_equals(at: Span, word: &str) -> syn::Error {
         format!("`{word}=` is written `{word}` here: what counts is the passage from one side to the other")
     };
     fault_with_help(at, text, format_args!("write `{word}`"))
-}
-
-pub fn second_relation(at: Span, found: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("a condition has two sides, but {found} begins a third one"),
-        "write a condition for each bound, since what counts is the passage of one",
-    )
-}
-
-pub fn joined_conditions(at: Span, found: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("conditions are not joined, but {found} stands behind one"),
-        "write an `event` or an `until` for each; the first `until` that comes true ends the scene",
-    )
-}
-
-pub fn until_without_unit(at: impl Into<Extent>) -> syn::Error {
-    fault_with_help(at, "the time after `until` has no unit", "write it with a unit, such as `until 60 s;`")
 }

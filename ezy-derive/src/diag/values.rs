@@ -1,6 +1,6 @@
 //! Messages about expressions: shapes, units, numbers of arguments, what must not move.
 
-use super::{Extent, fault_at_two_places, fault_with_help};
+use super::{Extent, fault_with_help};
 use crate::function::Operator;
 use proc_macro2::{Ident, Span};
 
@@ -38,17 +38,55 @@ pub fn wrong_dimension(at: Extent, what: &str, found: &str, wanted: &str) -> syn
     )
 }
 
-pub fn expected_scalar(at: Extent, what: &str) -> syn::Error {
-    let help = "write one number, such as `A.x` or `norm(A.r)` in place of `A.r`";
-    fault_with_help(at, format_args!("{what} is a scalar, but this is a vector"), help)
-}
+messages! {
+    vector_as_constant(at: Extent, of: &str):
+        "{of} is a scalar, but this is a vector", "write one number";
 
-pub fn vector_as_constant(at: Extent, of: &str) -> syn::Error {
-    fault_with_help(at, format_args!("{of} is a scalar, but this is a vector"), "write one number")
-}
+    expected_vector(at: Extent, what: &str):
+        "{what} is a vector, but this is a scalar", "write two components, `(x, y)`";
 
-pub fn expected_vector(at: Extent, what: &str) -> syn::Error {
-    fault_with_help(at, format_args!("{what} is a vector, but this is a scalar"), "write two components, `(x, y)`")
+    expected_name(at: Extent, function: &str, example: &str):
+        "`{function}` takes the name of a point and the name of a body", "write `{example}`";
+
+    place_as_value(at: Extent, body: &Ident):
+        "`{body}(…)` is a point, not a value",
+        "name it with `point P = {body}(…);` and write `P.x`, `P.y` or `P.v`";
+
+    called_value(name: &Ident, what: &str):
+        "`{name}` is {what}, not a function", "write `{name} * (…)` for a product";
+
+    /// `left`, `right`: units, or "a plain number".
+    unlike_sides(at: Span, sign: &str, left: &str, right: &str):
+        "`{sign}` stands between {left} and {right}", "both sides need the same unit";
+
+    /// `instead`: what does what a name was meant for.
+    name_in_constant(at: impl Into<Extent>, name: &str, of: &str, instead: &str):
+        "{of} cannot use `{name}`", "write numbers, `pi` and operators; {instead}";
+
+    constant_not_finite(at: Extent, of: &str, value: f64):
+        "{of} is {value}", "write a finite number";
+
+    division_by_zero(at: Span):
+        "`/` divides by zero", "divide by something that is not zero";
+
+    let_too_large(name: &Ident):
+        "the value `{name}` grows too large when the values that it uses are inserted",
+        "use fewer values of values";
+
+    let_used_too_early(name: &Ident):
+        "the value `{name}` ends a long chain of values, each used before it is declared",
+        "declare values before their uses";
+
+    cyclic_let(at: &Ident, name: &Ident):
+        "the value `{name}` depends on itself",
+        "remove one of the uses in this circle", name: "`{name}` is declared here";
+
+    expected_scalar(at: Extent, what: &str):
+        "{what} is a scalar, but this is a vector",
+        "write one number, such as `A.x` or `norm(A.r)` in place of `A.r`";
+
+    must_not_move(at: impl Into<Extent>, what: &str, on: &str, help: &str):
+        "{what} cannot depend on {on}", "{help}";
 }
 
 pub fn arity(function: &Ident, wanted: usize, found: usize) -> syn::Error {
@@ -58,80 +96,5 @@ pub fn arity(function: &Ident, wanted: usize, found: usize) -> syn::Error {
         function,
         format_args!("`{function}` takes {wanted} {plural}, but {found} are given"),
         format_args!("write `{function}{example}`"),
-    )
-}
-
-pub fn expected_name(at: Extent, function: &str, example: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("`{function}` takes the name of a point and the name of a body"),
-        format_args!("write `{example}`"),
-    )
-}
-
-pub fn place_as_value(at: Extent, body: &Ident) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("`{body}(…)` is a point, not a value"),
-        format_args!("name it with `point P = {body}(…);` and write `P.x`, `P.y` or `P.v`"),
-    )
-}
-
-pub fn called_value(name: &Ident, what: &str) -> syn::Error {
-    fault_with_help(
-        name,
-        format_args!("`{name}` is {what}, not a function"),
-        format_args!("write `{name} * (…)` for a product"),
-    )
-}
-
-pub fn must_not_move(at: impl Into<Extent>, what: &str, on: &str, help: &str) -> syn::Error {
-    fault_with_help(at, format_args!("{what} cannot depend on {on}"), help)
-}
-
-/// `left`, `right`: units, or "a plain number".
-pub fn unlike_sides(at: Span, sign: &str, left: &str, right: &str) -> syn::Error {
-    fault_with_help(at, format_args!("`{sign}` stands between {left} and {right}"), "both sides need the same unit")
-}
-
-/// `instead`: what does what a name was meant for.
-pub fn name_in_constant(at: impl Into<Extent>, name: &str, of: &str, instead: &str) -> syn::Error {
-    fault_with_help(
-        at,
-        format_args!("{of} cannot use `{name}`"),
-        format_args!("write numbers, `pi` and operators; {instead}"),
-    )
-}
-
-pub fn constant_not_finite(at: Extent, of: &str, value: f64) -> syn::Error {
-    fault_with_help(at, format_args!("{of} is {value}"), "write a finite number")
-}
-
-pub fn division_by_zero(at: Span) -> syn::Error {
-    fault_with_help(at, "`/` divides by zero", "divide by something that is not zero")
-}
-
-pub fn cyclic_let(at: &Ident, name: &Ident) -> syn::Error {
-    let error = fault_with_help(
-        at,
-        format_args!("the value `{name}` depends on itself"),
-        "remove one of the uses in this circle",
-    );
-    fault_at_two_places(error, name, &format!("`{name}` is declared here"))
-}
-
-pub fn let_too_large(name: &Ident) -> syn::Error {
-    fault_with_help(
-        name,
-        format_args!("the value `{name}` grows too large when the values that it uses are inserted"),
-        "use fewer values of values",
-    )
-}
-
-pub fn let_used_too_early(name: &Ident) -> syn::Error {
-    fault_with_help(
-        name,
-        format_args!("the value `{name}` ends a long chain of values, each used before it is declared"),
-        "declare values before their uses",
     )
 }

@@ -26,6 +26,16 @@ struct Writer<'a> {
     index: &'static str,
 }
 
+/// What the values of a statement may depend on.
+fn depends_on(word: &Word) -> Depends {
+    match word.class {
+        Class::PositionRow => Depends::Positions,
+        Class::VelocityRow => Depends::Velocities,
+        Class::Force if word.acts_on_all_bodies() => Depends::Parameters,
+        Class::Force => Depends::Everything,
+    }
+}
+
 /// The text of a model of this name.
 pub fn model(name: &str, random: &mut Random) -> String {
     let repeated = random.once_in(4);
@@ -254,43 +264,42 @@ impl Writer<'_> {
     }
 
     fn part(&mut self, part: &Part, word: &Word) -> String {
-        let depends = match word.class {
-            Class::PositionRow => Depends::Positions,
-            Class::VelocityRow => Depends::Velocities,
-            Class::Force => Depends::Everything,
-        };
         match part {
-            Part::Pair => {
-                let [first, second] = self.two_owners();
-                let second = if self.random.once_in(4) { self.place(true) } else { self.on(&second) };
-                format!(" {} ~ {second}", self.on(&first))
-            }
+            Part::Pair => self.pair(),
             Part::At => format!(" at {}", self.place(false)),
             Part::Couple => self.couple(),
             Part::BodyOrCouple if self.random.once_in(2) => format!(" {}", self.owner(false)),
             Part::BodyOrCouple => self.couple(),
             Part::Along => format!(" along {}", self.new_place()),
             Part::Across => format!(" across {}", self.new_place()),
-            Part::Scalar(asked) => format!(": {}", self.scalar(asked.unit, depends)),
-            Part::Vector(asked) => format!(": {}", self.values().vector(asked.unit, depends)),
-            Part::BareVector(asked) => format!(" {}", self.values().vector(asked.unit, Depends::Parameters)),
-            Part::Equals(asked) => format!(" = {}", self.linear(asked.unit)),
-            Part::Equation if word.class == Class::VelocityRow => {
-                let unit = *self.random.of(&["m/s", "rad/s"]);
-                format!(" {} = {}", self.linear(unit), self.linear(unit))
-            }
-            Part::Equation => {
-                let unit = *self.random.of(&["m", "rad"]);
-                let right = if word.word == "drive" { Depends::Time } else { depends };
-                format!(" {} = {}", self.scalar(unit, Depends::Positions), self.scalar(unit, right))
-            }
+            Part::Scalar(asked) if word.class == Class::VelocityRow => format!(" {}", self.linear(asked.unit)),
+            Part::Scalar(asked) => format!(" {}", self.scalar(asked.unit, depends_on(word))),
+            Part::Vector(asked) => format!(" {}", self.values().vector(asked.unit, depends_on(word))),
+            Part::Equation => self.equation(word),
             Part::Settings(settings) => self.settings(settings, word.class == Class::Force),
             Part::Colon => ":".to_owned(),
+            Part::Equals => " =".to_owned(),
             Part::Choice(forms) => {
                 let form = *self.random.of(forms);
                 self.form(form, word)
             }
         }
+    }
+
+    fn pair(&mut self) -> String {
+        let [first, second] = self.two_owners();
+        let second = if self.random.once_in(4) { self.place(true) } else { self.on(&second) };
+        format!(" {} ~ {second}", self.on(&first))
+    }
+
+    fn equation(&mut self, word: &Word) -> String {
+        if word.class == Class::VelocityRow {
+            let unit = *self.random.of(&["m/s", "rad/s"]);
+            return format!(" {} = {}", self.linear(unit), self.linear(unit));
+        }
+        let unit = *self.random.of(&["m", "rad"]);
+        let right = if word.word == "drive" { Depends::Time } else { depends_on(word) };
+        format!(" {} = {}", self.scalar(unit, Depends::Positions), self.scalar(unit, right))
     }
 
     /// An expression that is linear in velocities, mostly.

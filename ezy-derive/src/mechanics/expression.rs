@@ -1,7 +1,7 @@
 //! Expressions of the model file as sums.
 
 use super::symbols::Symbols;
-use crate::function::Function;
+use crate::function::{Function, Operator};
 use crate::model::{self, Arguments, BodyId, Component, Expr, Model};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
@@ -65,11 +65,10 @@ impl<'a> Writer<'a> {
                 let a = self.write(a);
                 self.algebra.neg(a)
             }
-            Expr::Add(a, b) => self.binary(a, b, Algebra::add),
-            Expr::Sub(a, b) => self.binary(a, b, Algebra::sub),
-            Expr::Mul(a, b) => self.binary(a, b, Algebra::mul),
-            Expr::Div(a, b) => self.binary(a, b, Algebra::div),
-            Expr::Pow(a, b) => self.binary(a, b, Algebra::pow),
+            Expr::Binary(operator, a, b) => {
+                let (a, b) = (self.write(a), self.write(b));
+                self.binary(*operator, a, b)
+            }
             Expr::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|x| self.write(x)).collect();
                 self.algebra.call(*function, arguments)
@@ -83,9 +82,14 @@ impl<'a> Writer<'a> {
         self.algebra.as_coefficient(sum).unwrap_or(Coefficient::ZERO)
     }
 
-    fn binary(&mut self, a: &Expr, b: &Expr, operation: fn(&mut Algebra, SumId, SumId) -> SumId) -> SumId {
-        let (a, b) = (self.write(a), self.write(b));
-        operation(self.algebra, a, b)
+    fn binary(&mut self, operator: Operator, a: SumId, b: SumId) -> SumId {
+        match operator {
+            Operator::Add => self.algebra.add(a, b),
+            Operator::Subtract => self.algebra.sub(a, b),
+            Operator::Multiply => self.algebra.mul(a, b),
+            Operator::Divide => self.algebra.div(a, b),
+            Operator::Power => self.algebra.pow(a, b),
+        }
     }
 
     /// A setting of a row or force; zero where the law has no such part.

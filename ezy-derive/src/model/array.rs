@@ -14,7 +14,8 @@ impl Context<'_> {
     /// A declared array of bodies; a single body has no lengths.
     pub fn declare_bodies(&mut self, body: &ast::Body) -> Symbol {
         let id = self.arrays.len();
-        let (mass, inertia) = (Expr::Number(0.0), Expr::Number(0.0));
+        // until they are resolved
+        let (mass, inertia) = (Expr::Number(1.0), Expr::Number(1.0));
         self.arrays.push(Array { name: body.name.word.clone(), lengths: Vec::new(), mass, inertia });
         if !body.name.indices.is_empty() {
             return Symbol::Bodies(id);
@@ -122,7 +123,7 @@ impl Context<'_> {
                 repeats::no_value(name.into(), name, Self::members(symbol))
             }
             Some(symbol) => repeats::index_on_single(name.into(), name, symbol.what()),
-            None => self.names.unknown(name, |known| names::unknown_owner(name, &known.owners())),
+            None => self.names.unknown(name, |known| names::unknown(name, names::OWNER, &known.owners())),
         };
         self.diag.error(error);
     }

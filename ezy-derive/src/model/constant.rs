@@ -2,7 +2,6 @@
 
 use super::Expr;
 use crate::diag::values;
-use crate::function::Operator;
 use crate::parse::ast;
 use std::f64::consts::PI;
 use syn::Result;
@@ -27,32 +26,25 @@ fn evaluate(expr: &ast::Expr, of: &str, instead: &str) -> Result<f64> {
         ast::Expr::Vector { .. } => Err(values::vector_as_constant(expr.extent(), of)),
         ast::Expr::Negative { operand, .. } => Ok(-evaluate(operand, of, instead)?),
         ast::Expr::Binary { operator, left, right, .. } => {
-            let (a, b) = (evaluate(left, of, instead)?, evaluate(right, of, instead)?);
-            Ok(match operator {
-                Operator::Add => a + b,
-                Operator::Subtract => a - b,
-                Operator::Multiply => a * b,
-                Operator::Divide => a / b,
-                Operator::Power => a.powf(b),
-            })
+            Ok(operator.evaluate(evaluate(left, of, instead)?, evaluate(right, of, instead)?))
         }
     }
+}
+
+/// The value of a resolved expression of numbers alone.
+pub fn literal(expr: &Expr) -> Option<f64> {
+    at_defaults(expr, &[])
 }
 
 /// The value of a resolved expression with the declared parameters; `None` where it moves.
 pub fn at_defaults(expr: &Expr, parameters: &[f64]) -> Option<f64> {
     let value = |expr: &Expr| at_defaults(expr, parameters);
-    let both = |a: &Expr, b: &Expr| Some((value(a)?, value(b)?));
     Some(match expr {
         Expr::Number(number) => *number,
         Expr::Pi => PI,
         Expr::Parameter(id) => *parameters.get(id.0)?,
         Expr::Neg(a) => -value(a)?,
-        Expr::Add(a, b) => both(a, b).map(|(a, b)| a + b)?,
-        Expr::Sub(a, b) => both(a, b).map(|(a, b)| a - b)?,
-        Expr::Mul(a, b) => both(a, b).map(|(a, b)| a * b)?,
-        Expr::Div(a, b) => both(a, b).map(|(a, b)| a / b)?,
-        Expr::Pow(a, b) => both(a, b).map(|(a, b)| a.powf(b))?,
+        Expr::Binary(operator, a, b) => operator.evaluate(value(a)?, value(b)?),
         Expr::Call(function, arguments) => {
             let arguments: Option<Vec<f64>> = arguments.iter().map(value).collect();
             function.evaluate(&arguments?)

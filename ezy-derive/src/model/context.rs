@@ -42,6 +42,28 @@ pub struct Context<'a> {
     pub slots: Vec<Slot>,
 }
 
+impl<'a> Context<'a> {
+    pub fn new(diag: &'a mut Diagnostics) -> Self {
+        Self {
+            diag,
+            names: Names::default(),
+            units: Vec::new(),
+            input_units: Vec::new(),
+            lets: Vec::new(),
+            n_lets_in_work: 0,
+            points: Vec::new(),
+            point_arrays: Vec::new(),
+            counts: Vec::new(),
+            indices: Vec::new(),
+            loops: Vec::new(),
+            bound: Vec::new(),
+            shared_parameters: BTreeSet::new(),
+            arrays: Vec::new(),
+            slots: Vec::new(),
+        }
+    }
+}
+
 /// A declaration in a `for`.
 #[derive(Clone, Copy)]
 pub struct ArraySource<'a> {
@@ -147,7 +169,6 @@ impl Purpose {
 /// What an expression depends on.
 pub fn motion(expr: &Expr) -> Motion {
     match expr {
-        Expr::Number(_) | Expr::Pi | Expr::Parameter(_) | Expr::Count(_) | Expr::Index(_) => Motion::Parameters,
         Expr::Input(_) => Motion::Input,
         Expr::Time => Motion::Time,
         Expr::Coordinate(..) | Expr::PointPosition(..) | Expr::MemberPosition(..) | Expr::HingeAngle(_) => {
@@ -156,10 +177,6 @@ pub fn motion(expr: &Expr) -> Motion {
         Expr::Velocity(..) | Expr::PointVelocity(..) | Expr::MemberVelocity(..) | Expr::HingeRate(_) => {
             Motion::Velocity
         }
-        Expr::Neg(a) => motion(a),
-        Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Mul(a, b) | Expr::Div(a, b) | Expr::Pow(a, b) => {
-            motion(a).max(motion(b))
-        }
-        Expr::Call(_, arguments) => arguments.iter().map(motion).max().unwrap_or(Motion::Parameters),
+        _ => expr.operands().into_iter().map(motion).max().unwrap_or(Motion::Parameters),
     }
 }

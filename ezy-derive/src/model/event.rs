@@ -2,9 +2,8 @@
 
 use super::context::{Context, Motion, Purpose, motion};
 use super::names::{Scope, Symbol};
-use super::value::Form;
 use super::{EffectId, Event, Expr};
-use crate::diag::{Extent, scenes, values};
+use crate::diag::{Extent, scenes};
 use crate::parse::ast;
 
 impl Context<'_> {
@@ -19,31 +18,8 @@ impl Context<'_> {
     fn condition(&mut self, condition: &ast::Condition, what: &str, scope: Scope) -> Option<Expr> {
         let purpose = Purpose::moving(scope);
         let (left, right) = (&condition.left, &condition.right);
-        let (a, b) = (self.value(left, &purpose), self.value(right, &purpose));
-        let (a, b) = (a?, b?);
-        if let (Some(a), Some(b)) = (a.measure.known(), b.measure.known())
-            && a != b
-        {
-            self.diag.error(values::unlike_sides(
-                condition.at,
-                condition.relation.sign(),
-                &a.in_words(),
-                &b.in_words(),
-            ));
-            return None;
-        }
-        let (a, b) = match (a.form, b.form) {
-            (Form::Scalar(a), Form::Scalar(b)) => (a, b),
-            (Form::Vector(..), _) => {
-                self.diag.error(values::expected_scalar(left.extent(), &format!("a side of {what}")));
-                return None;
-            }
-            (_, Form::Vector(..)) => {
-                self.diag.error(values::expected_scalar(right.extent(), &format!("a side of {what}")));
-                return None;
-            }
-        };
-        let value = Expr::Sub(Box::new(a), Box::new(b));
+        let sign = (condition.relation.sign(), condition.at);
+        let (value, _) = self.difference([left, right], sign, &purpose, &format!("a side of {what}"))?;
         if motion(&value) == Motion::Parameters {
             let at = Extent { first: left.extent().first, last: right.extent().last };
             self.diag.error(scenes::condition_never_changes(at, what));

@@ -1,5 +1,6 @@
 //! Expressions: each name becomes an id, vectors become components.
 
+use super::constant::literal;
 use super::context::{Context, Motion, Purpose, motion};
 use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
@@ -9,7 +10,7 @@ use super::{Direction, Expr};
 use crate::diag::{names, rules, values};
 use crate::function::Operator;
 use crate::parse::ast;
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 
 impl Context<'_> {
     /// The value of an expression; `None` when faults were reported. Numbers that overflow or are undefined are faults
@@ -75,13 +76,8 @@ impl Context<'_> {
         what: &str,
     ) -> Option<(Expr, Measure)> {
         let value = self.value(expr, purpose)?;
-        match value.form {
-            Form::Scalar(scalar) => Some((scalar, value.measure)),
-            Form::Vector(..) => {
-                self.diag.error(values::expected_scalar(expr.extent(), what));
-                None
-            }
-        }
+        let measure = value.measure;
+        Some((self.as_scalar(value, expr, what)?, measure))
     }
 
     /// The components of a vector of this dimension.
@@ -99,6 +95,33 @@ impl Context<'_> {
         };
         self.check_dimension(expr, what, value.measure, dimension)?;
         Some((x, y))
+    }
+
+    /// The left side minus the right side, both scalars of one dimension; `what` a side is, for the message.
+    pub fn difference(
+        &mut self,
+        sides: [&ast::Expr; 2],
+        (sign, at): (&str, Span),
+        purpose: &Purpose,
+        what: &str,
+    ) -> Option<(Expr, Measure)> {
+        let [left, right] = sides.map(|side| self.value(side, purpose));
+        let (left, right) = (left?, right?);
+        if let Some((a, b)) = left.measure.known().zip(right.measure.known()).filter(|(a, b)| a != b) {
+            self.diag.error(values::unlike_sides(at, sign, &a.in_words(), &b.in_words()));
+            return None;
+        }
+        let measure = left.measure.or(right.measure);
+        let (a, b) = (self.as_scalar(left, sides[0], what)?, self.as_scalar(right, sides[1], what)?);
+        Some((a - b, measure))
+    }
+
+    fn as_scalar(&mut self, value: Value, expr: &ast::Expr, what: &str) -> Option<Expr> {
+        let Form::Scalar(scalar) = value.form else {
+            self.diag.error(values::expected_scalar(expr.extent(), what));
+            return None;
+        };
+        Some(scalar)
     }
 
     /// Reports a value of another dimension than is wanted, when both are known.
@@ -169,7 +192,8 @@ impl Context<'_> {
                 None
             }
             None => {
-                let error = self.names.unknown(name, |known| names::unknown_value(name, &known.values(purpose.scope)));
+                let error =
+                    self.names.unknown(name, |known| names::unknown(name, names::VALUE, &known.values(purpose.scope)));
                 self.diag.error(error);
                 None
             }
@@ -200,7 +224,7 @@ impl Context<'_> {
         let x = self.scalar(&direction.x, &purpose, "a component of a direction", None);
         let y = self.scalar(&direction.y, &purpose, "a component of a direction", None);
         let (body, x, y) = (body?, x?, y?);
-        let zero = |component: &Expr| super::constant::at_defaults(component, &[]) == Some(0.0);
+        let zero = |component: &Expr| literal(component) == Some(0.0);
         if zero(&x) && zero(&y) {
             let last = direction.y.extent().last;
             let at = crate::diag::Extent { first: direction.x.extent().first, last };
@@ -236,9 +260,4 @@ const fn remedy_in_stop(motion: Motion) -> &'static str {
         Motion::Input => "the constraint of a stop needs its rate; write parameters, positions and `t`",
         _ => "a stop bounds positions; an `event` tells when a velocity passes a value",
     }
-}
-
-/// The value of an expression of numbers alone.
-fn literal(expr: &Expr) -> Option<f64> {
-    super::constant::at_defaults(expr, &[])
 }

@@ -4,34 +4,39 @@ use super::context::{Context, Purpose};
 use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
 use super::value::{Form, Value};
-use super::{Component, Expr, Function};
+use super::{Component, Expr, Function, Operator};
 use crate::diag::{Extent, names, values};
 use crate::parse::ast;
 use proc_macro2::{Ident, Span};
 
 /// Functions of scalars.
-const SCALAR: [(&str, Function, usize, Rule); 14] = [
-    ("sin", Function::Sin, 1, Rule::Plain),
-    ("cos", Function::Cos, 1, Rule::Plain),
-    ("tan", Function::Tan, 1, Rule::Plain),
-    ("asin", Function::Asin, 1, Rule::Arc),
-    ("acos", Function::Acos, 1, Rule::Arc),
-    ("atan2", Function::Atan2, 2, Rule::ArcOfRatio),
-    ("sqrt", Function::Sqrt, 1, Rule::Root),
-    ("exp", Function::Exp, 1, Rule::Plain),
-    ("ln", Function::Ln, 1, Rule::Plain),
-    ("tanh", Function::Tanh, 1, Rule::Plain),
-    ("abs", Function::Abs, 1, Rule::Same),
-    ("min", Function::Min, 2, Rule::Same),
-    ("max", Function::Max, 2, Rule::Same),
-    ("sign", Function::Sign, 1, Rule::Sign),
+const SCALAR: [(Function, Rule); 14] = [
+    (Function::Sin, Rule::Plain),
+    (Function::Cos, Rule::Plain),
+    (Function::Tan, Rule::Plain),
+    (Function::Asin, Rule::Arc),
+    (Function::Acos, Rule::Arc),
+    (Function::Atan2, Rule::ArcOfRatio),
+    (Function::Sqrt, Rule::Root),
+    (Function::Exp, Rule::Plain),
+    (Function::Ln, Rule::Plain),
+    (Function::Tanh, Rule::Plain),
+    (Function::Abs, Rule::Same),
+    (Function::Min, Rule::Same),
+    (Function::Max, Rule::Same),
+    (Function::Sign, Rule::Sign),
 ];
 
-/// Functions of vectors, with the number of their arguments.
-const VECTOR: [(&str, usize); 3] = [("dot", 2), ("cross", 2), ("norm", 1)];
+type Call = fn(&mut Context<'_>, &[ast::Expr], &Purpose) -> Option<Value>;
 
-/// Functions that are written out: `slip_angle(point, body)`, `smooth_step(x, from, to)`.
-const WRITTEN_OUT: [(&str, usize); 2] = [("slip_angle", 2), ("smooth_step", 3)];
+/// Functions that are written out, with the number of their arguments.
+const WRITTEN_OUT: [(&str, usize, Call); 5] = [
+    ("dot", 2, |context, arguments, purpose| context.product("dot", Value::dot, arguments, purpose)),
+    ("cross", 2, |context, arguments, purpose| context.product("cross", Value::cross, arguments, purpose)),
+    ("norm", 1, |context, arguments, purpose| context.norm(arguments, purpose)),
+    ("slip_angle", 2, |context, arguments, purpose| context.slip_angle(arguments, purpose)),
+    ("smooth_step", 3, |context, arguments, purpose| context.smooth_step(arguments, purpose)),
+];
 
 /// Functions of other languages, and what to write.
 const ELSEWHERE: [(&str, &str); 26] = [
@@ -82,27 +87,24 @@ enum Rule {
 
 impl Context<'_> {
     pub fn call(&mut self, function: &Ident, arguments: &[ast::Expr], end: Span, purpose: &Purpose) -> Option<Value> {
-        let name = function.to_string();
-        let scalar = SCALAR.iter().find(|(known, ..)| *known == name);
-        let vector = VECTOR.iter().find(|(known, _)| *known == name);
-        let written_out = WRITTEN_OUT.iter().find(|(known, _)| *known == name);
         if self.names.lookup(purpose.scope, function) == Some(Symbol::Broken) {
             return None;
         }
-        let Some(arity) = scalar.map(|row| row.2).or(vector.or(written_out).map(|row| row.1)) else {
-            let error = self.not_a_function(function, Extent { first: function.span(), last: end }, purpose);
-            self.diag.error(error);
-            return None;
-        };
-        if arguments.len() != arity {
+        let scalar = SCALAR.iter().find(|(known, _)| function == known.name());
+        let written_out = WRITTEN_OUT.iter().find(|(known, ..)| function == known);
+        let arity = scalar.map(|(known, _)| known.arity()).or(written_out.map(|(_, arity, _)| *arity));
+        if let Some(arity) = arity.filter(|arity| *arity != arguments.len()) {
             self.diag.error(values::arity(function, arity, arguments.len()));
             return None;
         }
-        match scalar {
-            Some((_, function, _, rule)) => self.scalar_call(&name, *function, *rule, arguments, purpose),
-            None if name == "slip_angle" => self.slip_angle(arguments, purpose),
-            None if name == "smooth_step" => self.smooth_step(arguments, purpose),
-            None => self.vector_call(&name, arguments, purpose),
+        match (scalar, written_out) {
+            (Some((function, rule)), _) => self.scalar_call(*function, *rule, arguments, purpose),
+            (_, Some((.., call))) => call(self, arguments, purpose),
+            _ => {
+                let error = self.not_a_function(function, Extent { first: function.span(), last: end }, purpose);
+                self.diag.error(error);
+                None
+            }
         }
     }
 
@@ -111,15 +113,14 @@ impl Context<'_> {
         if function == "ground" || matches!(symbol, Some(Symbol::Body(_))) {
             return values::place_as_value(call, function);
         }
-        let others = VECTOR.iter().chain(&WRITTEN_OUT);
-        let functions = SCALAR.iter().map(|row| row.0).chain(others.map(|row| row.0));
-        let functions: Vec<&str> = functions.collect();
         match symbol {
             Some(symbol @ (Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Let(_))) => {
                 values::called_value(function, symbol.what())
             }
             _ => {
                 let instead = ELSEWHERE.iter().find(|(other, _)| function == other).map(|(_, instead)| *instead);
+                let functions = SCALAR.iter().map(|(known, _)| known.name());
+                let functions: Vec<&str> = functions.chain(WRITTEN_OUT.iter().map(|(name, ..)| *name)).collect();
                 names::unknown_function(function, instead, &functions)
             }
         }
@@ -127,60 +128,85 @@ impl Context<'_> {
 
     fn scalar_call(
         &mut self,
-        name: &str,
         function: Function,
         rule: Rule,
         arguments: &[ast::Expr],
         purpose: &Purpose,
     ) -> Option<Value> {
-        let what = format!("an argument of `{name}`");
-        let mut measure = Measure::Unknown;
-        let mut resolved = Vec::new();
-        for argument in arguments {
-            let Some((value, found)) = self.scalar_of_any_dimension(argument, purpose, &what) else { continue };
-            let wanted = match rule {
-                // `sin(t)` is understood: 1 rad/s
-                Rule::Plain if found == Measure::Known(Dimension::TIME) => None,
-                Rule::Plain if matches!(function, Function::Sin | Function::Cos | Function::Tan) => {
-                    Some(Dimension::ANGLE)
-                }
-                Rule::Plain | Rule::Arc => Some(Dimension::NONE),
-                _ => measure.known(),
-            };
-            if self.check_dimension(argument, &what, found, wanted).is_some() {
-                resolved.push(value);
-            }
-            measure = measure.or(found);
-        }
+        let is_of_angle = matches!(function, Function::Sin | Function::Cos | Function::Tan);
+        let wanted = |found, before: Measure| match rule {
+            // `sin(t)` is understood: 1 rad/s
+            Rule::Plain if found == Measure::Known(Dimension::TIME) => None,
+            Rule::Plain if is_of_angle => Some(Dimension::ANGLE),
+            Rule::Plain | Rule::Arc => Some(Dimension::NONE),
+            _ => before.known(),
+        };
+        let (resolved, measure) = self.scalars(function.name(), arguments, purpose, wanted)?;
         let measure = match rule {
             Rule::Plain | Rule::Sign => Measure::Plain,
             Rule::Arc | Rule::ArcOfRatio => Dimension::ANGLE.into(),
             Rule::Same => measure,
             Rule::Root => measure.power(Some(0.5)),
         };
-        (resolved.len() == arguments.len()).then(|| Value::scalar(Expr::Call(function, resolved), measure))
+        Some(Value::scalar(Expr::Call(function, resolved), measure))
     }
 
-    fn vector_call(&mut self, name: &str, arguments: &[ast::Expr], purpose: &Purpose) -> Option<Value> {
+    /// Scalar arguments and what is known of their dimension. `wanted`: of what was found, and of the arguments before.
+    fn scalars(
+        &mut self,
+        name: &str,
+        arguments: &[ast::Expr],
+        purpose: &Purpose,
+        wanted: impl Fn(Measure, Measure) -> Option<Dimension>,
+    ) -> Option<(Vec<Expr>, Measure)> {
         let what = format!("an argument of `{name}`");
+        let (mut resolved, mut measure) = (Vec::new(), Measure::Unknown);
+        for argument in arguments {
+            let Some((value, found)) = self.scalar_of_any_dimension(argument, purpose, &what) else { continue };
+            if self.check_dimension(argument, &what, found, wanted(found, measure)).is_some() {
+                resolved.push(value);
+            }
+            measure = measure.or(found);
+        }
+        (resolved.len() == arguments.len()).then_some((resolved, measure))
+    }
+
+    /// Vector arguments.
+    fn vectors<const N: usize>(
+        &mut self,
+        name: &str,
+        arguments: &[ast::Expr],
+        purpose: &Purpose,
+    ) -> Option<[(Expr, Expr, Measure); N]> {
         let mut resolved = Vec::new();
         for argument in arguments {
             let Some(value) = self.value(argument, purpose) else { continue };
             match value.form {
                 Form::Vector(x, y) => resolved.push((x, y, value.measure)),
-                Form::Scalar(_) => self.diag.error(values::expected_vector(argument.extent(), &what)),
+                Form::Scalar(_) => {
+                    let what = format!("an argument of `{name}`");
+                    self.diag.error(values::expected_vector(argument.extent(), &what));
+                }
             }
         }
-        if resolved.len() != arguments.len() {
-            return None;
-        }
-        let (ax, ay, a) = resolved.first()?.clone();
-        let Some((bx, by, b)) = resolved.get(1).cloned() else {
-            let square = Value::dot(ax.clone(), ay.clone(), ax, ay);
-            return Some(Value::scalar(Expr::Call(Function::Sqrt, vec![square]), a));
-        };
-        let value = if name == "dot" { Value::dot(ax, ay, bx, by) } else { Value::cross(ax, ay, bx, by) };
-        Some(Value::scalar(value, a.times(b)))
+        resolved.try_into().ok()
+    }
+
+    fn product(
+        &mut self,
+        name: &str,
+        product: fn(Expr, Expr, Expr, Expr) -> Expr,
+        arguments: &[ast::Expr],
+        purpose: &Purpose,
+    ) -> Option<Value> {
+        let [(ax, ay, a), (bx, by, b)] = self.vectors(name, arguments, purpose)?;
+        Some(Value::scalar(product(ax, ay, bx, by), a.times(b)))
+    }
+
+    fn norm(&mut self, arguments: &[ast::Expr], purpose: &Purpose) -> Option<Value> {
+        let [(x, y, measure)] = self.vectors("norm", arguments, purpose)?;
+        let square = Value::dot(x.clone(), y.clone(), x, y);
+        Some(Value::scalar(Expr::Call(Function::Sqrt, vec![square]), measure))
     }
 
     /// `slip_angle(P, body)`: from the x axis of the body, whichever way it rolls, to the velocity of P:
@@ -205,25 +231,13 @@ impl Context<'_> {
 
     /// `smooth_step(x, from, to)`: 0 before, 1 behind, s³ (10 − 15 s + 6 s²) between, with two continuous derivatives.
     fn smooth_step(&mut self, arguments: &[ast::Expr], purpose: &Purpose) -> Option<Value> {
-        let what = "an argument of `smooth_step`";
-        let mut resolved = Vec::new();
-        let mut measure = Measure::Unknown;
-        for argument in arguments {
-            let Some((value, found)) = self.scalar_of_any_dimension(argument, purpose, what) else { continue };
-            if self.check_dimension(argument, what, found, measure.known()).is_some() {
-                resolved.push(value);
-            }
-            measure = measure.or(found);
-        }
+        let (resolved, _) = self.scalars("smooth_step", arguments, purpose, |_, before| before.known())?;
         let [x, from, to] = <[Expr; 3]>::try_from(resolved).ok()?;
-        let number = |x| Box::new(Expr::Number(x));
-        let sub = |a: Expr, b: Expr| Expr::Sub(Box::new(a), Box::new(b));
-        let ratio = Expr::Div(Box::new(sub(x, from.clone())), Box::new(sub(to, from)));
+        let ratio = (x - from.clone()) / (to - from);
         let above = Expr::Call(Function::Max, vec![ratio, Expr::Number(0.0)]);
         let s = Expr::Call(Function::Min, vec![above, Expr::Number(1.0)]);
-        let cube = Expr::Pow(Box::new(s.clone()), number(3.0));
-        let inner = sub(Expr::Mul(number(6.0), Box::new(s.clone())), Expr::Number(15.0));
-        let bracket = Expr::Add(Box::new(Expr::Mul(Box::new(s), Box::new(inner))), number(10.0));
-        Some(Value::scalar(Expr::Mul(Box::new(cube), Box::new(bracket)), Measure::Plain))
+        let cube = Expr::binary(Operator::Power, s.clone(), Expr::Number(3.0));
+        let inner = Expr::Number(6.0) * s.clone() - Expr::Number(15.0);
+        Some(Value::scalar(cube * (s * inner + Expr::Number(10.0)), Measure::Plain))
     }
 }

@@ -73,7 +73,7 @@ impl Context<'_> {
                     None
                 }
                 None => {
-                    let error = self.names.unknown(name, |known| names::unknown_place(name, &known.places()));
+                    let error = self.names.unknown(name, |known| names::unknown(name, names::POINT, &known.places()));
                     self.diag.error(error);
                     None
                 }
@@ -133,7 +133,7 @@ impl Context<'_> {
             None if name.word == "ground" => rules::ground_is_no_body(name),
             None => {
                 let ground: &[&str] = if or_ground { &["ground"] } else { &[] };
-                names::unknown_body(name, &[ground, &self.names.bodies()].concat())
+                names::unknown(name, names::BODY, &[ground, &self.names.bodies()].concat())
             }
         };
         self.diag.error(error);
@@ -143,16 +143,7 @@ impl Context<'_> {
 
 /// Parts and depth of an expression.
 fn size(expr: &Expr) -> (usize, usize) {
-    let of = |parts: &mut dyn Iterator<Item = &Expr>| {
-        let (parts, depth) = parts.map(size).fold((0, 0), |sum, part| (sum.0 + part.0, sum.1.max(part.1)));
-        (parts + 1, depth + 1)
-    };
-    match expr {
-        Expr::Neg(a) => of(&mut [&**a].into_iter()),
-        Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Mul(a, b) | Expr::Div(a, b) | Expr::Pow(a, b) => {
-            of(&mut [&**a, &**b].into_iter())
-        }
-        Expr::Call(_, arguments) => of(&mut arguments.iter()),
-        _ => (1, 1),
-    }
+    let parts = expr.operands().into_iter().map(size);
+    let (parts, depth) = parts.fold((0, 0), |sum, part| (sum.0 + part.0, sum.1.max(part.1)));
+    (parts + 1, depth + 1)
 }

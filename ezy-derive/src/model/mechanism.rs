@@ -1,24 +1,20 @@
 //! Bodies.
 
-use super::constant::at_defaults;
+use super::constant::{at_defaults, literal};
 use super::context::{Context, Purpose};
 use super::dimension::Dimension;
 use super::{Expr, Row};
-use crate::diag::{Extent, rules};
+use crate::diag::rules;
 use crate::parse::ast;
 
-/// Mass and inertia of a declared body, or of each member of a declared array.
-#[derive(Debug, Clone)]
-pub struct Declared {
-    pub mass: Expr,
-    pub inertia: Expr,
-}
-
 impl Context<'_> {
-    pub fn body_item(&mut self, body: &ast::Body, defaults: &[f64]) -> Option<Declared> {
+    /// Mass and inertia of a declared body, or of each member of a declared array.
+    pub fn body_item(&mut self, array: usize, body: &ast::Body, defaults: &[f64]) {
         let mass = self.inertial(&body.mass, body, "mass", "kg", Dimension::MASS, defaults);
         let inertia = self.inertial(&body.inertia, body, "inertia", "kg*m^2", Dimension::INERTIA, defaults);
-        Some(Declared { mass: mass?, inertia: inertia? })
+        if let (Some(mass), Some(inertia)) = (mass, inertia) {
+            (self.arrays[array].mass, self.arrays[array].inertia) = (mass, inertia);
+        }
     }
 
     /// Mass or inertia: parameters alone, not negative as declared.
@@ -30,7 +26,7 @@ impl Context<'_> {
         unit: &str,
         dimension: Dimension,
         defaults: &[f64],
-    ) -> Option<super::Expr> {
+    ) -> Option<Expr> {
         let what = format!("the {word} of body `{}`", body.name.word);
         let value = self.scalar(expr, &Purpose::fixed(None, what.clone()), &what, Some(dimension))?;
         if let Some(number) = at_defaults(&value, defaults).filter(|number| *number < 0.0) {
@@ -40,18 +36,15 @@ impl Context<'_> {
     }
 
     /// Bodies whose mass or inertia is written as zero need a row that holds them.
-    /// `bodies` with the index of their array.
-    pub fn check_massless(&mut self, bodies: &[(usize, &ast::Body, Declared)], rows: &[Row]) {
-        for (array, source, body) in bodies {
-            let held = rows.iter().any(|row| touches(row, |body| self.slots[body.0].array == *array));
-            if held {
+    pub fn check_massless(&mut self, bodies: &[&ast::Body], rows: &[Row]) {
+        for (i, body) in bodies.iter().enumerate() {
+            if rows.iter().any(|row| touches(row, |body| self.slots[body.0].array == i)) {
                 continue;
             }
-            for (word, expr, value) in [("mass", &source.mass, &body.mass), ("inertia", &source.inertia, &body.inertia)]
-            {
-                if at_defaults(value, &[]) == Some(0.0) {
-                    let at: Extent = expr.extent();
-                    self.diag.error(rules::massless_and_free(at, &source.name, word));
+            let array = &self.arrays[i];
+            for (word, at, value) in [("mass", &body.mass, &array.mass), ("inertia", &body.inertia, &array.inertia)] {
+                if literal(value) == Some(0.0) {
+                    self.diag.error(rules::massless_and_free(at.extent(), &body.name, word));
                 }
             }
         }

@@ -1,10 +1,9 @@
 //! `owner.member`: coordinates and velocities of bodies, points and hinges.
 
 use super::context::{Context, Motion, Purpose};
-use super::dimension::Dimension;
 use super::names::Symbol;
 use super::value::Value;
-use super::{BodyId, Component, Expr, Place, PointId};
+use super::{Component, Expr};
 use crate::diag::{Extent, names};
 use crate::parse::ast;
 use proc_macro2::Ident;
@@ -12,6 +11,35 @@ use proc_macro2::Ident;
 const BODY: &[&str] = &["x", "y", "phi", "vx", "vy", "omega", "r", "v"];
 const POINT: &[&str] = &["x", "y", "vx", "vy", "r", "v"];
 const HINGE: &[&str] = &["x", "y", "vx", "vy", "r", "v", "angle", "rate"];
+
+/// What a member is; of a hinge, φ is its angle.
+#[derive(Clone, Copy)]
+enum Shape {
+    Component(Component),
+    Vector,
+}
+
+impl Shape {
+    /// By its name, with whether it is a velocity.
+    fn of(member: &str) -> Option<(Self, bool)> {
+        let named = |rate| move |component: &Component| component.name(rate) == member;
+        let component = |rate| Component::ALL.into_iter().find(named(rate)).map(|found| (Self::Component(found), rate));
+        match member {
+            "r" => Some((Self::Vector, false)),
+            "v" => Some((Self::Vector, true)),
+            "angle" => Some((Self::Component(Component::Phi), false)),
+            "rate" => Some((Self::Component(Component::Phi), true)),
+            _ => component(false).or(component(true)),
+        }
+    }
+
+    fn value(self, rate: bool, of: impl Fn(Component) -> Expr) -> Value {
+        match self {
+            Self::Component(component) => Value::scalar(of(component), component.dimension(rate)),
+            Self::Vector => Value::vector(of(Component::X), of(Component::Y), Component::X.dimension(rate)),
+        }
+    }
+}
 
 impl Context<'_> {
     /// What can stand behind the dot.
@@ -29,101 +57,59 @@ impl Context<'_> {
             let error = if ["ground", "t", "pi"].iter().any(|word| owner.word == word) {
                 names::no_members(member, owner, "a name of the language")
             } else {
-                self.names.unknown(owner, |known| names::unknown_owner(owner, &known.owners()))
+                self.names.unknown(owner, |known| names::unknown(owner, names::OWNER, &known.owners()))
             };
             self.diag.error(error);
             return None;
         };
-        let name = member.to_string();
-        let value = match symbol {
-            Symbol::Broken => return None,
-            Symbol::Body(_) | Symbol::Bodies(_) => body_member(self.body(owner, false)?, &name),
-            Symbol::Point(id) => {
-                self.refuse_index(owner, symbol.what())?;
-                point_member(&Carrier::Point(id), &name)
-            }
-            Symbol::Hinge(row, point) => {
-                self.refuse_index(owner, symbol.what())?;
-                match name.as_str() {
-                    "angle" => Some(Value::scalar(Expr::HingeAngle(row), Dimension::ANGLE)),
-                    "rate" => Some(Value::scalar(Expr::HingeRate(row), Dimension::ANGULAR_VELOCITY)),
-                    _ => point_member(&Carrier::Point(point), &name),
-                }
-            }
-            Symbol::Hinges(_, id) if name == "angle" => {
-                Some(Value::scalar(self.hinge_member(id, owner, false)?, Dimension::ANGLE))
-            }
-            Symbol::Hinges(_, id) if name == "rate" => {
-                Some(Value::scalar(self.hinge_member(id, owner, true)?, Dimension::ANGULAR_VELOCITY))
-            }
-            Symbol::Points(id) | Symbol::Hinges(_, id) => {
-                let place = self.with_member(id, owner, |context, source| context.source_place(source))?;
-                point_member(&Carrier::Member(place), &name)
-            }
-            Symbol::Count(_)
-            | Symbol::Parameter(_)
-            | Symbol::Input(_)
-            | Symbol::Output
-            | Symbol::Event(..)
-            | Symbol::Stop
-            | Symbol::Let(_)
-            | Symbol::Row(..) => {
-                self.diag.error(names::no_members(member, owner, symbol.what()));
-                return None;
-            }
-        };
-        let Some(value) = value else {
-            self.diag.error(names::unknown_member(member, owner, symbol.what(), Self::members(symbol)));
+        if symbol == Symbol::Broken {
+            return None;
+        }
+        let members = Self::members(symbol);
+        let known = members.iter().find(|known| member == *known);
+        let Some((shape, rate)) = known.and_then(|known| Shape::of(known)) else {
+            self.diag.error(match members {
+                [] => names::no_members(member, owner, symbol.what()),
+                _ => names::unknown_member(member, owner, symbol.what(), members),
+            });
             return None;
         };
-        let position = matches!(name.as_str(), "x" | "y" | "phi" | "r" | "angle");
-        let moving = if position { Motion::Position } else { Motion::Velocity };
+        let value = self.member_value(owner, symbol, shape, rate)?;
+        let moving = if rate { Motion::Velocity } else { Motion::Position };
         self.forbid_motion(Extent { first: owner.span(), last: member.span() }, moving, purpose)?;
         Some(value)
     }
-}
 
-fn body_member(id: BodyId, member: &str) -> Option<Value> {
-    let coordinate = |component| Expr::Coordinate(id, component);
-    let velocity = |component| Expr::Velocity(id, component);
-    for component in Component::ALL {
-        if member == component.name(false) {
-            return Some(Value::scalar(coordinate(component), component.dimension(false)));
-        }
-        if member == component.name(true) {
-            return Some(Value::scalar(velocity(component), component.dimension(true)));
-        }
+    /// The value of a member that the owner has.
+    fn member_value(&mut self, owner: &ast::Name, symbol: Symbol, shape: Shape, rate: bool) -> Option<Value> {
+        let of = |position: Expr, velocity: Expr| if rate { velocity } else { position };
+        let is_angle = matches!(shape, Shape::Component(Component::Phi));
+        Some(match symbol {
+            Symbol::Body(_) | Symbol::Bodies(_) => {
+                let id = self.body(owner, false)?;
+                shape.value(rate, |component| of(Expr::Coordinate(id, component), Expr::Velocity(id, component)))
+            }
+            Symbol::Hinge(row, _) if is_angle => {
+                self.refuse_index(owner, symbol.what())?;
+                shape.value(rate, |_| of(Expr::HingeAngle(row), Expr::HingeRate(row)))
+            }
+            Symbol::Hinges(_, id) if is_angle => {
+                let angle = self.hinge_member(id, owner, rate)?;
+                shape.value(rate, |_| angle.clone())
+            }
+            Symbol::Point(id) | Symbol::Hinge(_, id) => {
+                self.refuse_index(owner, symbol.what())?;
+                shape
+                    .value(rate, |component| of(Expr::PointPosition(id, component), Expr::PointVelocity(id, component)))
+            }
+            Symbol::Points(id) | Symbol::Hinges(_, id) => {
+                let place = self.with_member(id, owner, |context, source| context.source_place(source))?;
+                let place = || Box::new(place.clone());
+                let at =
+                    |component| of(Expr::MemberPosition(place(), component), Expr::MemberVelocity(place(), component));
+                shape.value(rate, at)
+            }
+            _ => return None,
+        })
     }
-    match member {
-        "r" => Some(Value::vector(coordinate(Component::X), coordinate(Component::Y), Dimension::LENGTH)),
-        "v" => Some(Value::vector(velocity(Component::X), velocity(Component::Y), Dimension::VELOCITY)),
-        _ => None,
-    }
-}
-
-/// What carries the members of a point.
-enum Carrier {
-    Point(PointId),
-    /// A member of an array.
-    Member(Place),
-}
-
-fn point_member(carrier: &Carrier, member: &str) -> Option<Value> {
-    let position = |component| match carrier {
-        Carrier::Point(id) => Expr::PointPosition(*id, component),
-        Carrier::Member(place) => Expr::MemberPosition(Box::new(place.clone()), component),
-    };
-    let velocity = |component| match carrier {
-        Carrier::Point(id) => Expr::PointVelocity(*id, component),
-        Carrier::Member(place) => Expr::MemberVelocity(Box::new(place.clone()), component),
-    };
-    Some(match member {
-        "x" => Value::scalar(position(Component::X), Dimension::LENGTH),
-        "y" => Value::scalar(position(Component::Y), Dimension::LENGTH),
-        "vx" => Value::scalar(velocity(Component::X), Dimension::VELOCITY),
-        "vy" => Value::scalar(velocity(Component::Y), Dimension::VELOCITY),
-        "r" => Value::vector(position(Component::X), position(Component::Y), Dimension::LENGTH),
-        "v" => Value::vector(velocity(Component::X), velocity(Component::Y), Dimension::VELOCITY),
-        _ => return None,
-    })
 }

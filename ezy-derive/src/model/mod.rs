@@ -14,7 +14,6 @@ mod function;
 mod lazy;
 mod mechanism;
 mod member;
-mod modes;
 mod names;
 mod output;
 mod point_array;
@@ -30,7 +29,7 @@ mod unit;
 mod value;
 pub mod whole;
 
-pub use crate::function::Function;
+pub use crate::function::{Function, Operator};
 pub use crate::parse::ast::Relation;
 pub use coordinate::{Component, Coordinate};
 pub use resolve::resolve;
@@ -430,10 +429,44 @@ pub enum Expr {
     /// `hinge.rate` = φ̇_b − φ̇_a
     HingeRate(RowId),
     Neg(Box<Expr>),
-    Add(Box<Expr>, Box<Expr>),
-    Sub(Box<Expr>, Box<Expr>),
-    Mul(Box<Expr>, Box<Expr>),
-    Div(Box<Expr>, Box<Expr>),
-    Pow(Box<Expr>, Box<Expr>),
+    Binary(Operator, Box<Expr>, Box<Expr>),
     Call(Function, Vec<Expr>),
 }
+
+impl Expr {
+    pub fn binary(operator: Operator, a: Self, b: Self) -> Self {
+        Self::Binary(operator, Box::new(a), Box::new(b))
+    }
+
+    /// What an operator or a function is applied to.
+    pub fn operands(&self) -> Vec<&Self> {
+        match self {
+            Self::Neg(a) => vec![a],
+            Self::Binary(_, a, b) => vec![a, b],
+            Self::Call(_, arguments) => arguments.iter().collect(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+impl std::ops::Neg for Expr {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self::Neg(Box::new(self))
+    }
+}
+
+macro_rules! operators {
+    ($($operation:ident $method:ident $operator:ident)*) => {
+        $(impl std::ops::$operation for Expr {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                Self::binary(Operator::$operator, self, other)
+            }
+        })*
+    };
+}
+
+operators! { Add add Add  Sub sub Subtract  Mul mul Multiply  Div div Divide }

@@ -88,6 +88,6 @@ impl<'a> Context<'a> {
             Some(body) if rate => Expr::Velocity(body, Component::Phi),
             Some(body) => Expr::Coordinate(body, Component::Phi),
         };
-        Some(Expr::Sub(Box::new(angle(b)), Box::new(angle(a))))
+        Some(angle(b) - angle(a))
     }
 }

@@ -2,12 +2,11 @@
 
 use super::constant::constant;
 use super::context::{ArraySource, Context, Lazy, PointSource};
-use super::mechanism::Declared;
-use super::names::{Names, Scope, Symbol};
+use super::names::{Scope, Symbol};
 use super::repeat::count_symbol;
 use super::scene::{Choice, parameters};
 use super::unit::Unit;
-use super::{Body, Count, Effect, EffectId, InputId, Model, Parameter, ParameterId, Point, PointId, RowId};
+use super::{Body, Effect, EffectId, InputId, Model, Parameter, ParameterId, Point, PointId, RowId};
 use crate::diag::{Diagnostics, names, rules, scenes};
 use crate::parse::ast::{self, Item, ItemKind, Phrase};
 use proc_macro2::Ident;
@@ -15,41 +14,25 @@ use proc_macro2::Ident;
 /// The model, if there is no error, neither here nor before.
 pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
     let mut resolver = Resolver {
-        context: Context {
-            diag,
-            names: Names::default(),
-            units: Vec::new(),
-            input_units: Vec::new(),
-            lets: Vec::new(),
-            n_lets_in_work: 0,
-            points: Vec::new(),
-            point_arrays: Vec::new(),
-            counts: Vec::new(),
-            indices: Vec::new(),
-            loops: Vec::new(),
-            bound: Vec::new(),
-            shared_parameters: Default::default(),
-            arrays: Vec::new(),
-            slots: Vec::new(),
-        },
-        counts: Vec::new(),
-        parameters: Vec::new(),
-        inputs: Vec::new(),
+        context: Context::new(diag),
+        model: Model::of_nothing(&ast),
         effects: Vec::new(),
         events: Vec::new(),
         stops: Vec::new(),
         rows: Vec::new(),
+        bodies: Vec::new(),
     };
     resolver.declare_model(&ast);
-    let model = resolver.resolve(&ast);
-    resolver.context.diag.is_empty().then_some(model)
+    resolver.resolve_values();
+    ast.items.iter().for_each(|item| resolver.item(item, None));
+    resolver.resolve_scenes(&ast);
+    resolver.context.diag.is_empty().then_some(resolver.model)
 }
 
 struct Resolver<'a> {
     context: Context<'a>,
-    counts: Vec<Count>,
-    parameters: Vec<Parameter>,
-    inputs: Vec<Parameter>,
+    /// What is resolved so far.
+    model: Model,
     effects: Vec<&'a ast::Effect>,
     /// Events of the model, then of its effects, with documentation.
     events: Vec<(&'a ast::Event, &'a str, Scope)>,
@@ -57,11 +40,15 @@ struct Resolver<'a> {
     stops: Vec<(&'a ast::Stop, Scope)>,
     /// Rows of the model, then of its effects.
     rows: Vec<RowSource<'a>>,
+    /// Declared bodies, single or arrays.
+    bodies: Vec<&'a ast::Body>,
 }
 
 /// Where a row is declared.
 struct RowSource<'a> {
     statement: &'a ast::Statement,
+    /// Its own, or `constraint_1`, `constraint_2`, … of constraints that have none.
+    name: Ident,
     loops: &'a [ast::Loop],
     scope: Scope,
 }
@@ -84,34 +71,31 @@ impl<'a> Resolver<'a> {
         for name in &ast.broken {
             self.context.names.declare_broken(name);
         }
-        let bodies = ast.items.iter().filter_map(|item| match &item.kind {
-            ItemKind::Body(body) => Some(&body.name),
-            _ => None,
-        });
-        bodies.enumerate().for_each(|(i, name)| self.context.resolve_lengths(i, name));
+        for (i, body) in self.bodies.iter().enumerate() {
+            self.context.resolve_lengths(i, &body.name);
+        }
         self.context.check_index_names(&ast.loops);
     }
 
     fn declare(&mut self, item: &'a Item, scope: Scope) {
-        let context = &mut self.context;
         let (name, symbol) = match &item.kind {
             ItemKind::Parameter(parameter) => {
-                let id = ParameterId(self.parameters.len());
-                context.units.push(parameter.unit.as_ref().and_then(|unit| Unit::resolve(unit, context.diag)));
-                self.parameters.push(parameter_of(parameter, "parameter", &item.documentation, scope, context));
-                (&parameter.name, Symbol::Parameter(id))
+                let (resolved, unit) = self.parameter(parameter, "parameter", &item.documentation, scope);
+                self.model.parameters.push(resolved);
+                self.context.units.push(unit);
+                (&parameter.name, Symbol::Parameter(ParameterId(self.context.units.len() - 1)))
             }
             ItemKind::Input(input) => {
-                let id = InputId(self.inputs.len());
-                context.input_units.push(input.unit.as_ref().and_then(|unit| Unit::resolve(unit, context.diag)));
-                self.inputs.push(parameter_of(input, "input", &item.documentation, scope, context));
-                (&input.name, Symbol::Input(id))
+                let (resolved, unit) = self.parameter(input, "input", &item.documentation, scope);
+                self.model.inputs.push(resolved);
+                self.context.input_units.push(unit);
+                (&input.name, Symbol::Input(InputId(self.context.input_units.len() - 1)))
             }
             ItemKind::Count(count) => {
-                let resolved = context.count(count, &item.documentation);
-                context.counts.push((count.name.to_string(), resolved.default));
-                self.counts.push(resolved);
-                (&count.name, count_symbol(self.counts.len() - 1))
+                let resolved = self.context.count(count, &item.documentation);
+                self.context.counts.push((count.name.to_string(), resolved.default));
+                self.model.counts.push(resolved);
+                (&count.name, count_symbol(self.model.counts.len() - 1))
             }
             ItemKind::Output(output) => (&output.name.word, Symbol::Output),
             ItemKind::Event(event) => {
@@ -123,247 +107,246 @@ impl<'a> Resolver<'a> {
                 (&stop.name, Symbol::Stop)
             }
             ItemKind::Let(value) => {
-                context.lets.push(Lazy::waiting((scope, value)));
-                (&value.name, Symbol::Let(context.lets.len() - 1))
+                self.context.lets.push(Lazy::waiting((scope, value)));
+                (&value.name, Symbol::Let(self.context.lets.len() - 1))
             }
-            ItemKind::Body(body) => (&body.name.word, context.declare_bodies(body)),
+            ItemKind::Body(body) => {
+                self.bodies.push(body);
+                (&body.name.word, self.context.declare_bodies(body))
+            }
             ItemKind::Point(point) => {
                 let source = PointSource::Point(point);
-                let symbol = match &item.loops[..] {
-                    [] => {
-                        context.points.push(Lazy::waiting(source));
-                        Symbol::Point(PointId(context.points.len() - 1))
-                    }
-                    loops => {
-                        context.point_arrays.push(Lazy::waiting(ArraySource { source, loops }));
-                        Symbol::Points(context.point_arrays.len() - 1)
-                    }
-                };
-                (&point.name.word, symbol)
+                (&point.name.word, self.declare_point(source, &item.loops, Symbol::Point, Symbol::Points))
             }
             ItemKind::Statement(row) if row.word.is_row() => {
-                let id = RowId(self.rows.len());
-                self.rows.push(RowSource { statement: row, loops: &item.loops, scope });
+                let symbol = self.declare_row(row, &item.loops, scope);
                 let Some(name) = &row.name else { return };
-                let first = row.phrases.first();
-                let symbol = match first {
-                    Some(Phrase::Pair(pair)) if row.word.is_hinge() => {
-                        let [a, b] = &**pair;
-                        let source = PointSource::Hinge(&name.word, a, b, scope);
-                        if item.loops.is_empty() {
-                            context.points.push(Lazy::waiting(source));
-                            Symbol::Hinge(id, PointId(context.points.len() - 1))
-                        } else {
-                            context.point_arrays.push(Lazy::waiting(ArraySource { source, loops: &item.loops }));
-                            Symbol::Hinges(id, context.point_arrays.len() - 1)
-                        }
-                    }
-                    _ => Symbol::Row(id, row.word.word),
-                };
                 (&name.word, symbol)
             }
             _ => return,
         };
-        context.names.declare(scope, name, symbol, context.diag);
+        self.context.names.declare(scope, name, symbol, self.context.diag);
     }
 
-    fn resolve(&mut self, ast: &'a ast::Model) -> Model {
-        let defaults: Vec<f64> = self.parameters.iter().map(|parameter| parameter.default).collect();
-        let row_names = self.row_names();
-        let context = &mut self.context;
+    fn parameter(
+        &mut self,
+        parameter: &ast::Parameter,
+        what: &str,
+        documentation: &str,
+        effect: Scope,
+    ) -> (Parameter, Option<Unit>) {
+        let diag = &mut *self.context.diag;
+        let unit = parameter.unit.as_ref().and_then(|unit| Unit::resolve(unit, diag));
+        let value = constant(
+            &parameter.value,
+            &format!("the value of {what} `{}`", parameter.name),
+            "`let name = …;` computes with parameters",
+        );
+        let resolved = Parameter {
+            name: parameter.name.clone(),
+            unit: parameter.unit.as_ref().map_or_else(String::new, |unit| unit.text.clone()),
+            default: diag.keep(value).unwrap_or(f64::NAN),
+            default_text: parameter.value_text.clone(),
+            documentation: documentation.to_owned(),
+            effect,
+        };
+        (resolved, unit)
+    }
+
+    /// A single point, or an array of those that a `for` declares.
+    fn declare_point(
+        &mut self,
+        source: PointSource<'a>,
+        loops: &'a [ast::Loop],
+        single: impl FnOnce(PointId) -> Symbol,
+        array: impl FnOnce(usize) -> Symbol,
+    ) -> Symbol {
+        if loops.is_empty() {
+            self.context.points.push(Lazy::waiting(source));
+            return single(PointId(self.context.points.len() - 1));
+        }
+        self.context.point_arrays.push(Lazy::waiting(ArraySource { source, loops }));
+        array(self.context.point_arrays.len() - 1)
+    }
+
+    fn declare_row(&mut self, row: &'a ast::Statement, loops: &'a [ast::Loop], scope: Scope) -> Symbol {
+        let id = RowId(self.rows.len());
+        let n_unnamed = self.rows.iter().filter(|row| row.statement.name.is_none()).count();
+        let name = match &row.name {
+            Some(name) => name.word.clone(),
+            None => {
+                let word = row.word.word.replace(' ', "_");
+                Ident::new(&format!("{word}_{}", n_unnamed + 1), row.keyword.span())
+            }
+        };
+        self.rows.push(RowSource { statement: row, name, loops, scope });
+        match (&row.name, &row.phrases[..]) {
+            (Some(name), [Phrase::Pair(pair), ..]) if row.word.is_hinge() => {
+                let source = PointSource::Hinge(&name.word, &pair[0], &pair[1], scope);
+                let (single, array) = (|point| Symbol::Hinge(id, point), |array| Symbol::Hinges(id, array));
+                self.declare_point(source, loops, single, array)
+            }
+            _ => Symbol::Row(id, row.word.word),
+        }
+    }
+
+    /// `let` values, points, rows, events and stops.
+    fn resolve_values(&mut self) {
+        let (context, model) = (&mut self.context, &mut self.model);
         for id in 0..context.lets.len() {
             let (_, source) = context.lets[id].source;
             context.let_value(id, &source.name);
         }
-        let mut points = Vec::new();
         for id in 0..context.points.len() {
-            let name = match context.points[id].source {
-                PointSource::Point(point) => {
-                    context.check_declared_name(&point.name, &[]);
-                    &point.name.word
-                }
-                PointSource::Hinge(name, ..) => name,
-            };
+            let name = context.checked_name(context.points[id].source, &[]);
             let place = context.point_place(PointId(id), name);
-            points.extend(place.map(|place| Point { name: name.clone(), loops: Vec::new(), place }));
+            model.points.extend(place.map(|place| Point { name: name.clone(), loops: Vec::new(), place }));
         }
         for id in 0..context.point_arrays.len() {
             let ArraySource { source, loops: written } = context.point_arrays[id].source;
             let loops = context.enter(written);
-            let name = match source {
-                PointSource::Point(point) => {
-                    context.check_declared_name(&point.name, written);
-                    &point.name.word
-                }
-                PointSource::Hinge(name, ..) => name,
-            };
+            let name = context.checked_name(source, written);
             let place = context.declared_member(id);
-            points.extend(place.map(|place| Point { name: name.clone(), loops, place }));
+            model.points.extend(place.map(|place| Point { name: name.clone(), loops, place }));
             context.leave();
         }
-        let (mut bodies, mut rows, mut forces, mut effects) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (mut starts, mut start_names, mut scenes) = (Vec::new(), Vec::new(), Vec::new());
-        for (i, (row, name)) in self.rows.iter().zip(&row_names).enumerate() {
-            rows.extend(context.row(row.statement, row.loops, name, RowId(i), row.scope));
+        for (i, row) in self.rows.iter().enumerate() {
+            model.rows.extend(context.row(row.statement, row.loops, &row.name, RowId(i), row.scope));
         }
-        let events = self.events.iter().filter_map(|(event, text, scope)| context.event(event, text, *scope));
-        let events = events.collect();
-        let stops = self.stops.iter().filter_map(|(stop, scope)| context.stop(stop, *scope)).collect();
-        let (mut outputs, mut n_arrays) = (Vec::new(), 0);
-        for item in &ast.items {
-            match &item.kind {
-                ItemKind::Output(output) => outputs.extend(context.output(output, item, None)),
-                ItemKind::Body(body) => {
-                    let array = n_arrays;
-                    n_arrays += 1;
-                    bodies.extend(context.body_item(body, &defaults).map(|resolved| (array, body, resolved)));
-                }
-                ItemKind::Statement(force) if !force.word.is_row() => {
-                    forces.extend(context.force(force, &item.loops, None));
-                }
-                ItemKind::Release(row) => context.diag.error(scenes::release_outside_effect(row)),
-                ItemKind::Effect(effect) => {
-                    let id = EffectId(effects.len());
-                    for item in &effect.items {
-                        if let ItemKind::Output(output) = &item.kind {
-                            outputs.extend(context.output(output, item, Some(id)));
-                        }
-                    }
-                    let inner = effect.items.iter().filter_map(|item| match &item.kind {
-                        ItemKind::Statement(force) if !force.word.is_row() => Some((force, &item.loops)),
-                        _ => None,
-                    });
-                    forces.extend(inner.flat_map(|(force, loops)| context.force(force, loops, Some(id))));
-                    effects.push(Effect {
-                        name: effect.name.clone(),
-                        documentation: item.documentation.clone(),
-                        releases: context.releases(effect, id),
-                    });
-                }
-                ItemKind::Start(start) => {
-                    starts.push(context.start(start));
-                    start_names.push(&start.name);
-                }
-                ItemKind::Scene(scene) => scenes.push((item, scene)),
-                _ => {}
+        for (event, documentation, scope) in &self.events {
+            model.events.extend(context.event(event, documentation, *scope));
+        }
+        model.stops.extend(self.stops.iter().filter_map(|(stop, scope)| context.stop(stop, *scope)));
+        let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+        for (array, body) in self.bodies.iter().enumerate() {
+            context.body_item(array, body, &defaults);
+        }
+    }
+
+    /// An item that no other one refers to by an expression.
+    fn item(&mut self, item: &'a Item, scope: Scope) {
+        let (context, model) = (&mut self.context, &mut self.model);
+        match &item.kind {
+            ItemKind::Output(output) => model.outputs.extend(context.output(output, item, scope)),
+            ItemKind::Statement(force) if !force.word.is_row() => {
+                model.forces.extend(context.force(force, &item.loops, scope));
+            }
+            ItemKind::Release(row) if scope.is_none() => context.diag.error(scenes::release_outside_effect(row)),
+            ItemKind::Effect(effect) => self.effect(effect, item.documentation.clone()),
+            ItemKind::Start(start) => model.starts.push(context.start(start)),
+            _ => {}
+        }
+    }
+
+    fn effect(&mut self, effect: &'a ast::Effect, documentation: String) {
+        let id = EffectId(self.model.effects.len());
+        effect.items.iter().for_each(|item| self.item(item, Some(id)));
+        let releases = self.context.releases(effect, id);
+        self.model.effects.push(Effect { name: effect.name.clone(), documentation, releases });
+    }
+
+    /// The scenes, and what holds of the model as a whole.
+    fn resolve_scenes(&mut self, ast: &'a ast::Model) {
+        let (context, model) = (&mut self.context, &mut self.model);
+        context.check_massless(&self.bodies, &model.rows);
+        let effect_names: Vec<&Ident> = self.effects.iter().map(|effect| &effect.name).collect();
+        let start_names: Vec<&Ident> = model.starts.iter().map(|start| &start.name).collect();
+        context.check_unique(&effect_names, "an effect");
+        context.check_unique(&start_names, "a start");
+        for name in effect_names {
+            if ["model", "drives", "stops"].iter().any(|group| name == group) {
+                context.diag.error(scenes::effect_with_name_of_a_group(name));
             }
         }
-        context.check_massless(&bodies, &rows);
-        let effect_names: Vec<&Ident> = self.effects.iter().map(|effect| &effect.name).collect();
-        unique(&effect_names, "an effect", context.diag);
-        unique(&start_names, "a start", context.diag);
-        for name in
-            effect_names.into_iter().filter(|name| ["model", "drives", "stops"].iter().any(|group| name == group))
-        {
-            context.diag.error(scenes::effect_with_name_of_a_group(name));
+        let scenes = ast.items.iter().filter_map(|item| match &item.kind {
+            ItemKind::Scene(scene) => Some((scene, &item.documentation)),
+            _ => None,
+        });
+        let (scenes, documentation): (Vec<&ast::Scene>, Vec<&String>) = scenes.unzip();
+        context.check_scene_types(&scenes);
+        let choice = Choice { starts: start_names, effects: &self.effects, broken: &ast.broken };
+        for (scene, documentation) in scenes.iter().zip(documentation) {
+            model.scenes.extend(context.scene(scene, documentation.clone(), &choice));
         }
-        let scene_items: Vec<&ast::Scene> = scenes.iter().map(|(_, scene)| *scene).collect();
-        context.check_scene_types(&scene_items);
-        let choice = Choice { starts: start_names, effects: self.effects.clone(), broken: &ast.broken };
-        let scenes: Vec<_> = scenes
-            .into_iter()
-            .filter_map(|(item, scene)| context.scene(scene, item.documentation.clone(), &choice))
-            .collect();
-        context.check_releases(&scenes, &effects, &row_names);
-        context.check_whole(ast, context.arrays.len(), scene_items.len());
+        let row_names: Vec<&Ident> = self.rows.iter().map(|row| &row.name).collect();
+        context.check_releases(&model.scenes, &model.effects, &row_names);
+        context.check_whole(ast, scenes.len());
         if context.diag.is_empty() {
-            context.warn_unused_parameters(&choice, &scene_items);
+            context.warn_unused_parameters(&choice, &scenes);
         }
-        let model = Model {
+        model.bodies = context.bodies();
+        model.indices = std::mem::take(&mut context.indices);
+        model.arrays = std::mem::take(&mut context.arrays);
+        if context.diag.is_empty() {
+            context.check_modes(model);
+        }
+    }
+}
+
+impl Model {
+    /// Without any item.
+    fn of_nothing(ast: &ast::Model) -> Self {
+        Self {
             core: ast.core.clone(),
             visibility: ast.visibility.clone(),
             name: ast.name.clone(),
             documentation: ast.documentation.clone(),
-            counts: std::mem::take(&mut self.counts),
-            bodies: context.bodies(&bodies),
-            indices: std::mem::take(&mut context.indices),
-            arrays: std::mem::take(&mut context.arrays),
-            parameters: std::mem::take(&mut self.parameters),
-            inputs: std::mem::take(&mut self.inputs),
-            outputs,
-            events,
-            points,
-            rows,
-            stops,
-            forces,
-            effects,
-            starts,
-            scenes,
-        };
-        if context.diag.is_empty() {
-            context.check_modes(&model);
-        }
-        model
-    }
-}
-
-/// Names of constraints that have none: `constraint_1`, `constraint_2`, …
-impl Resolver<'_> {
-    fn row_names(&self) -> Vec<Ident> {
-        let mut n_unnamed = 0;
-        let mut name = |statement: &ast::Statement| match &statement.name {
-            Some(name) => name.word.clone(),
-            None => {
-                n_unnamed += 1;
-                Ident::new(&format!("{}_{n_unnamed}", statement.word.word.replace(' ', "_")), statement.keyword.span())
-            }
-        };
-        self.rows.iter().map(|row| name(row.statement)).collect()
-    }
-}
-
-fn parameter_of(
-    parameter: &ast::Parameter,
-    what: &str,
-    documentation: &str,
-    effect: Scope,
-    context: &mut Context,
-) -> Parameter {
-    let unit = parameter.unit.as_ref();
-    let value = constant(
-        &parameter.value,
-        &format!("the value of {what} `{}`", parameter.name),
-        "`let name = …;` computes with parameters",
-    );
-    Parameter {
-        name: parameter.name.clone(),
-        unit: unit.map_or_else(String::new, |unit| unit.text.clone()),
-        default: context.diag.keep(value).unwrap_or(f64::NAN),
-        default_text: parameter.value_text.clone(),
-        documentation: documentation.to_owned(),
-        effect,
-    }
-}
-
-fn unique(names: &[&Ident], what: &str, diag: &mut Diagnostics) {
-    for (i, name) in names.iter().enumerate() {
-        if let Some(first) = names[..i].iter().find(|first| *first == name) {
-            diag.error(names::declared_twice(name, what, first.span()));
+            counts: Vec::new(),
+            indices: Vec::new(),
+            arrays: Vec::new(),
+            bodies: Vec::new(),
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            events: Vec::new(),
+            points: Vec::new(),
+            rows: Vec::new(),
+            stops: Vec::new(),
+            forces: Vec::new(),
+            effects: Vec::new(),
+            starts: Vec::new(),
+            scenes: Vec::new(),
         }
     }
 }
 
 impl Context<'_> {
-    /// Every slot with the mass and inertia of its array; only what follows a fault lacks some.
-    fn bodies(&mut self, declared: &[(usize, &ast::Body, Declared)]) -> Vec<Body> {
-        for (array, _, of) in declared {
-            (self.arrays[*array].mass, self.arrays[*array].inertia) = (of.mass.clone(), of.inertia.clone());
+    /// The name of a declared point or hinge; that of a point has the indices of the `for` around.
+    fn checked_name<'s>(&mut self, source: PointSource<'s>, loops: &[ast::Loop]) -> &'s Ident {
+        match source {
+            PointSource::Point(point) => {
+                self.check_declared_name(&point.name, loops);
+                &point.name.word
+            }
+            PointSource::Hinge(name, ..) => name,
         }
+    }
+
+    /// Every slot with the mass and inertia of its array.
+    fn bodies(&self) -> Vec<Body> {
         let body = |slot: &super::Slot| {
-            let (_, _, of) = declared.iter().find(|(array, ..)| *array == slot.array)?;
-            let (mass, inertia) = (of.mass.clone(), of.inertia.clone());
-            Some(Body { name: self.slot_text(slot), slot: slot.clone(), mass, inertia })
+            let array = &self.arrays[slot.array];
+            let (mass, inertia) = (array.mass.clone(), array.inertia.clone());
+            Body { name: self.slot_text(slot), slot: slot.clone(), mass, inertia }
         };
-        self.slots.iter().filter_map(body).collect()
+        self.slots.iter().map(body).collect()
+    }
+
+    fn check_unique(&mut self, names: &[&Ident], what: &str) {
+        for (i, name) in names.iter().enumerate() {
+            if let Some(first) = names[..i].iter().find(|first| *first == name) {
+                self.diag.error(names::declared_twice(name, what, first.span()));
+            }
+        }
     }
 
     /// A model needs a body to move, a scene to run, and a module name.
-    fn check_whole(&mut self, ast: &ast::Model, n_bodies: usize, n_scenes: usize) {
+    fn check_whole(&mut self, ast: &ast::Model, n_scenes: usize) {
         let module = super::case::snake_case(&ast.name.to_string());
         if crate::parse::is_rust_keyword(&module) {
             self.diag.error(rules::no_module_name(&ast.name, &module));
         }
-        if ast.broken.is_empty() && n_bodies == 0 {
+        if ast.broken.is_empty() && self.arrays.is_empty() {
             self.diag.error(rules::model_without_body(&ast.name));
         }
         if ast.broken.is_empty() && n_scenes == 0 {
@@ -372,7 +355,7 @@ impl Context<'_> {
     }
 
     fn warn_unused_parameters(&mut self, choice: &Choice, scenes: &[&ast::Scene]) {
-        for effect in &choice.effects {
+        for effect in choice.effects {
             if scenes.iter().any(|scene| scene.effects.contains(&effect.name)) {
                 continue;
             }

@@ -7,7 +7,7 @@ use super::constant::constant;
 use super::context::Context;
 use super::names::Symbol;
 use super::unit::Unit;
-use super::{Effect, EffectId, RowId, Scene, StartId};
+use super::{Effect, EffectId, Model, RowId, Scene, StartId};
 use crate::diag::{names, scenes};
 use crate::parse::ast;
 use proc_macro2::Ident;
@@ -15,7 +15,7 @@ use proc_macro2::Ident;
 /// What scenes choose from.
 pub struct Choice<'a> {
     pub starts: Vec<&'a Ident>,
-    pub effects: Vec<&'a ast::Effect>,
+    pub effects: &'a [&'a ast::Effect],
     /// Names of items that could not be parsed.
     pub broken: &'a [Ident],
 }
@@ -26,7 +26,7 @@ impl Context<'_> {
         let until_s = self.scene_until(scene);
         let effects = self.scene_effects(scene, choice);
         self.check_shared_parameters(scene, &effects, choice);
-        let (ends, conditions) = self.ends(scene, &effects, &choice.effects);
+        let (ends, conditions) = self.ends(scene, &effects, choice.effects);
         let name = scene.name.clone();
         Some(Scene { name, documentation, start: start?, until_s: until_s?, effects, ends, conditions, mode: None })
     }
@@ -58,13 +58,13 @@ impl Context<'_> {
     }
 
     /// A row cannot be replaced by two laws at once.
-    pub fn check_releases(&mut self, scenes: &[Scene], effects: &[Effect], rows: &[Ident]) {
+    pub fn check_releases(&mut self, scenes: &[Scene], effects: &[Effect], rows: &[&Ident]) {
         for scene in scenes {
             for (i, second) in scene.effects.iter().enumerate() {
                 for first in &scene.effects[..i] {
                     let (first, second) = (&effects[first.0], &effects[second.0]);
                     for row in second.releases.iter().filter(|row| first.releases.contains(row)) {
-                        let error = scenes::released_by_two(&scene.name, &rows[row.0], &first.name, &second.name);
+                        let error = scenes::released_by_two(&scene.name, rows[row.0], &first.name, &second.name);
                         self.diag.error(error);
                     }
                 }
@@ -83,7 +83,7 @@ impl Context<'_> {
         };
         let found = choice.starts.iter().position(|start| *start == name);
         if found.is_none() && !choice.broken.contains(name) {
-            self.diag.error(names::unknown_start(name, &known));
+            self.diag.error(names::unknown(name, names::START, &known));
         }
         found.map(StartId)
     }
@@ -118,7 +118,7 @@ impl Context<'_> {
                 if !choice.broken.contains(name) {
                     let known = strings(&choice.effects.iter().map(|effect| &effect.name).collect::<Vec<_>>());
                     let known: Vec<&str> = known.iter().map(String::as_str).collect();
-                    self.diag.error(names::unknown_effect(name, &known));
+                    self.diag.error(names::unknown(name, names::EFFECT, &known));
                 }
                 continue;
             };
@@ -141,6 +141,24 @@ impl Context<'_> {
                     let [first, second] = [first, second].map(|effect| &choice.effects[effect.0].name);
                     self.diag.error(scenes::shared_parameter(name, &scene.name, first, second));
                 }
+            }
+        }
+    }
+
+    /// A skate with a limit or a stop gives a scene several modes: it has one of them at most, and bodies of its own.
+    pub fn check_modes(&mut self, model: &Model) {
+        if model.is_repeated() {
+            let limited = model.rows.iter().filter(|row| row.limit().is_some());
+            limited.for_each(|row| self.diag.error(scenes::limit_with_counts(&row.name)));
+            model.stops.iter().for_each(|stop| self.diag.error(scenes::stop_with_counts(&stop.name)));
+            return;
+        }
+        for scene in &model.scenes {
+            let limited = model.rows_of(scene).filter(|(_, row)| row.limit().is_some());
+            let skates = limited.map(|(_, row)| (&row.name, "skate"));
+            let changing: Vec<_> = skates.chain(model.stops_of(scene).map(|stop| (&stop.name, "stop"))).collect();
+            if let [first, second, ..] = changing[..] {
+                self.diag.error(scenes::two_changing(&scene.name, first, second));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Starts: which coordinates and velocities are given.
 
-use super::constant::at_defaults;
+use super::constant::literal;
 use super::context::{Context, Purpose};
 use super::{Component, Start, StartValue};
 use crate::diag::scenes;
@@ -44,8 +44,7 @@ impl Context<'_> {
                     continue;
                 }
                 let Some(resolved) = resolved else { continue };
-                if let Some(rest) = start.at_rest.as_ref().filter(|_| *rate && at_defaults(&resolved, &[]) != Some(0.0))
-                {
+                if let Some(rest) = start.at_rest.as_ref().filter(|_| *rate && literal(&resolved) != Some(0.0)) {
                     self.diag.error(scenes::moves_at_rest(rest, &start.name, &name, &given.word));
                 }
                 values.push(StartValue {

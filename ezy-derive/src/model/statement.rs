@@ -1,16 +1,15 @@
 //! Rows and forces: what is written for each part of their form.
 
-use super::constant::at_defaults;
+use super::constant::literal;
 use super::context::{Context, Motion, Purpose};
 use super::dimension::Dimension;
 use super::names::{Scope, Symbol};
 use super::unit::Unit;
-use super::value::Form;
-use super::{Arguments, Expr, Force, Row, RowId};
-use crate::diag::{rules, values};
-use crate::grammar::{Class, IfAbsent};
+use super::{Arguments, Expr, Force, Place, Row, RowId};
+use crate::diag::rules;
+use crate::grammar::{Class, Expected, IfAbsent, Setting};
 use crate::parse::ast::{self, Phrase, Statement};
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 
 impl Context<'_> {
     /// A row; `name` is its own or the one that it got.
@@ -26,7 +25,8 @@ impl Context<'_> {
         if let Some(name) = &statement.name {
             self.check_declared_name(name, loops);
         }
-        let arguments = self.arguments(statement, Some(name), effect, Some(id));
+        let subject = format!("{} `{name}`", statement.word.word);
+        let arguments = self.arguments(statement, subject, effect, Some(id));
         self.leave();
         Some(Row { name: name.clone(), word: statement.word, effect, loops: loops_of_row, arguments: arguments? })
     }
@@ -34,8 +34,8 @@ impl Context<'_> {
     /// A force; of a gravity that acts on arrays, one for each of them.
     pub fn force(&mut self, statement: &Statement, loops: &[ast::Loop], effect: Scope) -> Vec<Force> {
         let loops = self.enter(loops);
-        let arguments = self.arguments(statement, None, effect, None);
         let word = statement.word;
+        let arguments = self.arguments(statement, format!("this {}", word.word), effect, None);
         let forces = match arguments {
             None => Vec::new(),
             Some(arguments) if word.acts_on_all_bodies() && self.is_repeated() => {
@@ -58,135 +58,137 @@ impl Context<'_> {
     fn arguments(
         &mut self,
         statement: &Statement,
-        name: Option<&Ident>,
+        subject: String,
         scope: Scope,
         row: Option<RowId>,
     ) -> Option<Arguments> {
-        let word = statement.word;
-        let subject = match name {
-            Some(name) => format!("{} `{name}`", word.word),
-            None => format!("this {}", word.word),
-        };
-        let purpose = match word.class {
+        let purpose = match statement.word.class {
             Class::PositionRow => Purpose::up_to(scope, subject.clone(), Motion::Position),
             Class::VelocityRow => Purpose::up_to(scope, subject.clone(), Motion::Velocity),
             Class::Force => Purpose::moving(scope),
         };
         let n_errors = self.diag.n_errors();
-        let mut arguments = Arguments::default();
-        for phrase in &statement.phrases {
-            self.phrase(phrase, &subject, &purpose, statement, row, &mut arguments);
-        }
+        let mut reader = Reader { context: self, statement, subject, purpose, row, arguments: Arguments::default() };
+        statement.phrases.iter().for_each(|phrase| reader.phrase(phrase));
+        let arguments = reader.arguments;
         (self.diag.n_errors() == n_errors).then_some(arguments)
     }
+}
 
-    /// Adds what a phrase gives; what is missing after a fault is never looked at.
-    fn phrase(
-        &mut self,
-        phrase: &Phrase,
-        subject: &str,
-        purpose: &Purpose,
-        statement: &Statement,
-        row: Option<RowId>,
-        arguments: &mut Arguments,
-    ) {
-        let scope = purpose.scope;
+/// Collects the arguments of one statement; what is missing after a fault is never looked at.
+struct Reader<'r, 'a> {
+    context: &'r mut Context<'a>,
+    statement: &'r Statement,
+    /// "hinge `B`", or "this spring".
+    subject: String,
+    purpose: Purpose,
+    row: Option<RowId>,
+    arguments: Arguments,
+}
+
+impl Reader<'_, '_> {
+    fn phrase(&mut self, phrase: &Phrase) {
         match phrase {
-            Phrase::Pair(pair) => {
-                let [a, b] = &**pair;
-                let first = match statement.name.as_ref().and_then(|name| self.names.lookup(scope, name)) {
-                    // the hinge's own point: its faults are told once
-                    Some(Symbol::Hinge(id, point)) if Some(id) == row => self.point_place(point, a.owner()),
-                    Some(Symbol::Hinges(id, point)) if Some(id) == row => self.declared_member(point),
-                    _ => self.place(a, scope),
-                };
-                let second = self.place(b, scope);
-                if let (Some(first), Some(second)) = (&first, &second)
-                    && first.body == second.body
-                {
-                    self.diag.error(rules::within_body(b.owner(), subject, first.body.is_none()));
-                }
-                arguments.places.extend([first, second].into_iter().flatten());
-            }
-            Phrase::At(at) => {
-                let place = self.place(at, scope);
-                if place.as_ref().is_some_and(|place| place.body.is_none()) {
-                    self.diag.error(rules::on_ground(at.owner(), subject));
-                }
-                arguments.places.extend(place);
-            }
-            Phrase::Couple(a, b) => {
-                let single = a.indices.is_empty() && b.indices.is_empty();
-                if single && a.word == b.word {
-                    self.diag.error(rules::couple_of_one(b, subject));
-                    return;
-                }
-                let bodies = [self.body_or_ground(a), self.body_or_ground(b)];
-                if !single && bodies[0].is_some() && bodies[0] == bodies[1] {
-                    self.diag.error(rules::couple_of_one(b, subject));
-                }
-                arguments.bodies.extend(bodies.into_iter().flatten());
-            }
-            Phrase::Body(body) => arguments.bodies.extend(self.body(body, false).map(Some)),
+            Phrase::Pair(pair) => self.pair(pair),
+            Phrase::At(at) => self.at(at),
+            Phrase::Couple(a, b) => self.couple(a, b),
+            Phrase::Body(body) => self.arguments.bodies.extend(self.context.body(body, false).map(Some)),
             Phrase::Direction { across, direction } => {
-                arguments.across = *across;
-                arguments.directions.extend(self.direction(direction, scope));
+                self.arguments.across = *across;
+                self.arguments.directions.extend(self.context.direction(direction, self.purpose.scope));
             }
-            Phrase::Scalar(asked, value) => {
-                arguments.scalars.extend(self.scalar(value, purpose, asked.what, Some(dimension(asked.unit))));
+            Phrase::Scalar(Expected { what, unit }, value) => {
+                self.arguments.scalars.extend(self.context.scalar(value, &self.purpose, what, dimension(unit)));
             }
-            Phrase::Vector(asked, value) => {
-                arguments.vector = self.components(value, purpose, asked.what, Some(dimension(asked.unit)));
+            Phrase::Vector(Expected { what, unit }, value) => {
+                self.arguments.vector = self.context.components(value, &self.purpose, what, dimension(unit));
             }
-            Phrase::Equation { left, equals, right } => {
-                let sides = (self.value(left, purpose), self.value(right, purpose));
-                let (Some(a), Some(b)) = sides else { return };
-                if let (Some(a), Some(b)) = (a.measure.known(), b.measure.known())
-                    && a != b
-                {
-                    self.diag.error(values::unlike_sides(*equals, "=", &a.in_words(), &b.in_words()));
-                    return;
-                }
-                let measure = a.measure.or(b.measure);
-                arguments.multiplier_unit = measure.known().map_or_else(String::new, |dimension| {
-                    // reaction times rate of the row is power
-                    let velocity = statement.word.class == Class::VelocityRow;
-                    let work = if velocity { Dimension::TORQUE.over(Dimension::TIME) } else { Dimension::TORQUE };
-                    work.over(dimension).to_string()
-                });
-                match (a.form, b.form) {
-                    (Form::Scalar(a), Form::Scalar(b)) => {
-                        arguments.scalars.push(Expr::Sub(Box::new(a), Box::new(b)));
-                    }
-                    (Form::Vector(..), _) => self.diag.error(values::expected_scalar(left.extent(), subject)),
-                    (_, Form::Vector(..)) => self.diag.error(values::expected_scalar(right.extent(), subject)),
-                }
-            }
-            Phrase::Settings(known, given) => {
-                // a limit of a row of velocities is a force
-                let limit = Purpose::moving(scope);
-                let purpose = if statement.word.class == Class::VelocityRow { &limit } else { purpose };
-                for (setting, value) in known.iter().zip(given) {
-                    let what = format!("`{}` of {subject}", setting.word);
-                    arguments.settings.push(match (value, setting.if_absent) {
-                        (Some(value), _) => {
-                            let resolved = self.scalar(value, purpose, &what, Some(dimension(setting.unit)));
-                            let number = resolved.as_ref().and_then(|value| at_defaults(value, &[]));
-                            if let Some(number) = number.filter(|number| setting.positive && *number <= 0.0) {
-                                self.diag.error(rules::not_positive(value.extent(), &what, number, setting.unit));
-                            }
-                            resolved
-                        }
-                        (None, IfAbsent::Number(number)) => Some(Expr::Number(number)),
-                        (None, _) => None,
-                    });
-                }
-            }
+            Phrase::Equation { left, equals, right } => self.equation([left, right], *equals),
+            Phrase::Settings(known, given) => self.settings(known, given),
         }
+    }
+
+    /// Two points, which must not be on one body.
+    fn pair(&mut self, [a, b]: &[ast::Place; 2]) {
+        let (first, second) = (self.first_place(a), self.context.place(b, self.purpose.scope));
+        let bodies = first.as_ref().zip(second.as_ref()).map(|(first, second)| (first.body, second.body));
+        if let Some((first, _)) = bodies.filter(|(first, second)| first == second) {
+            self.context.diag.error(rules::within_body(b.owner(), &self.subject, first.is_none()));
+        }
+        self.arguments.places.extend([first, second].into_iter().flatten());
+    }
+
+    /// The first point of a hinge is the point of its name, whose faults are told once.
+    fn first_place(&mut self, place: &ast::Place) -> Option<Place> {
+        let name = self.statement.name.as_ref();
+        match name.and_then(|name| self.context.names.lookup(self.purpose.scope, name)) {
+            Some(Symbol::Hinge(id, point)) if Some(id) == self.row => self.context.point_place(point, place.owner()),
+            Some(Symbol::Hinges(id, point)) if Some(id) == self.row => self.context.declared_member(point),
+            _ => self.context.place(place, self.purpose.scope),
+        }
+    }
+
+    fn at(&mut self, at: &ast::Place) {
+        let place = self.context.place(at, self.purpose.scope);
+        if place.as_ref().is_some_and(|place| place.body.is_none()) {
+            self.context.diag.error(rules::on_ground(at.owner(), &self.subject));
+        }
+        self.arguments.places.extend(place);
+    }
+
+    /// Two bodies, or members of arrays, which must differ.
+    fn couple(&mut self, a: &ast::Name, b: &ast::Name) {
+        let single = a.indices.is_empty() && b.indices.is_empty();
+        if single && a.word == b.word {
+            self.context.diag.error(rules::couple_of_one(b, &self.subject));
+            return;
+        }
+        let bodies = [a, b].map(|name| self.context.body_or_ground(name));
+        if !single && bodies[0].is_some() && bodies[0] == bodies[1] {
+            self.context.diag.error(rules::couple_of_one(b, &self.subject));
+        }
+        self.arguments.bodies.extend(bodies.into_iter().flatten());
+    }
+
+    /// Reaction times rate of the row is power, which gives the unit of the multiplier.
+    fn equation(&mut self, sides: [&ast::Expr; 2], equals: Span) {
+        let difference = self.context.difference(sides, ("=", equals), &self.purpose, &self.subject);
+        let Some((value, measure)) = difference else { return };
+        let work = match self.statement.word.class {
+            Class::VelocityRow => Dimension::TORQUE.over(Dimension::TIME),
+            _ => Dimension::TORQUE,
+        };
+        self.arguments.multiplier_unit = measure.known().map_or_else(String::new, |unit| work.over(unit).to_string());
+        self.arguments.scalars.push(value);
+    }
+
+    fn settings(&mut self, known: &[Setting], given: &[Option<ast::Expr>]) {
+        if self.statement.word.class == Class::VelocityRow {
+            // a limit of a row of velocities is a force
+            self.purpose = Purpose::moving(self.purpose.scope);
+        }
+        for (setting, value) in known.iter().zip(given) {
+            let value = match (value, setting.if_absent) {
+                (Some(value), _) => self.setting(setting, value),
+                (None, IfAbsent::Number(number)) => Some(Expr::Number(number)),
+                (None, _) => None,
+            };
+            self.arguments.settings.push(value);
+        }
+    }
+
+    fn setting(&mut self, setting: &Setting, value: &ast::Expr) -> Option<Expr> {
+        let what = format!("`{}` of {}", setting.word, self.subject);
+        let resolved = self.context.scalar(value, &self.purpose, &what, dimension(setting.unit));
+        let number = resolved.as_ref().and_then(literal);
+        if let Some(number) = number.filter(|number| setting.positive && *number <= 0.0) {
+            self.context.diag.error(rules::not_positive(value.extent(), &what, number, setting.unit));
+        }
+        resolved
     }
 }
 
 /// The dimension of a unit of the table of keywords.
-fn dimension(unit: &str) -> Dimension {
-    Unit::of_text(unit).map_or(Dimension::NONE, |unit| unit.dimension)
+fn dimension(unit: &str) -> Option<Dimension> {
+    Some(Unit::of_text(unit).map_or(Dimension::NONE, |unit| unit.dimension))
 }

@@ -1,6 +1,6 @@
 //! Stops (unilateral contacts): quantities that stay within bounds.
 
-use super::constant::at_defaults;
+use super::constant::literal;
 use super::context::{Context, Motion, Purpose, motion};
 use super::dimension::Dimension;
 use super::names::Scope;
@@ -35,7 +35,7 @@ impl Context<'_> {
         let Some(given) = &stop.restitution else { return Some(Expr::Number(0.0)) };
         let what = format!("`restitution` of {what}");
         let value = self.scalar(given, &Purpose::moving(effect), &what, Some(Dimension::NONE))?;
-        let number = at_defaults(&value, &[]).filter(|number| !(0.0..=1.0).contains(number));
+        let number = literal(&value).filter(|number| !(0.0..=1.0).contains(number));
         if let Some(number) = number {
             self.diag.error(rules::no_restitution(given.extent(), &what, number));
         }

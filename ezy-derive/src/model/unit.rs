@@ -117,18 +117,17 @@ impl Unit {
 
     /// The same as an expression; SI units leave no operation.
     pub fn expr_to_si(self, mut value: Expr) -> Expr {
-        let number = |number| Box::new(Expr::Number(number));
         if self.times != 1.0 {
-            value = Expr::Mul(Box::new(value), number(self.times));
+            value = value * Expr::Number(self.times);
         }
         for _ in 0..self.pi {
-            value = Expr::Mul(Box::new(value), Box::new(Expr::Pi));
+            value = value * Expr::Pi;
         }
         for _ in 0..-self.pi {
-            value = Expr::Div(Box::new(value), Box::new(Expr::Pi));
+            value = value / Expr::Pi;
         }
         if self.over != 1.0 {
-            value = Expr::Div(Box::new(value), number(self.over));
+            value = value / Expr::Number(self.over);
         }
         value
     }

@@ -38,8 +38,8 @@ impl Value {
 
     pub fn negative(self) -> Self {
         let form = match self.form {
-            Form::Scalar(value) => Form::Scalar(neg(value)),
-            Form::Vector(x, y) => Form::Vector(neg(x), neg(y)),
+            Form::Scalar(value) => Form::Scalar(-value),
+            Form::Vector(x, y) => Form::Vector(-x, -y),
         };
         Self { form, ..self }
     }
@@ -49,14 +49,14 @@ impl Value {
         let fault = values::operands(at, operator, self.shape(), other.shape());
         let measure = self.measure_with(operator, at, &other)?;
         let form = match (operator, self.form, other.form) {
-            (_, Form::Scalar(a), Form::Scalar(b)) => Form::Scalar(apply(operator, a, b)),
+            (_, Form::Scalar(a), Form::Scalar(b)) => Form::Scalar(Expr::binary(operator, a, b)),
             (Operator::Add | Operator::Subtract, Form::Vector(ax, ay), Form::Vector(bx, by)) => {
-                Form::Vector(apply(operator, ax, bx), apply(operator, ay, by))
+                Form::Vector(Expr::binary(operator, ax, bx), Expr::binary(operator, ay, by))
             }
             (Operator::Multiply | Operator::Divide, Form::Vector(x, y), Form::Scalar(b)) => {
-                Form::Vector(apply(operator, x, b.clone()), apply(operator, y, b))
+                Form::Vector(Expr::binary(operator, x, b.clone()), Expr::binary(operator, y, b))
             }
-            (Operator::Multiply, Form::Scalar(a), Form::Vector(x, y)) => Form::Vector(mul(a.clone(), x), mul(a, y)),
+            (Operator::Multiply, Form::Scalar(a), Form::Vector(x, y)) => Form::Vector(a.clone() * x, a * y),
             _ => return Err(fault),
         };
         Ok(Self { form, measure })
@@ -80,12 +80,12 @@ impl Value {
 
     /// a · b
     pub fn dot(ax: Expr, ay: Expr, bx: Expr, by: Expr) -> Expr {
-        add(mul(ax, bx), mul(ay, by))
+        ax * bx + ay * by
     }
 
     /// The component of a × b out of the plane.
     pub fn cross(ax: Expr, ay: Expr, bx: Expr, by: Expr) -> Expr {
-        sub(mul(ax, by), mul(ay, bx))
+        ax * by - ay * bx
     }
 }
 
@@ -94,33 +94,7 @@ fn number(expr: &Expr) -> Option<f64> {
     match expr {
         Expr::Number(value) => Some(*value),
         Expr::Neg(operand) => number(operand).map(|value| -value),
-        Expr::Div(a, b) => number(a).zip(number(b)).map(|(a, b)| a / b),
+        Expr::Binary(Operator::Divide, a, b) => number(a).zip(number(b)).map(|(a, b)| a / b),
         _ => None,
     }
-}
-
-fn apply(operator: Operator, a: Expr, b: Expr) -> Expr {
-    match operator {
-        Operator::Add => add(a, b),
-        Operator::Subtract => sub(a, b),
-        Operator::Multiply => mul(a, b),
-        Operator::Divide => Expr::Div(Box::new(a), Box::new(b)),
-        Operator::Power => Expr::Pow(Box::new(a), Box::new(b)),
-    }
-}
-
-fn neg(a: Expr) -> Expr {
-    Expr::Neg(Box::new(a))
-}
-
-fn add(a: Expr, b: Expr) -> Expr {
-    Expr::Add(Box::new(a), Box::new(b))
-}
-
-fn sub(a: Expr, b: Expr) -> Expr {
-    Expr::Sub(Box::new(a), Box::new(b))
-}
-
-fn mul(a: Expr, b: Expr) -> Expr {
-    Expr::Mul(Box::new(a), Box::new(b))
 }

@@ -48,23 +48,13 @@ impl Whole {
 
     /// As a value of the model language.
     pub fn to_expr(&self) -> Expr {
-        let both = |a: &Self, b: &Self| (Box::new(a.to_expr()), Box::new(b.to_expr()));
         match self {
             Self::Number(number) => Expr::Number(*number as f64),
             Self::Count(id) => Expr::Count(*id),
             Self::Index(id) => Expr::Index(*id),
-            Self::Sum(a, b) => {
-                let (a, b) = both(a, b);
-                Expr::Add(a, b)
-            }
-            Self::Difference(a, b) => {
-                let (a, b) = both(a, b);
-                Expr::Sub(a, b)
-            }
-            Self::Product(a, b) => {
-                let (a, b) = both(a, b);
-                Expr::Mul(a, b)
-            }
+            Self::Sum(a, b) => a.to_expr() + b.to_expr(),
+            Self::Difference(a, b) => a.to_expr() - b.to_expr(),
+            Self::Product(a, b) => a.to_expr() * b.to_expr(),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::Log;
 use super::ast::{Condition, Event, Expr, ItemKind, Relation};
 use super::expression::expression;
-use super::token::{expected, found, name, peek_word, sign, written};
+use super::token::{expected, found, name, peek_word, sign, take_one_of, written};
 use crate::diag::syntax;
 use syn::buffer::Cursor;
 use syn::parse::ParseStream;
@@ -27,12 +27,8 @@ pub fn peek_relation(input: ParseStream) -> bool {
 /// What stands behind `left`, which was written from `begin` on.
 pub fn condition(begin: Cursor, left: Expr, input: ParseStream) -> Result<Condition> {
     let left_text = written(begin, input);
-    let (relation, at) = match () {
-        () if input.peek(Token![<]) => (Relation::Less, input.parse::<Token![<]>()?.span),
-        () if input.peek(Token![>]) => (Relation::Greater, input.parse::<Token![>]>()?.span),
-        () if input.peek(Token![=]) => (Relation::Equal, input.parse::<Token![=]>()?.span),
-        () => return Err(expected(input, "`<`, `>` or `=`")),
-    };
+    let relations = [('<', Relation::Less), ('>', Relation::Greater), ('=', Relation::Equal)];
+    let Some((relation, at)) = take_one_of(input, &relations) else { return Err(expected(input, "`<`, `>` or `=`")) };
     let sign = relation.sign();
     if input.peek(Token![=]) {
         return Err(syntax::relation_with_equals(at, sign));

@@ -1,7 +1,9 @@
 //! Expressions, by recursive descent: `+ -` bind weakest, then `* /`, then the sign, then `^` (to the right).
 
 use super::ast::{Expr, Name};
-use super::token::{Bracketed, end, expected, found, name, parenthesised, peek_number, peek_word};
+use super::token::{
+    Bracketed, comma_or_end, end, expected, found, name, parenthesised, peek_number, peek_word, take, take_one_of,
+};
 use super::unit::{self, Misplaced};
 use crate::diag::syntax;
 use crate::function::Operator;
@@ -46,49 +48,37 @@ impl Parser {
 
     fn sum(&mut self, input: ParseStream) -> Result<Expr> {
         let mut left = self.product(input)?;
-        loop {
-            let (operator, span) = match () {
-                () if input.peek(Token![+]) => (Operator::Add, input.parse::<Token![+]>()?.span),
-                () if input.peek(Token![-]) => (Operator::Subtract, input.parse::<Token![-]>()?.span),
-                () => return Ok(left),
-            };
+        while let Some((operator, span)) = take_one_of(input, &[('+', Operator::Add), ('-', Operator::Subtract)]) {
             self.count(span)?;
             left = binary(operator, span, left, self.product(input)?);
         }
+        Ok(left)
     }
 
     fn product(&mut self, input: ParseStream) -> Result<Expr> {
         let mut left = self.signed(input)?;
-        loop {
-            let (operator, span) = match () {
-                () if input.peek(Token![*]) => (Operator::Multiply, input.parse::<Token![*]>()?.span),
-                () if input.peek(Token![/]) => (Operator::Divide, input.parse::<Token![/]>()?.span),
-                () => return Ok(left),
-            };
+        while let Some((operator, span)) = take_one_of(input, &[('*', Operator::Multiply), ('/', Operator::Divide)]) {
             if operator == Operator::Multiply && input.peek(Token![*]) {
                 return Err(syntax::power_of_other_languages(input.span()));
             }
             self.count(span)?;
             left = binary(operator, span, left, self.signed(input)?);
         }
+        Ok(left)
     }
 
     fn signed(&mut self, input: ParseStream) -> Result<Expr> {
-        if !input.peek(Token![-]) {
-            return self.power(input);
-        }
-        let sign = input.parse::<Token![-]>()?.span;
+        let Some(((), sign)) = take_one_of(input, &[('-', ())]) else { return self.power(input) };
         self.count(sign)?;
         Ok(Expr::Negative { sign, operand: Box::new(self.signed(input)?) })
     }
 
     fn power(&mut self, input: ParseStream) -> Result<Expr> {
         let base = self.primary(input)?;
-        if !input.peek(Token![^]) {
-            return Ok(base);
+        match take_one_of(input, &[('^', Operator::Power)]) {
+            Some((operator, span)) => Ok(binary(operator, span, base, self.signed(input)?)),
+            None => Ok(base),
         }
-        let span = input.parse::<Token![^]>()?.span;
-        Ok(binary(Operator::Power, span, base, self.signed(input)?))
     }
 
     fn primary(&mut self, input: ParseStream) -> Result<Expr> {
@@ -131,8 +121,7 @@ impl Parser {
         }
         self.brackets += 1;
         indexed.indices.push(self.sum(&inside)?);
-        while inside.peek(Token![,]) {
-            inside.parse::<Token![,]>()?;
+        while take::<Token![,]>(&inside) {
             indexed.indices.push(self.sum(&inside)?);
         }
         self.brackets -= 1;
@@ -163,10 +152,9 @@ impl Parser {
         if inside.is_empty() {
             return Ok(x);
         }
-        if !inside.peek(Token![,]) {
+        if !take::<Token![,]>(inside) {
             return Err(expected(inside, "`)`"));
         }
-        inside.parse::<Token![,]>()?;
         let y = self.sum(inside)?;
         end(inside, ")")?;
         Ok(Expr::Vector { x: Box::new(x), y: Box::new(y), start: brackets.open, end: brackets.close })
@@ -176,9 +164,7 @@ impl Parser {
         let mut arguments = Vec::new();
         while !inside.is_empty() {
             arguments.push(self.sum(inside)?);
-            if !inside.is_empty() {
-                inside.parse::<Token![,]>().map_err(|_| expected(inside, "`,` or `)`"))?;
-            }
+            comma_or_end(inside, ")")?;
         }
         Ok(arguments)
     }

@@ -1,9 +1,10 @@
 //! The items of a model or an effect: one row of a table for each word, and recovery after an error.
 
 use super::ast::{Effect, Item, ItemKind, Loop};
+use super::repeat::repeated;
 use super::statement::statement;
-use super::token::{braced, expected, name, peek_word, skip};
-use super::{Log, body, event, let_value, output, parameter, point, release, repeat, scene, start, stop};
+use super::token::{braced, expected, name, peek_word, skip, take};
+use super::{Log, declaration, event, scene, start};
 use crate::diag::syntax;
 use crate::grammar::WORDS;
 use proc_macro2::Ident;
@@ -15,70 +16,89 @@ use syn::{Expr, ExprLit, Lit, Meta, Result, Token};
 struct ItemWord {
     word: &'static str,
     example: &'static str,
-    parse: fn(ParseStream, &mut Log) -> Result<ItemKind>,
+    /// Where it may stand.
+    levels: &'static [Level],
+    parse: Parse,
 }
+
+type Parse = fn(ParseStream, &mut Log) -> Result<ItemKind>;
 
 /// Where items stand.
-#[derive(Clone, Copy)]
-pub struct Level {
-    place: &'static str,
-    items: &'static [ItemWord],
-    /// What can stand in a `for`, besides rows and forces.
-    in_for: &'static [ItemWord],
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Level {
+    Model,
+    Effect,
+    /// In a `for` of the model.
+    ForOfModel,
+    ForOfEffect,
 }
 
-/// The items of a model.
-pub const MODEL: Level = Level {
-    place: "a model",
-    items: &[BODY, POINT, EFFECT_ITEM, START, SCENE, PARAM, INPUT, OUTPUT, LET, EVENT, STOP, RELEASE, COUNT],
-    in_for: &[POINT, OUTPUT],
-};
-/// The items of an effect.
-const EFFECT: Level =
-    Level { place: "an effect", items: &[PARAM, INPUT, OUTPUT, LET, EVENT, STOP, RELEASE], in_for: &[OUTPUT] };
+use Level::{Effect as InEffect, ForOfEffect, ForOfModel, Model};
 
-const BODY: ItemWord = ItemWord { word: "body", example: "body seat { mass: m1, inertia: i1 }", parse: body::body };
-const POINT: ItemWord = ItemWord { word: "point", example: "point A = seat(-a, 0);", parse: point::point };
-const EFFECT_ITEM: ItemWord =
-    ItemWord { word: "effect", example: "effect pump { torque seat ~ bar: 2*cos(t); }", parse: effect };
-const START: ItemWord =
-    ItemWord { word: "start", example: "start folded { seat at (0, 0) angle 0; at rest; }", parse: start::start };
-const SCENE: ItemWord =
-    ItemWord { word: "scene", example: "scene driven { start folded; until 60 s; with pump; }", parse: scene::scene };
-const PARAM: ItemWord = ItemWord { word: "param", example: "param a: m = 0.2;", parse: parameter::parameter };
-const INPUT: ItemWord = ItemWord { word: "input", example: "input torque: N*m = 0;", parse: parameter::input };
-const OUTPUT: ItemWord =
-    ItemWord { word: "output", example: "output speed: m/s = norm(seat.v);", parse: output::output };
-const LET: ItemWord = ItemWord { word: "let", example: "let speed = norm(seat.v);", parse: let_value::let_value };
-const EVENT: ItemWord = ItemWord { word: "event", example: "event landing: ball.y < 0;", parse: event::event };
-const STOP: ItemWord =
-    ItemWord { word: "stop", example: "stop limit: B.angle from -1 to 1 restitution 0.5;", parse: stop::stop };
-const RELEASE: ItemWord = ItemWord { word: "release", example: "release rear;", parse: release::release };
-const COUNT: ItemWord = ItemWord { word: "count", example: "count n = 100;", parse: repeat::count };
+const EVERYWHERE: &[Level] = &[Model, InEffect, ForOfModel, ForOfEffect];
+
+const fn item_word(word: &'static str, example: &'static str, levels: &'static [Level], parse: Parse) -> ItemWord {
+    ItemWord { word, example, levels, parse }
+}
+
+/// In the order of the manual.
+static ITEMS: &[ItemWord] = &[
+    item_word("body", "body seat { mass: m1, inertia: i1 }", &[Model], declaration::body),
+    item_word("point", "point A = seat(-a, 0);", &[Model, ForOfModel], declaration::point),
+    item_word("effect", "effect pump { torque seat ~ bar: 2*cos(t); }", &[Model], effect),
+    item_word("start", start::EXAMPLE, &[Model], start::start),
+    item_word("scene", scene::EXAMPLE, &[Model], scene::scene),
+    item_word("param", "param a: m = 0.2;", &[Model, InEffect], declaration::parameter),
+    item_word("input", "input torque: N*m = 0;", &[Model, InEffect], declaration::input),
+    item_word("output", "output speed: m/s = norm(seat.v);", EVERYWHERE, declaration::output),
+    item_word("let", "let speed = norm(seat.v);", &[Model, InEffect], declaration::let_value),
+    item_word("event", "event landing: ball.y < 0;", &[Model, InEffect], event::event),
+    item_word("stop", "stop limit: B.angle from -1 to 1 restitution 0.5;", &[Model, InEffect], declaration::stop),
+    item_word("release", "release rear;", &[Model, InEffect], declaration::release),
+    item_word("count", "count n = 100;", &[Model], declaration::count),
+];
 
 impl Level {
+    /// In a message.
+    const fn place(self) -> &'static str {
+        match self {
+            Model => "a model",
+            InEffect => "an effect",
+            ForOfModel | ForOfEffect => "a `for`",
+        }
+    }
+
+    fn items(self) -> impl Iterator<Item = &'static ItemWord> {
+        ITEMS.iter().filter(move |item| item.levels.contains(&self))
+    }
+
     /// Every word of the level, in the order of the manual.
     fn words(self) -> Vec<&'static str> {
-        let items = self.items.iter().map(|item| item.word);
+        let items = self.items().map(|item| item.word);
         items.chain(WORDS.iter().map(|row| row.word)).chain(["for"]).collect()
     }
 
     /// The inside of a `for` at this level.
     const fn repeated(self) -> Self {
-        Self { place: "a `for`", items: self.in_for, in_for: self.in_for }
+        match self {
+            Model | ForOfModel => ForOfModel,
+            InEffect | ForOfEffect => ForOfEffect,
+        }
     }
 }
 
 /// Reads items to the end of the brackets, inside the `for` of `loops`. After a fault it goes on with the next item.
 pub fn items(input: ParseStream, level: Level, loops: &[Loop], items: &mut Vec<Item>, log: &mut Log) {
     while !input.is_empty() {
-        if input.peek(Token![;]) {
-            input.parse::<Token![;]>().ok(); // an empty item, as in Rust
-            continue;
+        if take::<Token![;]>(input) {
+            continue; // an empty item, as in Rust
         }
         let begin = input.fork();
         let outcome = if peek_word(input, "for") {
-            repeated(input, level, loops, items, log)
+            repeated(input, loops, log, |inside, loops, log| {
+                self::items(inside, level.repeated(), loops, items, log);
+                Ok(())
+            })
         } else {
             item(input, level, loops, log).map(|item| items.push(item))
         };
@@ -98,17 +118,8 @@ fn effect(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
     let name = name(input, "the name of the effect")?;
     let inside = braced(input)?.inside;
     let mut effect = Effect { name, items: Vec::new() };
-    items(&inside, EFFECT, &[], &mut effect.items, log);
+    items(&inside, InEffect, &[], &mut effect.items, log);
     Ok(ItemKind::Effect(effect))
-}
-
-/// `for i in a..b { … }`: its items, each with the `for` around it.
-fn repeated(input: ParseStream, level: Level, outer: &[Loop], items: &mut Vec<Item>, log: &mut Log) -> Result<()> {
-    let range = repeat::range(input, outer)?;
-    let inside = braced(input)?.inside;
-    log.loops.push((range.clone(), outer.to_vec()));
-    self::items(&inside, level.repeated(), &[outer, &[range]].concat(), items, log);
-    Ok(())
 }
 
 fn item(input: ParseStream, level: Level, loops: &[Loop], log: &mut Log) -> Result<Item> {
@@ -118,16 +129,16 @@ fn item(input: ParseStream, level: Level, loops: &[Loop], log: &mut Log) -> Resu
         return Err(syntax::documents_nothing(begin));
     }
     let Some((word, _)) = input.cursor().ident() else { return Err(expected(input, "an item")) };
-    let (name, example, kind) = if let Some(item) = level.items.iter().find(|item| word == item.word) {
+    let (name, example, kind) = if let Some(item) = level.items().find(|item| word == item.word) {
         input.call(Ident::parse_any)?;
         (item.word, item.example, (item.parse)(input, log))
     } else if let Some(found) = WORDS.iter().find(|known| is_next(input, known.word)) {
         let keyword = keyword(input, found.word)?;
         (found.word, found.example, statement(input, found, keyword))
     } else {
-        let elsewhere = MODEL.items.iter().any(|item| word == item.word);
+        let elsewhere = ITEMS.iter().any(|item| word == item.word);
         let fault = if elsewhere { syntax::word_of_a_model } else { syntax::unknown_word };
-        return Err(fault(&word, level.place, &level.words()));
+        return Err(fault(&word, level.place(), &level.words()));
     };
     let kind = kind.map_err(|error| syntax::with_example(error, name, example))?;
     Ok(Item { documentation, loops: loops.to_vec(), kind })

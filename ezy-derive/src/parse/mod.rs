@@ -1,21 +1,15 @@
 //! From tokens to a tree. Knows syntax alone, and continues after an error.
 
 pub mod ast;
-mod body;
+mod declaration;
 mod event;
 mod expression;
 mod item;
-mod let_value;
-mod output;
-mod parameter;
 mod place;
-mod point;
-mod release;
 mod repeat;
 mod scene;
 mod start;
 mod statement;
-mod stop;
 mod token;
 mod unit;
 
@@ -91,7 +85,7 @@ fn model(input: ParseStream, model: &mut ast::Model, log: &mut Log) -> Result<()
     word(input, "model")?;
     model.name = name(input, "the name of the model")?;
     let body = token::braced(input)?;
-    item::items(&body.inside, item::MODEL, &[], &mut model.items, log);
+    item::items(&body.inside, item::Level::Model, &[], &mut model.items, log);
     if !input.is_empty() {
         log.diag.error(syntax::text_after_model(input.span(), &found(input)));
     }

@@ -1,9 +1,9 @@
-//! `count n = 100;` and the head of `for i in a..b { … }`
+//! `for i in a..b { … }`, around items and in starts.
 
 use super::Log;
-use super::ast::{Count, ItemKind, Loop};
+use super::ast::Loop;
 use super::expression::expression;
-use super::token::{name, sign, word};
+use super::token::{braced, name, sign, word};
 use crate::diag::{repeats, syntax};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
@@ -11,23 +11,23 @@ use syn::{Result, Token};
 /// Deepest nesting of `for`, which bounds the recursion of the parser.
 const MAX_LOOPS: usize = 4;
 
-pub const FOR_EXAMPLE: &str = "for i in 1..n { hinge pin[i]: link[i-1](l, 0) ~ link[i](0, 0); }";
+const EXAMPLE: &str = "for i in 1..n { hinge pin[i]: link[i-1](l, 0) ~ link[i](0, 0); }";
 
-pub fn count(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
-    let name = name(input, "the name of the count")?;
-    sign::<Token![=]>(input)?;
-    let value = expression(input)?;
-    sign::<Token![;]>(input)?;
-    Ok(ItemKind::Count(Count { name, value }))
-}
-
-/// `for i in a..b`, inside `outer`.
-pub fn range(input: ParseStream, outer: &[Loop]) -> Result<Loop> {
+/// Reads a `for` inside of `outer`: `inside` reads what stands in its braces, with this `for` as the innermost one.
+pub fn repeated(
+    input: ParseStream,
+    outer: &[Loop],
+    log: &mut Log,
+    inside: impl FnOnce(ParseStream, &[Loop], &mut Log) -> Result<()>,
+) -> Result<()> {
     let keyword = word(input, "for")?;
     if outer.len() == MAX_LOOPS {
         return Err(repeats::too_many_loops(&keyword, MAX_LOOPS));
     }
-    head(input).map_err(|error| syntax::with_example(error, "for", FOR_EXAMPLE))
+    let range = head(input).map_err(|error| syntax::with_example(error, "for", EXAMPLE))?;
+    let braces = braced(input)?;
+    log.loops.push((range.clone(), outer.to_vec()));
+    inside(&braces.inside, &[outer, &[range]].concat(), log)
 }
 
 fn head(input: ParseStream) -> Result<Loop> {

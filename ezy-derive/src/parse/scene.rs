@@ -4,7 +4,7 @@ use super::Log;
 use super::ast::{Duration, End, Expr, ItemKind, Scene};
 use super::event::{condition, peek_relation};
 use super::expression::expression_before_unit;
-use super::token::{braced, expected, name, sign, skip};
+use super::token::{braced, expected, name, sign, skip_statement, take};
 use crate::diag::syntax;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -12,6 +12,8 @@ use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 const WORDS: [&str; 3] = ["start", "until", "with"];
+
+pub const EXAMPLE: &str = "scene driven { start folded; until 60 s; with pump; }";
 
 pub fn scene(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
     let name = name(input, "the name of the scene")?;
@@ -21,10 +23,8 @@ pub fn scene(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
     while !inside.is_empty() {
         if let Err(error) = statement(&inside, &mut scene, &mut said) {
             scene.broken = true;
-            let example = "scene driven { start folded; until 60 s; with pump; }";
-            log.diag.error(syntax::with_example(error, "scene", example));
-            while !inside.peek(Token![;]) && skip(&inside) {}
-            inside.parse::<Option<Token![;]>>()?;
+            log.diag.error(syntax::with_example(error, "scene", EXAMPLE));
+            skip_statement(&inside);
         }
     }
     Ok(ItemKind::Scene(scene))
@@ -54,8 +54,7 @@ fn statement(input: ParseStream, scene: &mut Scene, said: &mut Vec<Ident>) -> Re
         scene.start = Some(name(input, "the name of a start")?);
     } else {
         scene.effects.push(name(input, "the name of an effect")?);
-        while input.peek(Token![,]) {
-            input.parse::<Token![,]>()?;
+        while take::<Token![,]>(input) {
             scene.effects.push(name(input, "the name of an effect")?);
         }
     }

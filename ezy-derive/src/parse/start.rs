@@ -1,10 +1,11 @@
 //! `start name { body at (x, y) angle e velocity (vx, vy) rate w; body near angle e; …; at rest; }`
 
+use super::Log;
 use super::ast::{Expr, Given, ItemKind, Loop, Name, Quantity, Start};
 use super::expression::{expression, indexed};
 use super::place::pair;
-use super::token::{braced, expected, name, peek_word, sign, skip, word};
-use super::{Log, repeat};
+use super::repeat::repeated;
+use super::token::{braced, expected, name, peek_word, sign, skip_statement, take, take_word, word};
 use crate::diag::nearest::nearest;
 use crate::diag::syntax;
 use proc_macro2::Ident;
@@ -35,38 +36,31 @@ const ELSEWHERE: [(&str, &str); 7] = [
     ("speed", "velocity"),
 ];
 
+pub const EXAMPLE: &str = "start folded { seat at (0, 0) angle 0; at rest; }";
+
 pub fn start(input: ParseStream, log: &mut Log) -> Result<ItemKind> {
     let name = name(input, "the name of the start")?;
     let inside = braced(input)?.inside;
     let mut start = Start { name, given: Vec::new(), at_rest: None };
-    statements(&inside, &mut start, &[], log)?;
+    statements(&inside, &mut start, &[], log);
     Ok(ItemKind::Start(start))
 }
 
-fn statements(inside: ParseStream, start: &mut Start, outer: &[Loop], log: &mut Log) -> Result<()> {
+fn statements(inside: ParseStream, start: &mut Start, outer: &[Loop], log: &mut Log) {
     while !inside.is_empty() {
         let outcome = if peek_word(inside, "for") {
-            repeated(inside, start, outer, log)
-        } else {
-            statement(inside, start, outer).map_err(|error| {
-                syntax::with_example(error, "start", "start folded { seat at (0, 0) angle 0; at rest; }")
+            repeated(inside, outer, log, |inside, loops, log| {
+                statements(inside, start, loops, log);
+                Ok(())
             })
+        } else {
+            statement(inside, start, outer).map_err(|error| syntax::with_example(error, "start", EXAMPLE))
         };
         if let Err(error) = outcome {
             log.diag.error(error);
-            while !inside.peek(Token![;]) && skip(inside) {}
-            inside.parse::<Option<Token![;]>>()?;
+            skip_statement(inside);
         }
     }
-    Ok(())
-}
-
-/// `for i in a..b { … }`
-fn repeated(input: ParseStream, start: &mut Start, outer: &[Loop], log: &mut Log) -> Result<()> {
-    let range = repeat::range(input, outer)?;
-    let inside = braced(input)?.inside;
-    log.loops.push((range.clone(), outer.to_vec()));
-    statements(&inside, start, &[outer, &[range]].concat(), log)
 }
 
 fn statement(input: ParseStream, start: &mut Start, loops: &[Loop]) -> Result<()> {
@@ -80,10 +74,7 @@ fn statement(input: ParseStream, start: &mut Start, loops: &[Loop]) -> Result<()
     if input.peek(Token![;]) {
         return Err(syntax::empty_start_statement(&body));
     }
-    let near = peek_word(input, "near");
-    if near {
-        word(input, "near")?;
-    }
+    let near = take_word(input, "near");
     let first = start.given.len();
     while !input.peek(Token![;]) {
         let given = given(input, &body, loops, start.given.len() == first)?;
@@ -124,9 +115,5 @@ fn given(input: ParseStream, body: &Name, loops: &[Loop], first: bool) -> Result
 
 /// `_` leaves a component free.
 fn free_or_value(input: ParseStream) -> Result<Option<Expr>> {
-    if input.peek(Token![_]) {
-        input.parse::<Token![_]>()?;
-        return Ok(None);
-    }
-    expression(input).map(Some)
+    if take::<Token![_]>(input) { Ok(None) } else { expression(input).map(Some) }
 }

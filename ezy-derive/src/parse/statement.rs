@@ -1,26 +1,28 @@
 //! Rows and forces: read by the form that the table of keywords gives.
 
-use super::ast::{ItemKind, Name, Phrase, Statement};
+use super::ast::{Expr, ItemKind, Name, Phrase, Statement};
 use super::expression::{expression, indexed};
 use super::place::{on_body, place};
-use super::token::{expected, peek_word, sign, word};
+use super::token::{expected, peek_word, sign, take, word};
 use crate::diag::syntax;
-use crate::grammar::{IfAbsent, Part, Setting, Word};
+use crate::grammar::{Beginning, IfAbsent, Part, Setting, Word};
 use proc_macro2::{Delimiter, Ident};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
+const BODY: &str = "the name of a body";
+
 /// What follows the word, which is `keyword`.
 pub fn statement(input: ParseStream, word: &'static Word, keyword: Ident) -> Result<ItemKind> {
     let name = if word.is_row() { row_name(input, word)? } else { None };
-    let mut statement = Statement { word, keyword, name, phrases: Vec::new() };
-    parts(input, word.form, &mut statement)?;
-    if !input.peek(Token![;]) {
-        return Err(expected(input, &ending(word.form)));
+    let mut phrases = Vec::new();
+    parts(input, word.form, word, &mut phrases)?;
+    if !take::<Token![;]>(input) {
+        let ends_with_settings = matches!(word.form.last(), Some(Part::Settings(_)));
+        return Err(expected(input, if ends_with_settings { "`,` or `;`" } else { "`;`" }));
     }
-    sign::<Token![;]>(input)?;
-    Ok(ItemKind::Statement(statement))
+    Ok(ItemKind::Statement(Statement { word, keyword, name, phrases }))
 }
 
 fn row_name(input: ParseStream, word: &Word) -> Result<Option<Name>> {
@@ -36,115 +38,131 @@ fn row_name(input: ParseStream, word: &Word) -> Result<Option<Name>> {
     Ok(Some(name))
 }
 
-fn parts(input: ParseStream, form: &'static [Part], statement: &mut Statement) -> Result<()> {
-    for part in form {
-        self::part(input, part, statement)?;
-    }
-    Ok(())
+fn parts(input: ParseStream, form: &'static [Part], word: &Word, phrases: &mut Vec<Phrase>) -> Result<()> {
+    form.iter().try_for_each(|part| self::part(input, part, word, phrases))
 }
 
-fn part(input: ParseStream, part: &'static Part, statement: &mut Statement) -> Result<()> {
-    let phrase = match part {
-        Part::Pair => {
-            let a = place(input)?;
-            sign::<Token![~]>(input)?;
-            Phrase::Pair(Box::new([a, place(input)?]))
-        }
-        Part::At => {
-            word(input, "at")?;
-            Phrase::At(place(input)?)
-        }
-        Part::Couple => {
-            let a = indexed(input, "the name of a body")?;
-            sign::<Token![~]>(input)?;
-            Phrase::Couple(a, indexed(input, "the name of a body")?)
-        }
-        Part::BodyOrCouple => {
-            let a = indexed(input, "the name of a body")?;
-            if input.peek(Token![~]) {
-                sign::<Token![~]>(input)?;
-                Phrase::Couple(a, indexed(input, "the name of a body")?)
-            } else if input.peek(Token![:]) {
-                Phrase::Body(a)
-            } else {
-                return Err(expected(input, "`~` or `:`"));
-            }
-        }
-        Part::Along | Part::Across => {
-            let across = matches!(part, Part::Across);
-            word(input, if across { "across" } else { "along" })?;
-            Phrase::Direction { across, direction: on_body(input, "a direction `body(x, y)`")? }
-        }
-        Part::Scalar(asked) => {
-            sign::<Token![:]>(input)?;
-            Phrase::Scalar(*asked, expression(input)?)
-        }
-        Part::Equals(asked) => {
-            sign::<Token![=]>(input)?;
-            Phrase::Scalar(*asked, expression(input)?)
-        }
-        Part::Vector(asked) => {
-            sign::<Token![:]>(input)?;
-            Phrase::Vector(*asked, expression(input)?)
-        }
-        Part::BareVector(asked) => Phrase::Vector(*asked, expression(input)?),
-        Part::Equation => {
-            let left = expression(input)?;
-            let equals = sign::<Token![=]>(input)?.span;
-            Phrase::Equation { left, equals, right: expression(input)? }
-        }
-        Part::Settings(known) => settings(input, known, statement.word)?,
+fn part(input: ParseStream, part: &'static Part, of: &Word, phrases: &mut Vec<Phrase>) -> Result<()> {
+    phrases.push(match part {
         Part::Colon => return sign::<Token![:]>(input).map(|_| ()),
-        Part::Choice(forms) => {
-            let Some(form) = forms.iter().find(|form| begins(input, form)) else {
-                let beginnings: Vec<&str> = forms.iter().filter_map(|form| form.first().map(beginning)).collect();
-                return Err(expected(input, &alternatives(&beginnings)));
-            };
-            return parts(input, form, statement);
-        }
-    };
-    statement.phrases.push(phrase);
+        Part::Equals => return sign::<Token![=]>(input).map(|_| ()),
+        Part::Choice(forms) => return parts(input, choice(input, forms)?, of, phrases),
+        Part::Pair => pair(input)?,
+        Part::At => at(input)?,
+        Part::Couple => couple(input)?,
+        Part::BodyOrCouple => body_or_couple(input)?,
+        Part::Along => direction(input, "along")?,
+        Part::Across => direction(input, "across")?,
+        Part::Scalar(expected) => Phrase::Scalar(*expected, expression(input)?),
+        Part::Vector(expected) => Phrase::Vector(*expected, expression(input)?),
+        Part::Equation => equation(input)?,
+        Part::Settings(known) => settings(input, known, of)?,
+    });
     Ok(())
 }
 
-fn begins(input: ParseStream, form: &[Part]) -> bool {
-    match form.first() {
-        Some(Part::At) => peek_word(input, "at"),
-        Some(Part::Along) => peek_word(input, "along"),
-        Some(Part::Across) => peek_word(input, "across"),
-        Some(Part::Scalar(_) | Part::Vector(_) | Part::Colon) => input.peek(Token![:]),
-        Some(_) => input.peek(Ident::peek_any),
-        None => true,
+/// The first form whose beginning fits.
+fn choice(input: ParseStream, forms: &[&'static [Part]]) -> Result<&'static [Part]> {
+    let fits = |form: &&&'static [Part]| form.first().is_none_or(|part| begins(input, part.beginning()));
+    forms.iter().find(fits).copied().ok_or_else(|| {
+        let beginnings = forms.iter().filter_map(|form| form.first()).map(|part| match part.beginning() {
+            Beginning::Word(word) => format!("`{word}`"),
+            Beginning::Sign(sign) => format!("`{sign}`"),
+            Beginning::Name => BODY.to_owned(),
+        });
+        expected(input, &alternatives(&beginnings.collect::<Vec<_>>()))
+    })
+}
+
+fn begins(input: ParseStream, beginning: Beginning) -> bool {
+    match beginning {
+        Beginning::Word(word) => peek_word(input, word),
+        Beginning::Sign(sign) => input.cursor().punct().is_some_and(|(found, _)| found.as_char() == sign),
+        Beginning::Name => input.peek(Ident::peek_any),
     }
 }
 
-/// How a part begins, for messages.
-fn beginning(part: &Part) -> &'static str {
-    match part {
-        Part::At => "`at`",
-        Part::Along => "`along`",
-        Part::Across => "`across`",
-        Part::Scalar(_) | Part::Vector(_) | Part::Colon => "`:`",
-        Part::Equals(_) => "`=`",
-        _ => "the name of a body",
+fn alternatives(words: &[String]) -> String {
+    match words {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => words.concat(),
     }
 }
 
-fn alternatives<S: AsRef<str>>(beginnings: &[S]) -> String {
-    let words: Vec<&str> = beginnings.iter().map(AsRef::as_ref).collect();
-    match words.split_last() {
-        Some((last, [])) => (*last).to_owned(),
-        Some((last, first)) => format!("{} or {last}", first.join(", ")),
-        None => String::new(),
-    }
+fn pair(input: ParseStream) -> Result<Phrase> {
+    let a = place(input)?;
+    sign::<Token![~]>(input)?;
+    Ok(Phrase::Pair(Box::new([a, place(input)?])))
 }
 
-/// What may still come at the end of a statement.
-fn ending(form: &[Part]) -> String {
-    match form.last() {
-        Some(Part::Settings(_)) => "`,` or `;`".to_owned(),
-        _ => "`;`".to_owned(),
+fn at(input: ParseStream) -> Result<Phrase> {
+    word(input, "at")?;
+    place(input).map(Phrase::At)
+}
+
+fn couple(input: ParseStream) -> Result<Phrase> {
+    let a = indexed(input, BODY)?;
+    sign::<Token![~]>(input)?;
+    Ok(Phrase::Couple(a, indexed(input, BODY)?))
+}
+
+fn body_or_couple(input: ParseStream) -> Result<Phrase> {
+    let a = indexed(input, BODY)?;
+    if take::<Token![~]>(input) {
+        return Ok(Phrase::Couple(a, indexed(input, BODY)?));
     }
+    if input.peek(Token![:]) { Ok(Phrase::Body(a)) } else { Err(expected(input, "`~` or `:`")) }
+}
+
+fn direction(input: ParseStream, keyword: &str) -> Result<Phrase> {
+    word(input, keyword)?;
+    let direction = on_body(input, "a direction `body(x, y)`")?;
+    Ok(Phrase::Direction { across: keyword == "across", direction })
+}
+
+fn equation(input: ParseStream) -> Result<Phrase> {
+    let left = expression(input)?;
+    let equals = sign::<Token![=]>(input)?.span;
+    Ok(Phrase::Equation { left, equals, right: expression(input)? })
+}
+
+/// `word value, word value`, each at most once, in any order.
+fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> Result<Phrase> {
+    let mut given: Vec<Option<(Ident, Expr)>> = known.iter().map(|_| None).collect();
+    let names: Vec<&str> = known.iter().map(|setting| setting.word).collect();
+    while !input.peek(Token![;]) {
+        let Some((found, _)) = input.cursor().ident() else { return Err(no_word(input, known, statement, &names)) };
+        let Some(i) = names.iter().position(|name| found == name) else {
+            return Err(syntax::unknown_word(&found, &place_of(statement), &names));
+        };
+        let word = input.call(Ident::parse_any)?;
+        if let Some((first, _)) = &given[i] {
+            return Err(syntax::field_twice(&word, first));
+        }
+        let value = expression(input).map_err(|error| with_setting(error, statement, names[i], &names))?;
+        given[i] = Some((word, value));
+        let another = input.cursor().ident().is_some_and(|(word, _)| names.iter().any(|name| word == name));
+        if !take::<Token![,]>(input) && !another {
+            break;
+        }
+    }
+    let given: Vec<Option<Expr>> = given.into_iter().map(|given| given.map(|(_, value)| value)).collect();
+    check_settings(input, known, &given, statement, &names)?;
+    Ok(Phrase::Settings(known, given))
+}
+
+/// In a message.
+fn place_of(statement: &Word) -> String {
+    format!("a {}", statement.word)
+}
+
+/// Something that is no word stands where a setting could begin.
+fn no_word(input: ParseStream, known: &[Setting], statement: &Word, names: &[&str]) -> syn::Error {
+    let required = known.iter().any(|setting| setting.if_absent == IfAbsent::Required);
+    let end = (!required).then_some(";");
+    let words: Vec<String> = names.iter().copied().chain(end).map(|word| format!("`{word}`")).collect();
+    let error = expected(input, &alternatives(&words));
+    if required { error } else { with_setting(error, statement, names[0], names) }
 }
 
 /// `error` with the way a setting is written, where the example of the word leaves it out.
@@ -158,44 +176,22 @@ fn with_setting(error: syn::Error, statement: &Word, setting: &str, names: &[&st
     syntax::with_example(error, statement.word, &format!("{example}{comma} {setting} …;"))
 }
 
-/// `word value, word value`, each at most once, in any order.
-fn settings(input: ParseStream, known: &'static [Setting], statement: &Word) -> Result<Phrase> {
-    let mut given: Vec<Option<super::ast::Expr>> = known.iter().map(|_| None).collect();
-    let mut words: Vec<Option<Ident>> = known.iter().map(|_| None).collect();
-    let place = || format!("a {}", statement.word);
-    let names: Vec<&str> = known.iter().map(|setting| setting.word).collect();
-    while !input.peek(Token![;]) {
-        let Some((found, _)) = input.cursor().ident() else {
-            let required = known.iter().any(|setting| setting.if_absent == IfAbsent::Required);
-            let end = (!required).then(|| "`;`".to_owned());
-            let words: Vec<String> = names.iter().map(|name| format!("`{name}`")).chain(end).collect();
-            let error = expected(input, &alternatives(&words));
-            return Err(if required { error } else { with_setting(error, statement, names[0], &names) });
-        };
-        let Some(i) = names.iter().position(|name| found == name) else {
-            return Err(syntax::unknown_word(&found, &place(), &names));
-        };
-        let word = input.call(Ident::parse_any)?;
-        if let Some(first) = &words[i] {
-            return Err(syntax::field_twice(&word, first));
-        }
-        let value = expression(input).map_err(|error| with_setting(error, statement, names[i], &names));
-        given[i] = Some(value?);
-        words[i] = Some(word);
-        let another = input.cursor().ident().is_some_and(|(word, _)| names.iter().any(|name| word == name));
-        if input.peek(Token![,]) {
-            input.parse::<Token![,]>()?;
-        } else if !another {
-            break;
-        }
-    }
-    // a row is one without settings, too
+/// What is required is there; of settings that can all be left out a force needs one.
+fn check_settings(
+    input: ParseStream,
+    known: &[Setting],
+    given: &[Option<Expr>],
+    statement: &Word,
+    names: &[&str],
+) -> Result<()> {
     let needs_one = !statement.is_row() && given.iter().all(Option::is_none);
     if needs_one && known.iter().all(|setting| setting.if_absent == IfAbsent::Absent) {
-        return Err(syntax::no_setting(input.span(), &place(), &names));
+        return Err(syntax::no_setting(input.span(), &place_of(statement), names));
     }
-    match known.iter().zip(&given).find(|(setting, value)| setting.if_absent == IfAbsent::Required && value.is_none()) {
-        Some((missing, _)) => Err(syntax::setting_missing(input.span(), missing.word, &place())),
-        None => Ok(Phrase::Settings(known, given)),
+    let missing =
+        |(setting, value): &(&Setting, &Option<Expr>)| setting.if_absent == IfAbsent::Required && value.is_none();
+    match known.iter().zip(given).find(missing) {
+        Some((missing, _)) => Err(syntax::setting_missing(input.span(), missing.word, &place_of(statement))),
+        None => Ok(()),
     }
 }

@@ -4,9 +4,8 @@ use crate::diag::syntax;
 use proc_macro2::{Delimiter, Ident, Span};
 use syn::buffer::Cursor;
 use syn::ext::IdentExt;
-use syn::parse::{ParseBuffer, ParseStream};
-use syn::token::Token;
-use syn::{Lit, Result};
+use syn::parse::{Parse, ParseBuffer, ParseStream};
+use syn::{Lit, Result, Token};
 
 /// The next token is none of what the grammar has here.
 pub fn expected(input: ParseStream, what: &str) -> syn::Error {
@@ -74,8 +73,38 @@ pub fn word(input: ParseStream, word: &str) -> Result<Ident> {
     if peek_word(input, word) { input.call(Ident::parse_any) } else { Err(expected(input, &format!("`{word}`"))) }
 }
 
+/// Takes this word, if it follows.
+pub fn take_word(input: ParseStream, word: &str) -> bool {
+    peek_word(input, word) && skip(input)
+}
+
+/// Takes this sign, if it follows.
+pub fn take<T: Parse + syn::token::Token>(input: ParseStream) -> bool {
+    matches!(input.parse::<Option<T>>(), Ok(Some(_)))
+}
+
+/// Takes one of these signs, if one follows: what it means, and where it is.
+pub fn take_one_of<T: Copy>(input: ParseStream, signs: &[(char, T)]) -> Option<(T, Span)> {
+    let (found, _) = input.cursor().punct()?;
+    let (_, meaning) = signs.iter().find(|(sign, _)| *sign == found.as_char())?;
+    skip(input).then_some((*meaning, found.span()))
+}
+
+/// Takes the `,` between the parts of a list, unless this is the end of its brackets.
+pub fn comma_or_end(input: ParseStream, closing: &str) -> Result<()> {
+    if input.is_empty() || take::<Token![,]>(input) {
+        return Ok(());
+    }
+    Err(expected(input, &format!("`,` or `{closing}`")))
+}
+
+/// Skips to behind the next `;`, or to the end.
+pub fn skip_statement(input: ParseStream) {
+    while !take::<Token![;]>(input) && skip(input) {}
+}
+
 /// Takes this sign.
-pub fn sign<T: Token + syn::parse::Parse>(input: ParseStream) -> Result<T> {
+pub fn sign<T: Parse + syn::token::Token>(input: ParseStream) -> Result<T> {
     input.parse::<T>().map_err(|_| expected(input, T::display()))
 }
 

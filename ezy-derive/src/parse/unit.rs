@@ -1,7 +1,7 @@
 //! Units: products, quotients and whole powers of names, such as `kg*m^2` or `N*s/m`.
 
 use super::ast::{Unit, UnitFactor};
-use super::token::{end, expected, name, parenthesised};
+use super::token::{end, expected, name, parenthesised, take, take_one_of};
 use crate::units::{self, Spelling};
 use proc_macro2::Span;
 use syn::parse::ParseStream;
@@ -14,8 +14,7 @@ const MAX_BRACKETS: usize = 2;
 
 /// The unit between `:` and `=`, or none before `=`.
 pub fn optional_unit(input: ParseStream) -> Result<Option<Unit>> {
-    if input.peek(Token![:]) {
-        input.parse::<Token![:]>()?;
+    if take::<Token![:]>(input) {
         unit(input).map(Some)
     } else if input.peek(Token![=]) {
         Ok(None)
@@ -32,19 +31,11 @@ pub fn unit(input: ParseStream) -> Result<Unit> {
 
 fn product(input: ParseStream, exponent: i32, depth: usize, unit: &mut Unit) -> Result<()> {
     power(input, exponent, depth, unit)?;
-    loop {
-        if input.peek(Token![*]) {
-            input.parse::<Token![*]>()?;
-            unit.text.push('*');
-            power(input, exponent, depth, unit)?;
-        } else if input.peek(Token![/]) {
-            input.parse::<Token![/]>()?;
-            unit.text.push('/');
-            power(input, -exponent, depth, unit)?;
-        } else {
-            return Ok(());
-        }
+    while let Some(((sign, exponent), _)) = take_one_of(input, &[('*', ('*', exponent)), ('/', ('/', -exponent))]) {
+        unit.text.push(sign);
+        power(input, exponent, depth, unit)?;
     }
+    Ok(())
 }
 
 fn power(input: ParseStream, exponent: i32, depth: usize, unit: &mut Unit) -> Result<()> {
@@ -65,8 +56,7 @@ fn power(input: ParseStream, exponent: i32, depth: usize, unit: &mut Unit) -> Re
         unit.text.push_str(&name.to_string());
         unit.factors.push(UnitFactor { name, exponent });
     }
-    if input.peek(Token![^]) {
-        input.parse::<Token![^]>()?;
+    if take::<Token![^]>(input) {
         unit.text.push('^');
         let power = whole_number(input, unit)?;
         unit.factors[first..].iter_mut().for_each(|factor| factor.exponent *= power);
@@ -76,9 +66,8 @@ fn power(input: ParseStream, exponent: i32, depth: usize, unit: &mut Unit) -> Re
 
 fn whole_number(input: ParseStream, unit: &mut Unit) -> Result<i32> {
     let at = input.fork();
-    let negative = input.peek(Token![-]);
+    let negative = take::<Token![-]>(input);
     if negative {
-        input.parse::<Token![-]>()?;
         unit.text.push('-');
     }
     let literal = input.parse::<LitInt>().ok().filter(|literal| literal.suffix().is_empty());

@@ -143,7 +143,7 @@ fn analytic_members_are_coordinates_and_velocities() {
     let moving = [("seat.omega", "Velocity(BodyId(0), Phi)"), ("A.y", "PointPosition(PointId(0), Y)"), ("t", "Time")];
     for (text, expected) in moving {
         let model = with_torque("", &format!("2 * {text}"));
-        assert_eq!(format!("{:?}", torque(&model)), format!("Mul(Number(2.0), {expected})"));
+        assert_eq!(format!("{:?}", torque(&model)), format!("Binary(Multiply, Number(2.0), {expected})"));
     }
 }
 
@@ -168,7 +168,7 @@ fn analytic_input_keeps_unit_text_and_effect() {
     assert_eq!((u.unit.as_str(), u.default, u.default_text.as_str()), ("N*cm", 6.0, "3*2"));
     assert_eq!((u.documentation.as_str(), u.effect), ("what the rider does", None));
     assert_eq!((f.default, f.effect.map(|id| id.0)), (-1.0, Some(0)));
-    assert_eq!(format!("{:?}", torque(&model)), "Div(Input(InputId(0)), Number(100.0))");
+    assert_eq!(format!("{:?}", torque(&model)), "Binary(Divide, Input(InputId(0)), Number(100.0))");
 }
 
 #[test]
@@ -181,9 +181,9 @@ fn analytic_outputs_are_scalars_in_their_units() {
     assert_eq!(
         outputs,
         [
-            "place.x [mm] Mul(PointPosition(PointId(0), X), Number(1000.0))",
-            "place.y [mm] Mul(Number(2.0), Number(1000.0))",
-            "angle [deg] Div(Mul(Mul(Number(1.0), Coordinate(BodyId(0), Phi)), Number(180.0)), Pi)",
+            "place.x [mm] Binary(Multiply, PointPosition(PointId(0), X), Number(1000.0))",
+            "place.y [mm] Binary(Multiply, Number(2.0), Number(1000.0))",
+            "angle [deg] Binary(Divide, Binary(Multiply, Binary(Multiply, Number(1.0), Coordinate(BodyId(0), Phi)), Number(180.0)), Pi)",
             "any [] Time",
             "speed [] Velocity(BodyId(0), X)",
         ]

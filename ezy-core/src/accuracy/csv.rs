@@ -2,7 +2,7 @@
 
 use super::ladder::setting;
 use super::measured::WorkPrecision;
-use super::point::{Measured, Point, PointResult};
+use super::point::{Measured, Point};
 use crate::dynamics::{Metric, Projection};
 
 /// Columns that identify a point.
@@ -62,12 +62,7 @@ impl WorkPrecision {
             Metric::Mass => "mass",
             Metric::Euclidean => "euclidean",
         };
-        let outcome = match &point.result {
-            PointResult::Measured(_) => "measured",
-            PointResult::Stopped(reason) => reason,
-            PointResult::NotRun => "not run",
-        };
-        let what = [point.method.name(), &format!("{:e}", setting(point.method)), projection, metric, outcome];
+        let what = [point.method.name(), &format!("{:e}", setting(point.method)), projection, metric, point.outcome()];
         let number =
             |(_, value): Column| point.measured().map_or_else(String::new, |m| format!("{:.16e}", value(self, m)));
         what.map(str::to_owned).into_iter().chain(COLUMNS.map(number)).collect()

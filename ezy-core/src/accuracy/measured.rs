@@ -4,7 +4,6 @@ use super::advice::{Advice, Candidate, TARGETS, advise};
 use super::ladder::FAMILIES;
 use super::point::{Measured, Point, PointResult};
 use super::reference::Reference;
-use super::runs::Runs;
 use super::variant::Variant;
 use crate::integrate::Method;
 use crate::model::SceneInfo;
@@ -48,20 +47,6 @@ pub struct Missing {
 }
 
 impl WorkPrecision {
-    pub(super) fn new(
-        runs: &Runs<'_>,
-        asked_until_s: f64,
-        unknown: Option<f64>,
-        reference: Reference,
-        points: Vec<Point>,
-        budget_s: f64,
-        seconds: f64,
-    ) -> Self {
-        let (info, start_s, until_s) = (runs.scene.info(), runs.start_s, runs.until_s);
-        let machine = machine();
-        Self { info, start_s, until_s, asked_until_s, unknown, reference, points, machine, budget_s, seconds }
-    }
-
     /// Names of the methods.
     pub(super) fn methods(&self) -> impl Iterator<Item = &'static str> {
         FAMILIES.iter().map(|family| family.name)
@@ -128,7 +113,7 @@ impl WorkPrecision {
 }
 
 /// Processor, target and kind of build.
-fn machine() -> String {
+pub(super) fn machine() -> String {
     let build = if cfg!(debug_assertions) { "debug build, whose times mean nothing" } else { "release build" };
     let target = format!("{} {}", std::env::consts::ARCH, std::env::consts::OS);
     let wide = if cfg!(target_feature = "avx2") { " with AVX2" } else { "" };

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::error::AccuracyError;
 use super::ladder::{FAMILIES, Ladder, setting};
-use super::measured::WorkPrecision;
+use super::measured::{WorkPrecision, machine};
 use super::point::{Point, PointResult, measure, repeats};
 use super::reference::{Found, Reference};
 use super::runs::{NoRun, Runs};
@@ -136,8 +136,18 @@ impl<'s> Accuracy<'s> {
             };
             points.push(Point { method: *method, variant: *variant, result });
         }
-        let seconds = began.elapsed().as_secs_f64();
-        Ok(WorkPrecision::new(&runs, until_s, unknown, reference, points, budget_s, seconds))
+        Ok(WorkPrecision {
+            info: scene.info(),
+            start_s: runs.start_s,
+            until_s: runs.until_s,
+            asked_until_s: until_s,
+            unknown,
+            reference,
+            points,
+            machine: machine(),
+            budget_s,
+            seconds: began.elapsed().as_secs_f64(),
+        })
     }
 }
 

@@ -122,6 +122,15 @@ impl Point {
             _ => None,
         }
     }
+
+    /// `measured`, why it stopped, or `not run`.
+    pub(crate) fn outcome(&self) -> &str {
+        match &self.result {
+            PointResult::Measured(_) => "measured",
+            PointResult::Stopped(reason) => reason,
+            PointResult::NotRun => "not run",
+        }
+    }
 }
 
 #[cfg(test)]

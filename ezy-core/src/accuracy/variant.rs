@@ -19,25 +19,20 @@ impl Variant {
     /// Every variant that makes a difference in a scene, the default one first: a scene without position constraints has no
     /// positions to project, one without rows nothing at all.
     pub fn all(info: &SceneInfo) -> Vec<Self> {
-        let projections: &[Projection] = match (info.n_rows(), info.n_position_rows) {
-            (0, _) => &[],
-            (_, 0) => &[Projection::Velocities],
-            _ => &[Projection::Positions, Projection::Velocities],
-        };
-        let mut all = vec![Self::default()];
-        if info.n_rows() == 0 {
-            return all;
+        use Metric::{Euclidean, Mass};
+        use Projection::{Both, Positions, Velocities};
+        let default = Self::default();
+        let of = |(projection, metric)| Self { projection, metric };
+        match (info.n_rows(), info.n_position_rows) {
+            (0, _) => vec![default],
+            // `both` is `velocities`
+            (_, 0) => vec![default, Self::NONE, of((Velocities, Euclidean))],
+            _ => {
+                let others = [(Positions, Mass), (Velocities, Mass)].into_iter();
+                let others = others.chain([Both, Positions, Velocities].map(|projection| (projection, Euclidean)));
+                [default, Self::NONE].into_iter().chain(others.map(of)).collect()
+            }
         }
-        all.push(Self::NONE);
-        let of = |metric: Metric| projections.iter().map(move |&projection| Self { projection, metric });
-        // without position constraints `both` is `velocities`
-        let besides = |v: &Self| info.n_position_rows > 0 || v.metric == Metric::Euclidean;
-        all.extend(of(Metric::Mass).filter(besides));
-        if info.n_position_rows > 0 {
-            all.push(Self { projection: Projection::Both, metric: Metric::Euclidean });
-        }
-        all.extend(of(Metric::Euclidean));
-        all
     }
 
     /// How it is named in reports.

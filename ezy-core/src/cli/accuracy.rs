@@ -2,13 +2,17 @@
 
 use std::path::PathBuf;
 
-use crate::accuracy::{Accuracy, AccuracyError, WorkPrecision};
+use serde_json::{Value, json};
+
+use crate::accuracy::{
+    Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, Point, Size, WorkPrecision, setting,
+};
 use crate::simulate::SetupError;
 
 use super::Models;
-use super::accuracy_json::accuracy_json;
 use super::arguments::AccuracyArguments;
 use super::failure::{Failure, print};
+use super::json::print_json;
 use super::names::{check_assignments, scene_entry, scene_with};
 use super::progress::Progress;
 use super::selection::typed;
@@ -41,7 +45,7 @@ pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Res
     let measured = measured?;
     let written = measured.save(&directory)?;
     match arguments.json {
-        true => print(&format!("{}\n", accuracy_json(&measured)))?,
+        true => print_json(&json(&measured))?,
         false => print(&format!("{}\nThe {WRITTEN}: {}\n", text(&measured), written.display()))?,
     }
     if measured.is_empty() {
@@ -77,4 +81,74 @@ fn text(measured: &WorkPrecision) -> String {
         missing.iter().for_each(|line| text += &format!("  {line}\n"));
     }
     text + &format!("\n{}.\n", measured.machine)
+}
+
+/// The measurement as one object.
+fn json(measured: &WorkPrecision) -> Value {
+    let reference = &measured.reference;
+    json!({
+        "model": measured.info.model,
+        "scene": measured.info.name,
+        "until": measured.until_s,
+        "until_asked": measured.asked_until_s,
+        "machine": measured.machine,
+        "reference": {
+            "by": reference.by,
+            "uncertainty": comparison(&reference.uncertainty),
+            "second": match &reference.second {
+                Ok(second) => json!({
+                    "by": second.by,
+                    "difference": comparison(&second.difference),
+                    "own_difference": comparison(&second.own),
+                }),
+                Err(why) => json!({ "missing": why }),
+            },
+        },
+        "advice": measured.advice().iter().map(advice).collect::<Value>(),
+        "points": measured.points.iter().map(point).collect::<Value>(),
+    })
+}
+
+fn advice(advice: &Advice) -> Value {
+    json!({
+        "target": advice.target,
+        "use": advice.best.as_ref().map(candidate),
+        "others": advice.others.iter().map(candidate).collect::<Value>(),
+        "sentence": advice.to_string(),
+    })
+}
+
+fn candidate(Candidate { method, error, seconds }: &Candidate) -> Value {
+    json!({ "method": method.name(), "setting": setting(*method), "error": error, "seconds": seconds })
+}
+
+fn point(point: &Point) -> Value {
+    let mut all = json!({
+        "method": point.method.name(),
+        "setting": setting(point.method),
+        "projection": point.variant.name(),
+        "outcome": point.outcome(),
+    });
+    if let Some(m) = point.measured() {
+        all["error"] = comparison(&m.error);
+        all["residual"] = json!({ "position": m.position_residual, "velocity": m.velocity_residual });
+        all["energy_balance"] = json!(m.energy_balance);
+        all["cost"] = json!({
+            "steps": m.cost.steps,
+            "rejected": m.cost.rejected,
+            "evaluations": m.cost.evaluations,
+            "factorizations": m.cost.factorizations,
+            "seconds_min": m.seconds_min,
+            "seconds_median": m.seconds_median,
+            "runs": m.n_timed,
+            "seconds_on_grid": m.seconds_on_grid,
+        });
+    }
+    all
+}
+
+fn comparison(comparison: &Comparison) -> Value {
+    let size = |size: &Size| json!({ "absolute": size.absolute, "scaled": size.scaled });
+    let errors = |Errors { position, velocity, reaction }: &Errors| json!({ "position": size(position), "velocity": size(velocity), "reaction": size(reaction) });
+    json!({ "end": errors(&comparison.end), "largest": errors(&comparison.grid) })
 }

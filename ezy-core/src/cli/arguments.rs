@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::dynamics::{Metric, Projection};
+use clap::builder::PossibleValue;
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::value::{Assignment, parse_assignment, parse_count, parse_number};
@@ -76,10 +77,10 @@ pub(super) struct RunArguments {
     pub atol: Option<f64>,
     /// What is projected onto the constraints after each step
     #[arg(long, value_enum, default_value_t)]
-    pub project: ProjectName,
+    pub project: Projection,
     /// Metric in which the projection is smallest
     #[arg(long, value_enum, default_value_t)]
-    pub metric: MetricName,
+    pub metric: Metric,
     /// Stop before the residual of a constraint exceeds R: m or rad in positions, m/s or rad/s in velocities
     #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
     pub max_drift: Option<f64>,
@@ -136,45 +137,33 @@ pub(super) enum MethodName {
     Radau,
 }
 
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub(super) enum ProjectName {
-    /// Positions, then velocities at the projected positions
-    #[default]
-    Both,
-    /// Positions only
-    Positions,
-    /// Velocities only
-    Velocities,
-    /// Nothing: the constraints may drift
-    None,
-}
+impl ValueEnum for Projection {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Both, Self::Positions, Self::Velocities, Self::None]
+    }
 
-impl From<ProjectName> for Projection {
-    fn from(name: ProjectName) -> Self {
-        match name {
-            ProjectName::Both => Self::Both,
-            ProjectName::Positions => Self::Positions,
-            ProjectName::Velocities => Self::Velocities,
-            ProjectName::None => Self::None,
-        }
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Self::Both => ("both", "Positions, then velocities at the projected positions"),
+            Self::Positions => ("positions", "Positions only"),
+            Self::Velocities => ("velocities", "Velocities only"),
+            Self::None => ("none", "Nothing: the constraints may drift"),
+        };
+        Some(PossibleValue::new(name).help(help))
     }
 }
 
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub(super) enum MetricName {
-    /// Weighted by the masses: never adds kinetic energy
-    #[default]
-    Mass,
-    /// Unweighted: adds metres to radians; for comparison
-    Euclidean,
-}
+impl ValueEnum for Metric {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Mass, Self::Euclidean]
+    }
 
-impl From<MetricName> for Metric {
-    fn from(name: MetricName) -> Self {
-        match name {
-            MetricName::Mass => Self::Mass,
-            MetricName::Euclidean => Self::Euclidean,
-        }
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Self::Mass => ("mass", "Weighted by the masses: never adds kinetic energy"),
+            Self::Euclidean => ("euclidean", "Unweighted: adds metres to radians; for comparison"),
+        };
+        Some(PossibleValue::new(name).help(help))
     }
 }
 

@@ -1,18 +1,19 @@
 //! The command `list`.
 
-use crate::model::{ModelInfo, SceneInfo};
+use serde_json::{Value, json};
+
+use crate::model::{CountInfo, EffectInfo, ModelInfo, ParameterInfo, SceneInfo};
 use crate::report::table::Table;
 
 use super::Models;
 use super::arguments::ListArguments;
 use super::failure::{Failure, print};
-use super::json::Json;
+use super::json::print_json;
 use super::selection::typed;
 
 pub(super) fn list(models: Models<'_>, arguments: &ListArguments) -> Result<(), Failure> {
     if arguments.json {
-        let models = Json::list(models.iter().map(|model| model_json(model)));
-        return print(&format!("{}\n", Json::object([("models", models)])));
+        return print_json(&json!({ "models": models.iter().map(|model| model_json(model)).collect::<Value>() }));
     }
     print(&models.iter().map(|model| model_text(model) + "\n").collect::<String>())
 }
@@ -55,49 +56,45 @@ fn model_text(model: &ModelInfo) -> String {
 }
 
 /// Names and declared values of the counts of a scene.
-pub(super) fn counts_json(info: &SceneInfo) -> Json {
-    let count = |count: &crate::model::CountInfo| {
-        Json::object([
-            ("name", Json::text(count.name)),
-            ("default", Json::Count(count.default as u64)),
-            ("documentation", Json::text(count.documentation.trim())),
-        ])
-    };
-    Json::list(info.counts().iter().map(count))
+pub(super) fn counts_json(info: &SceneInfo) -> Value {
+    let counts = info.counts().iter();
+    let count =
+        |c: &CountInfo| json!({ "name": c.name, "default": c.default, "documentation": c.documentation.trim() });
+    counts.map(count).collect()
 }
 
-fn model_json(model: &ModelInfo) -> Json {
-    let names = |effects: &[crate::model::EffectInfo]| Json::list(effects.iter().map(|effect| Json::text(effect.name)));
-    let scene = |info: &SceneInfo| {
-        let parameter = |p: &crate::model::ParameterInfo| {
-            Json::object([
-                ("name", Json::text(p.name)),
-                ("unit", Json::text(p.unit)),
-                ("default", Json::Number(p.default)),
-                ("effect", p.effect.map_or(Json::Null, Json::text)),
-            ])
-        };
-        let named = |name: &str, unit: &str| Json::object([("name", Json::text(name)), ("unit", Json::text(unit))]);
-        Json::object([
-            ("name", Json::text(info.name)),
-            ("documentation", Json::text(info.documentation.trim())),
-            ("effects", names(info.effects)),
-            ("bodies", Json::list(info.bodies.iter().map(|body| Json::text(*body)))),
-            ("parameters", Json::list(info.parameters.iter().map(parameter))),
-            ("counts", counts_json(info)),
-            ("inputs", Json::list(info.inputs.iter().map(|input| named(input.name, input.unit)))),
-            ("outputs", Json::list(info.outputs.iter().map(|output| named(output.name, output.unit)))),
-            ("coordinates", Json::Count(info.n_coordinates() as u64)),
-            ("position_rows", Json::Count(info.n_position_rows as u64)),
-            ("velocity_rows", Json::Count((info.n_rows() - info.n_position_rows) as u64)),
-            ("freedom", Json::Count(freedom(info) as u64)),
-            ("until", Json::Number(info.until_s)),
-        ])
-    };
-    Json::object([
-        ("name", Json::text(model.name)),
-        ("documentation", Json::text(model.documentation.trim())),
-        ("effects", names(model.effects)),
-        ("scenes", Json::list(model.scenes.iter().map(|entry| scene((entry.info)())))),
-    ])
+fn model_json(model: &ModelInfo) -> Value {
+    json!({
+        "name": model.name,
+        "documentation": model.documentation.trim(),
+        "effects": names(model.effects),
+        "scenes": model.scenes.iter().map(|entry| scene_json((entry.info)())).collect::<Value>(),
+    })
+}
+
+fn scene_json(info: &SceneInfo) -> Value {
+    let parameter =
+        |p: &ParameterInfo| json!({ "name": p.name, "unit": p.unit, "default": p.default, "effect": p.effect });
+    let parameters: Value = info.parameters.iter().map(parameter).collect();
+    let inputs: Value = info.inputs.iter().map(|i| json!({ "name": i.name, "unit": i.unit })).collect();
+    let outputs: Value = info.outputs.iter().map(|o| json!({ "name": o.name, "unit": o.unit })).collect();
+    json!({
+        "name": info.name,
+        "documentation": info.documentation.trim(),
+        "effects": names(info.effects),
+        "bodies": info.bodies,
+        "parameters": parameters,
+        "counts": counts_json(info),
+        "inputs": inputs,
+        "outputs": outputs,
+        "coordinates": info.n_coordinates(),
+        "position_rows": info.n_position_rows,
+        "velocity_rows": info.n_rows() - info.n_position_rows,
+        "freedom": freedom(info),
+        "until": info.until_s,
+    })
+}
+
+fn names(effects: &[EffectInfo]) -> Value {
+    effects.iter().map(|effect| effect.name).collect()
 }

@@ -14,7 +14,6 @@
 //! here; everything that a command does is done through the public parts of this crate.
 
 mod accuracy;
-mod accuracy_json;
 mod arguments;
 mod check;
 mod command_line;

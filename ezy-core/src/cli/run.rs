@@ -9,6 +9,7 @@ use crate::simulate::{InputTable, Run, SetupError, Simulation, read_inputs};
 use super::Models;
 use super::arguments::{MethodName, RunArguments};
 use super::failure::{Failure, print};
+use super::json::print_json;
 use super::names::{check_assignments, scene_entry, scene_with};
 use super::out_file::OutFile;
 use super::progress::Progress;
@@ -32,13 +33,13 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     let method = method(arguments)?;
     let done = simulate(arguments, scene.as_ref(), method);
     if let (Err(Failure::Stopped(outcome)), true) = (&done, arguments.json) {
-        print(&format!("{}\n", run_json(scene.info(), method, None, outcome)))?;
+        print_json(&run_json(scene.info(), method, None, outcome))?;
     }
     let run = done?;
     // it chooses its steps, which a table may not let it
     let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
     if arguments.json {
-        print(&format!("{}\n", run_json(scene.info(), method, Some(&run), &run.outcome.to_string())))?;
+        print_json(&run_json(scene.info(), method, Some(&run), &run.outcome.to_string()))?;
         eprint!("{}", remarks(&run, method, radau_runs));
     } else {
         print(&run_text(&run, method, radau_runs))?;
@@ -105,8 +106,8 @@ fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Resu
     let mut simulation = Simulation::new(scene)
         .method(method)
         .until(until_s)
-        .project(arguments.project.into())
-        .metric(arguments.metric.into())
+        .project(arguments.project)
+        .metric(arguments.metric)
         .work()
         .on_progress(|fraction| progress.tell(fraction));
     if info.n_outputs() > 0 {

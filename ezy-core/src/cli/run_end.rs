@@ -1,5 +1,7 @@
 //! Where a run ends, as JSON and as text.
 
+use serde_json::{Value, json};
+
 use crate::dynamics::MotionError;
 use crate::integrate::{Method, Tolerance};
 use crate::model::SceneInfo;
@@ -7,99 +9,77 @@ use crate::record::Sample;
 use crate::report::table::{Table, fixed};
 use crate::scalar::{legible, rounded};
 use crate::simulate::{
-    Cost, EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, SingularityCrossed, StopReason,
+    EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, SingularityCrossed, StopReason,
 };
 
-use super::json::Json;
 use super::run_monitors::{monitors_json, monitors_text};
 
 /// The end as JSON. A run that could not start has the same keys with `null`.
-pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Json {
+pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Value {
     // a stop that holds is a row more
     let info = run.map_or(info, Run::info);
     let last = run.map(Run::last);
-    let number = |pick: &dyn Fn(&Sample<'_>) -> f64| last.as_ref().map_or(Json::Null, |last| Json::Number(pick(last)));
-    let count = |pick: fn(&Cost) -> u64| run.map_or(Json::Null, |run| Json::Count(pick(&run.cost)));
-    let by_coordinate = |pick: fn(&Sample<'_>, usize) -> f64| {
-        Json::object(info.coordinates.iter().enumerate().map(|(i, c)| (c.name, number(&|last| pick(last, i)))))
+    let named = |names: &mut dyn Iterator<Item = &'static str>, pick: fn(&Sample<'_>, usize) -> f64| -> Value {
+        names.enumerate().map(|(i, name)| (name, json!(last.map(|last| pick(&last, i))))).collect()
     };
-    let multipliers = info.rows.iter().enumerate().map(|(i, row)| (row.name, number(&|last| last.multipliers[i])));
-    let mut members = vec![
-        ("model", Json::text(info.model)),
-        ("scene", Json::text(info.name)),
-        ("method", Json::text(method.name())),
-        ("t", number(&|last| last.t)),
-        ("state", by_coordinate(|last, i| last.coordinates[i])),
-        ("rate", by_coordinate(|last, i| last.velocities[i])),
-        ("acceleration", by_coordinate(|last, i| last.accelerations[i])),
-        ("multipliers", Json::object(multipliers)),
-    ];
+    let by_coordinate = |pick| named(&mut info.coordinates.iter().map(|c| c.name), pick);
+    let mut end = json!({
+        "model": info.model,
+        "scene": info.name,
+        "method": method.name(),
+        "t": last.map(|last| last.t),
+        "state": by_coordinate(|last, i| last.coordinates[i]),
+        "rate": by_coordinate(|last, i| last.velocities[i]),
+        "acceleration": by_coordinate(|last, i| last.accelerations[i]),
+        "multipliers": named(&mut info.rows.iter().map(|row| row.name), |last, i| last.multipliers[i]),
+    });
     if info.n_inputs() > 0 {
-        let inputs = info.inputs.iter().enumerate().map(|(i, input)| (input.name, number(&|last| last.inputs[i])));
-        members.push(("inputs", Json::object(inputs)));
+        end["inputs"] = named(&mut info.inputs.iter().map(|input| input.name), |last, i| last.inputs[i]);
     }
     if info.n_outputs() > 0 {
-        let outputs = info.outputs.iter().enumerate().map(|(i, output)| (output.name, number(&|last| last.outputs[i])));
-        members.push(("outputs", Json::object(outputs)));
+        end["outputs"] = named(&mut info.outputs.iter().map(|output| output.name), |last, i| last.outputs[i]);
     }
     if !info.events.is_empty() || info.stick_slip.is_some() || info.stop.is_some() {
-        let events = run.map_or(&[][..], Run::events).iter().map(|occurred| {
-            Json::object([("name", Json::text(occurred.event.name)), ("t", Json::Number(occurred.state.t))])
-        });
-        members.push(("events", Json::list(events)));
+        let events = run.map_or(&[][..], Run::events).iter();
+        end["events"] = events.map(|occurred| json!({ "name": occurred.event.name, "t": occurred.state.t })).collect();
     }
-    members.extend([
-        (
-            "energy",
-            Json::object([
-                ("kinetic", number(&|last| last.energy.kinetic)),
-                ("potential", number(&|last| last.energy.potential)),
-                ("work", number(&|last| last.energy.work)),
-                ("balance", number(&|last| last.energy.balance)),
-            ]),
-        ),
-        (
-            "residual",
-            Json::object([
-                ("position", number(&|last| last.position_residual)),
-                ("velocity", number(&|last| last.velocity_residual)),
-            ]),
-        ),
-        ("monitors", monitors_json(run.map(|run| &run.monitors))),
-        ("stiff_since", run.and_then(|run| run.stiff_since_s).map_or(Json::Null, Json::Number)),
-        (
-            "cost",
-            Json::object([
-                ("steps", count(|cost| cost.steps)),
-                ("rejected", count(|cost| cost.rejected)),
-                ("evaluations", count(|cost| cost.evaluations)),
-                ("factorizations", count(|cost| cost.factorizations)),
-                ("seconds", run.map_or(Json::Null, |run| Json::Number(run.cost.seconds))),
-            ]),
-        ),
-        ("outcome", Json::text(outcome)),
-    ]);
+    let energy = last.map(|last| last.energy);
+    end["energy"] = json!({
+        "kinetic": energy.map(|energy| energy.kinetic),
+        "potential": energy.map(|energy| energy.potential),
+        "work": energy.map(|energy| energy.work),
+        "balance": energy.map(|energy| energy.balance),
+    });
+    end["residual"] = json!({
+        "position": last.map(|last| last.position_residual),
+        "velocity": last.map(|last| last.velocity_residual),
+    });
+    end["monitors"] = monitors_json(run.map(|run| &run.monitors));
+    end["stiff_since"] = json!(run.and_then(|run| run.stiff_since_s));
+    let cost = run.map(|run| run.cost);
+    end["cost"] = json!({
+        "steps": cost.map(|cost| cost.steps),
+        "rejected": cost.map(|cost| cost.rejected),
+        "evaluations": cost.map(|cost| cost.evaluations),
+        "factorizations": cost.map(|cost| cost.factorizations),
+        "seconds": cost.map(|cost| cost.seconds),
+    });
+    end["outcome"] = json!(outcome);
     if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.intervals.is_empty()) {
-        members.push(("rank", Json::List(rank.intervals.iter().map(spell_json).collect())));
+        end["rank"] = rank.intervals.iter().map(interval_json).collect();
     }
     if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.crossings.is_empty()) {
-        let of = |crossed: &SingularityCrossed| {
-            Json::object([("from", Json::Number(crossed.from_s)), ("to", Json::Number(crossed.to_s))])
-        };
-        members.push(("crossings", Json::list(rank.crossings.iter().map(of))));
+        let of = |SingularityCrossed { from_s, to_s }: &SingularityCrossed| json!({ "from": from_s, "to": to_s });
+        end["crossings"] = rank.crossings.iter().map(of).collect();
     }
-    Json::object(members)
+    end
 }
 
 /// An interval in which constraints were redundant.
-fn spell_json(interval: &RankDeficientInterval) -> Json {
-    Json::object([
-        ("from", Json::Number(interval.from_s)),
-        ("to", Json::Number(interval.to_s)),
-        ("redundant", interval.loss.n_redundant.map_or(Json::Null, |n| Json::Count(n as u64))),
-        ("freedom", interval.loss.freedom().map_or(Json::Null, |n| Json::Count(n as u64))),
-        ("rows", Json::List(interval.loss.rows.iter().map(|row| Json::text(*row)).collect())),
-    ])
+fn interval_json(RankDeficientInterval { from_s, to_s, loss }: &RankDeficientInterval) -> Value {
+    json!({
+        "from": from_s, "to": to_s, "redundant": loss.n_redundant, "freedom": loss.freedom(), "rows": loss.rows,
+    })
 }
 
 /// The end as text.

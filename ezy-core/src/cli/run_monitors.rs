@@ -1,47 +1,34 @@
 //! The monitors of a run, as JSON and as text.
 
+use serde_json::{Value, json};
+
 use crate::report::table::fixed;
 use crate::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Run};
 
-use super::json::Json;
-
 /// The monitors as JSON; of a run that could not start the same keys, all `null`.
-pub(super) fn monitors_json(monitors: Option<&Monitors>) -> Json {
-    let peak = |pick: fn(&Monitors) -> Option<Peak>| monitors.and_then(pick).map_or(Json::Null, peak_json);
-    let step = |i: usize| monitors.and_then(|m| m.steps_s).map_or(Json::Null, |steps_s| Json::Number(steps_s[i]));
-    Json::object([
-        ("position_residual", peak(|m| m.position_residual)),
-        ("velocity_residual", peak(|m| m.velocity_residual)),
-        ("position_drift", peak(|m| m.position_drift)),
-        ("velocity_drift", peak(|m| m.velocity_drift)),
-        ("energy", monitors.and_then(|m| m.energy).map_or(Json::Null, energy_json)),
-        ("smallest_pivot", monitors.and_then(|m| m.pivot).map_or(Json::Null, pivot_json)),
-        ("condition", monitors.and_then(|m| m.condition).map_or(Json::Null, condition_json)),
-        ("shortest_step", step(0)),
-        ("longest_step", step(1)),
-    ])
-}
-
-fn peak_json(Peak { value, t, row }: Peak) -> Json {
-    Json::object([("value", Json::Number(value)), ("t", Json::Number(t)), ("row", Json::text(row))])
-}
-
-fn energy_json(EnergyError { joules, relative, t }: EnergyError) -> Json {
-    Json::object([("balance", Json::Number(joules)), ("relative", Json::Number(relative)), ("t", Json::Number(t))])
-}
-
-fn pivot_json(LeastPivot { value, t }: LeastPivot) -> Json {
-    Json::object([("value", Json::Number(value)), ("t", Json::Number(t))])
-}
-
-fn condition_json(ConditionPeak { at_start, largest, pivot, unknown, t }: ConditionPeak) -> Json {
-    Json::object([
-        ("at_start", Json::Number(at_start)),
-        ("largest", Json::Number(largest)),
-        ("t", Json::Number(t)),
-        ("smallest_pivot", Json::Number(pivot)),
-        ("pivot_of", unknown.map_or(Json::Null, Json::text)),
-    ])
+pub(super) fn monitors_json(monitors: Option<&Monitors>) -> Value {
+    let peak = |pick: fn(&Monitors) -> Option<Peak>| {
+        let peak = monitors.and_then(pick);
+        peak.map(|Peak { value, t, row }| json!({ "value": value, "t": t, "row": row }))
+    };
+    let energy = monitors.and_then(|m| m.energy);
+    let condition = monitors.and_then(|m| m.condition);
+    let steps_s = monitors.and_then(|m| m.steps_s);
+    json!({
+        "position_residual": peak(|m| m.position_residual),
+        "velocity_residual": peak(|m| m.velocity_residual),
+        "position_drift": peak(|m| m.position_drift),
+        "velocity_drift": peak(|m| m.velocity_drift),
+        "energy": energy.map(|EnergyError { joules, relative, t }| {
+            json!({ "balance": joules, "relative": relative, "t": t })
+        }),
+        "smallest_pivot": monitors.and_then(|m| m.pivot).map(|LeastPivot { value, t }| json!({ "value": value, "t": t })),
+        "condition": condition.map(|ConditionPeak { at_start, largest, pivot, unknown, t }| json!({
+            "at_start": at_start, "largest": largest, "t": t, "smallest_pivot": pivot, "pivot_of": unknown,
+        })),
+        "shortest_step": steps_s.map(|[shortest, _]| shortest),
+        "longest_step": steps_s.map(|[_, longest]| longest),
+    })
 }
 
 /// The monitors as lines of text.

@@ -4,13 +4,15 @@ mod json;
 mod latex;
 mod text;
 
+use serde_json::{Value, json};
+
 use crate::model::coordinate::{N_OF_BODY, body_and_component};
 use crate::model::{EliminationStep, SceneInfo, SeriesInfo, TemplateInfo};
 
 use super::Models;
 use super::arguments::{Format, ShowArguments};
 use super::failure::{Failure, print};
-use super::json::Json;
+use super::json::print_json;
 use super::selection::find;
 
 pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), Failure> {
@@ -18,17 +20,17 @@ pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), 
     let all = selection.model.scenes.iter();
     let chosen = all.filter(|entry| selection.scene.is_none_or(|scene| scene.name == entry.name));
     let infos: Vec<&SceneInfo> = chosen.map(|entry| (entry.info)()).collect();
-    let each = |write: fn(&SceneInfo) -> String| infos.iter().map(|info| write(info) + "\n").collect();
-    let text: String = match (arguments.format, &infos[..]) {
-        (Format::Text, _) => each(text::scene),
-        (Format::Latex, _) => each(latex::scene),
-        (Format::Json, [info]) if selection.scene.is_some() => format!("{}\n", json::scene(info)),
+    let text =
+        |write: fn(&SceneInfo) -> String| print(&infos.iter().map(|info| write(info) + "\n").collect::<String>());
+    match (arguments.format, &infos[..]) {
+        (Format::Text, _) => text(text::scene),
+        (Format::Latex, _) => text(latex::scene),
+        (Format::Json, [info]) if selection.scene.is_some() => print_json(&json::scene(info)),
         (Format::Json, _) => {
-            let scenes = Json::list(infos.iter().map(|info| json::scene(info)));
-            format!("{}\n", Json::object([("model", Json::text(selection.model.name)), ("scenes", scenes)]))
+            let scenes: Value = infos.iter().map(|info| json::scene(info)).collect();
+            print_json(&json!({ "model": selection.model.name, "scenes": scenes }))
         }
-    };
-    print(&text)
+    }
 }
 
 /// Independent positions and velocities: coordinates less rows, which are independent in a sound scene.

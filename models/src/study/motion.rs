@@ -4,7 +4,7 @@ use ezy_core::dynamics::System;
 use ezy_core::integrate::Method;
 use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
-use ezy_core::record::{Sample, find_name};
+use ezy_core::record::{Sample, coordinate_index, find_name};
 use ezy_core::simulate::{Run, Simulation};
 
 use super::error::StudyError;
@@ -55,8 +55,7 @@ impl<'s> Motion<'s> {
 
     /// The applied force that belongs to a coordinate, N or N m.
     pub fn force(&self, coordinate: &str) -> Result<Vec<f64>, StudyError> {
-        let names = self.scene.info().coordinates.iter().map(|c| c.name);
-        let i = find_name("coordinate", coordinate, names)?;
+        let i = coordinate_index(self.scene.info(), coordinate)?;
         let mut force = vec![0.0; self.scene.info().n_coordinates()];
         let component = |sample: Sample<'_>| {
             self.scene.applied_force(&self.fixed, sample.t, sample.coordinates, sample.velocities, &mut force);

@@ -3,7 +3,7 @@
 use ezy_core::dynamics::System;
 use ezy_core::linalg::Backend;
 use ezy_core::model::{Scene, SceneInfo};
-use ezy_core::record::find_name;
+use ezy_core::record::{coordinate_index, find_name};
 
 use super::claims::Findings;
 use super::error::StudyError;
@@ -23,7 +23,7 @@ pub fn slips(found: &Findings<'_>, driven: &Driven) -> Result<Vec<[String; 4]>, 
     other.set_parameter(d, OTHER_D_M);
     let mut system = System::new(&other, Backend::Auto)?;
     let other_start = system.consistent_start(&system.scene_start())?;
-    let bar_rate = find_name("velocity", "bar.omega", coast_info.coordinates.iter().map(|c| c.velocity_name))?;
+    let bar_rate = coordinate_index(coast_info, "bar.phi")?;
     let mut system = System::new(driven, Backend::Auto)?;
     let listed = system.position_residual(0.0, &LISTED_START);
     let (wheel, centre) =
@@ -34,10 +34,7 @@ pub fn slips(found: &Findings<'_>, driven: &Driven) -> Result<Vec<[String; 4]>, 
     let path_end = wheel.1.last().copied().unwrap_or(f64::NAN);
     let n_q = coast_info.n_coordinates();
     let index = |row: &str| find_name("row", row, coast_info.rows.iter().map(|r| r.name));
-    let cosine = |name: &str| {
-        let names = coast_info.coordinates.iter().map(|c| c.name);
-        find_name("coordinate", name, names).map(|i| other_start.q[i].cos())
-    };
+    let cosine = |name: &str| coordinate_index(coast_info, name).map(|i| other_start.q[i].cos());
     Ok(vec![
         row(
             ["(a)", "hinge Jacobian, row 2, column 5: 1", "the opposite sign"],
@@ -128,6 +125,6 @@ fn typeset(text: &str) -> String {
 
 fn entry(info: &SceneInfo, row: &str, coordinate: &str) -> Result<&'static str, StudyError> {
     let i = find_name("row", row, info.rows.iter().map(|r| r.name))?;
-    let j = find_name("coordinate", coordinate, info.coordinates.iter().map(|c| c.name))?;
+    let j = coordinate_index(info, coordinate)?;
     Ok(info.jacobian.entries().find(|e| (e.1, e.2) == (i, j)).map_or("0", |(k, _, _)| info.jacobian_entries[k].text))
 }

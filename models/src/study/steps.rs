@@ -4,7 +4,7 @@ use ezy_core::dynamics::{Projection, State, System};
 use ezy_core::integrate::Method;
 use ezy_core::linalg::Backend;
 use ezy_core::model::{Equations, Scene};
-use ezy_core::record::find_name;
+use ezy_core::record::coordinate_index;
 use ezy_core::report::figure::Figure;
 use ezy_core::report::page::Page;
 use ezy_core::report::table::Table;
@@ -198,8 +198,7 @@ fn right_endpoint_sum(motion: &Motion<'_>) -> Result<Vec<f64>, StudyError> {
 /// small. Nothing is projected: the drift of one minute is far below the gap.
 fn right_endpoint_gap(driven: &Driven, step_s: f64) -> Result<f64, StudyError> {
     let info = driven.info();
-    let index = |name: &str| find_name("coordinate", name, info.coordinates.iter().map(|c| c.name));
-    let (seat, bar) = (index("seat.phi")?, index("bar.phi")?);
+    let (seat, bar) = (coordinate_index(info, "seat.phi")?, coordinate_index(info, "bar.phi")?);
     let system = System::new(driven, Backend::Auto)?;
     let mut force = vec![0.0; info.n_coordinates()];
     let mut stepper = Simulation::new(driven).method(Method::rk4(step_s)).project(Projection::None).stepper()?;

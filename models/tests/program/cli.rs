@@ -16,8 +16,11 @@ fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&output(arguments)).expect("output is JSON")
 }
 
+/// The keys of an object, sorted.
 fn keys(value: &Value) -> Vec<&str> {
-    value.as_object().expect("an object").keys().map(String::as_str).collect()
+    let mut keys: Vec<&str> = value.as_object().expect("an object").keys().map(String::as_str).collect();
+    keys.sort_unstable();
+    keys
 }
 
 const COORDINATES: [&str; 6] = ["bar.phi", "bar.x", "bar.y", "seat.phi", "seat.x", "seat.y"];

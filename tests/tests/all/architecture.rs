@@ -1,6 +1,7 @@
 //! ARCHITECTURE.md and docs/decisions tell the truth: their paths exist, and layers import only what the page allows. The macro
 //! does not depend on the crate that it writes for: what stands in both is alike.
 
+use crate::circles::{self, modules};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -48,60 +49,16 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// A layer is one file, or a folder with or without a file beside it.
-fn files(layer: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let mut open = vec![layer.to_path_buf(), layer.with_extension("rs")];
-    while let Some(path) = open.pop() {
-        if path.is_dir() {
-            open.extend(fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
-        } else if path.extension().is_some_and(|extension| extension == "rs") && path.exists() {
-            found.push(path);
-        }
-    }
-    found
-}
-
-/// What follows `crate::` in a file; a group `crate::{a, b::c}` counts with each of its members.
-fn imports(text: &str) -> Vec<String> {
-    let code: String = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
-    let word = |rest: &str| rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
-    let mut out = Vec::new();
-    for rest in code.split("crate::").skip(1) {
-        match rest.strip_prefix('{') {
-            Some(group) => {
-                let group = group.split(';').next().unwrap_or_default();
-                let mut depth = 0;
-                for part in group.split_inclusive([',', '{', '}']) {
-                    if depth == 0 {
-                        out.push(word(part.trim()));
-                    }
-                    depth += part.matches('{').count() as i32 - part.matches('}').count() as i32;
-                }
-            }
-            None => out.push(word(rest)),
-        }
-    }
-    out.retain(|name| !name.is_empty());
-    out
-}
-
 fn check(source: &str, layers: &[(&str, &[&str])]) {
-    let all: Vec<&str> = layers.iter().map(|(layer, _)| *layer).collect();
+    let texts = modules(source);
     for (layer, allowed) in layers {
-        let found = files(&root().join(source).join(layer));
-        assert!(!found.is_empty(), "{source}/{layer} is gone");
-        for file in found {
-            let text = fs::read_to_string(&file).unwrap();
-            // the unit tests of a layer may use what they like
-            let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
-            for import in imports(text) {
-                let ok = !all.contains(&import.as_str()) || allowed.contains(&import.as_str());
-                assert!(
-                    ok || file.components().any(|part| part.as_os_str() == "tests"),
-                    "{} imports `{import}`",
-                    file.display()
-                );
+        let of_layer = || texts.iter().filter(|(module, _)| module.first().is_some_and(|first| first == layer));
+        assert!(of_layer().next().is_some(), "{source}/{layer} is gone");
+        // the unit tests of a layer may use what they like
+        for (module, text) in of_layer().filter(|(module, _)| !module.iter().any(|name| name == "tests")) {
+            for import in circles::paths(text).iter().filter(|path| path[0] == "crate").map(|path| path[1].as_str()) {
+                let is_layer = layers.iter().any(|(layer, _)| *layer == import);
+                assert!(!is_layer || allowed.contains(&import), "{source}/{} imports `{import}`", module.join("/"));
             }
         }
     }
@@ -191,17 +148,17 @@ fn invariant_decisions_are_listed_and_complete() {
 const SHARED: [&str; 2] = ["PIVOT_TOLERANCE", "PRODUCT_GROUP"];
 
 /// What a crate says of a constant: type and value, each time it is defined.
-fn definitions(source: &Path, name: &str) -> Vec<String> {
+fn definitions(source: &str, name: &str) -> Vec<String> {
     let begin = format!("const {name}: ");
-    let texts = files(source).into_iter().map(|file| fs::read_to_string(file).unwrap());
-    let found = |text: String| text.lines().filter_map(|line| Some(line.split_once(&begin)?.1.to_owned())).collect();
-    texts.flat_map::<Vec<String>, _>(found).collect()
+    let texts = modules(source);
+    let lines = texts.values().flat_map(|text| text.lines());
+    lines.filter_map(|line| Some(line.split_once(&begin)?.1.to_owned())).collect()
 }
 
 #[test]
 fn cross_constants_of_macro_and_core_agree() {
     for name in SHARED {
-        let [derive, core] = ["ezy-derive/src", "ezy-core/src"].map(|source| definitions(&root().join(source), name));
+        let [derive, core] = ["ezy-derive/src", "ezy-core/src"].map(|source| definitions(source, name));
         assert_eq!((derive.len(), &derive), (1, &core), "{name} is defined once in each crate, and alike");
     }
 }

@@ -10,7 +10,7 @@ use std::path::Path;
 const LEFT_IN_CORE: &[(&str, &[&str])] = &[];
 
 /// The names of a module and those around it, from the root of the crate.
-type Module = Vec<String>;
+pub type Module = Vec<String>;
 
 #[test]
 fn invariant_files_of_the_macro_have_no_circles() {
@@ -36,9 +36,7 @@ fn analytic_circle_is_found_through_exports_and_groups() {
 }
 
 fn check(source: &str, known: &[(&str, &[&str])]) {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(source);
-    let mut texts = BTreeMap::new();
-    read(&root, &Module::new(), &mut texts);
+    let texts = modules(source);
     assert!(texts.len() > 50, "{source} has {} files", texts.len());
     let found = circles(&Crate::new(texts));
     let known: Vec<(String, Vec<String>)> = known
@@ -51,7 +49,13 @@ fn check(source: &str, known: &[(&str, &[&str])]) {
     assert!(gone.is_empty(), "{source}: take {gone:?} off the list");
 }
 
-/// The texts of a folder by module, without comments and tests.
+/// The texts of a crate by module, without comments and tests.
+pub fn modules(source: &str) -> BTreeMap<Module, String> {
+    let mut texts = BTreeMap::new();
+    read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(source), &Module::new(), &mut texts);
+    texts
+}
+
 fn read(folder: &Path, module: &Module, texts: &mut BTreeMap<Module, String>) {
     for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
         let name = entry.file_stem().unwrap().to_str().unwrap().to_owned();
@@ -133,7 +137,7 @@ fn split_exports(text: &str) -> (String, String) {
 }
 
 /// Every path of two names or more that does not begin with `::`; groups count with each of their members.
-fn paths(text: &str) -> Vec<Vec<String>> {
+pub fn paths(text: &str) -> Vec<Vec<String>> {
     let mut found = Vec::new();
     let mut at = 0;
     while at < text.len() {

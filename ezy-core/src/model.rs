@@ -86,7 +86,7 @@ pub struct RowInfo {
 pub struct ParameterInfo {
     /// Name in the model file and of the field.
     pub name: &'static str,
-    /// Unit as written, empty when none was declared.
+    /// Unit as written, empty when none was declared; values are in this unit.
     pub unit: &'static str,
     /// Declared value.
     pub default: f64,
@@ -100,24 +100,9 @@ pub struct ParameterInfo {
     pub symbol: Formula,
 }
 
-/// A number that the caller sets during a run: by a controller, a table or a learning program.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InputInfo {
-    /// Name in the model file.
-    pub name: &'static str,
-    /// Unit as written, empty when none was declared; the input is set in this unit.
-    pub unit: &'static str,
-    /// Value until it is set.
-    pub default: f64,
-    /// Declared value as written.
-    pub default_text: &'static str,
-    /// Doc comment of the declaration.
-    pub documentation: &'static str,
-    /// The effect that declares it; `None` when the model itself does.
-    pub effect: Option<&'static str>,
-    /// How it is printed in equations.
-    pub symbol: Formula,
-}
+/// A number that the caller sets during a run: by a controller, a table or a learning program. It has the declared value
+/// until it is set.
+pub type InputInfo = ParameterInfo;
 
 /// A number that a scene computes from its state on request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

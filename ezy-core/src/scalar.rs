@@ -1,5 +1,20 @@
 //! The numbers that kernels run on.
 
+/// An operator of a number: what it gives for two of them.
+macro_rules! operator {
+    ([$($generics:tt)*] $number:ty, $operator:ident::$method:ident, $inline:meta, |$a:ident, $b:ident| $result:expr) => {
+        impl<$($generics)*> std::ops::$operator for $number {
+            type Output = Self;
+
+            #[$inline]
+            fn $method(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                $result
+            }
+        }
+    };
+}
+
 mod double_double;
 mod dual;
 mod lanes;

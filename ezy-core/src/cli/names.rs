@@ -1,6 +1,6 @@
 //! Names that the command line gives values to.
 
-use crate::model::{ModelInfo, Scene, SceneEntry, SceneInfo};
+use crate::model::{ModelInfo, ParameterInfo, Scene, SceneEntry, SceneInfo};
 use crate::record::{UnknownName, find_name, input_index};
 
 use super::Models;
@@ -65,8 +65,8 @@ fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize,
     let info = (entry.info)();
     let parameters = info.parameters.iter().map(|parameter| parameter.name);
     let known = parameters.chain(info.counts().iter().map(|count| count.name));
-    let declared = |info: &SceneInfo| info.parameters.iter().map(|p| (p.name, p.effect)).collect();
-    find_name("parameter", name, known).map_err(|unknown| of_another_scene(model, entry, unknown, &declared))
+    find_name("parameter", name, known)
+        .map_err(|unknown| of_another_scene(model, entry, unknown, |info| info.parameters))
 }
 
 /// That no start value or input is given twice, and that inputs exist.
@@ -82,33 +82,26 @@ pub(super) fn check_assignments(
 }
 
 fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
-    let declared = |info: &SceneInfo| info.inputs.iter().map(|i| (i.name, i.effect)).collect();
     let found = input_index((entry.info)(), name);
-    found.map(|_| ()).map_err(|unknown| of_another_scene(model, entry, unknown, &declared))
+    found.map(|_| ()).map_err(|unknown| of_another_scene(model, entry, unknown, |info| info.inputs))
 }
 
-/// Names with the effects that declare them.
-type Declared = Vec<(&'static str, Option<&'static str>)>;
-
-/// What is not known here may belong to an effect that other scenes call for; `declared` lists names with their effects.
+/// What is not known here may belong to an effect that other scenes call for.
 fn of_another_scene(
     model: &ModelInfo,
     entry: &SceneEntry,
     unknown: UnknownName,
-    declared: &dyn Fn(&SceneInfo) -> Declared,
+    declared: fn(&SceneInfo) -> &'static [ParameterInfo],
 ) -> Failure {
     let (kind, name) = (unknown.kind, unknown.name.as_str());
-    let effect_in = |other: &SceneEntry| {
-        let all = declared((other.info)());
-        all.into_iter().find(|(known, _)| *known == name).and_then(|(_, effect)| effect)
-    };
-    let others: Vec<&SceneEntry> = model.scenes.iter().filter(|other| effect_in(other).is_some()).collect();
-    let Some(effect) = others.first().and_then(|other| effect_in(other)) else { return unknown.into() };
-    let others: Vec<String> = others.iter().map(|other| path(model, other)).collect();
+    let effect_in = |other: &SceneEntry| declared((other.info)()).iter().find(|known| known.name == name)?.effect;
+    let paths = model.scenes.iter().filter(|other| effect_in(other).is_some()).map(|other| path(model, other));
+    let paths: Vec<String> = paths.collect();
+    let Some(effect) = model.scenes.iter().find_map(effect_in) else { return unknown.into() };
     Failure::wrong_use(format!(
         "{kind} `{name}` belongs to effect `{effect}`, which {} does not call for; run one that does: {}",
         path(model, entry),
-        others.join(", ")
+        paths.join(", ")
     ))
 }
 

@@ -5,7 +5,7 @@ mod tests;
 
 use super::Scalar;
 use std::array::from_fn;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::Neg;
 
 /// A number and its derivatives by `N` quantities, carried through every operation (forward differentiation).
 ///
@@ -58,43 +58,22 @@ impl<const N: usize> Dual<N> {
     }
 }
 
-impl<const N: usize> Add for Dual<N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self { value: self.value + other.value, derivatives: from_fn(|i| self.derivatives[i] + other.derivatives[i]) }
-    }
-}
-
-impl<const N: usize> Sub for Dual<N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { value: self.value - other.value, derivatives: from_fn(|i| self.derivatives[i] - other.derivatives[i]) }
-    }
-}
-
-impl<const N: usize> Mul for Dual<N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self.chain_two(other, self.value * other.value, [other.value, self.value])
-    }
-}
-
-impl<const N: usize> Div for Dual<N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        let quotient = self.value / other.value;
-        let slope = 1.0 / other.value;
-        self.chain_two(other, quotient, [slope, -quotient * slope])
-    }
-}
+operator!([const N: usize] Dual<N>, Add::add, inline(always), |a, b| Self {
+    value: a.value + b.value,
+    derivatives: from_fn(|i| a.derivatives[i] + b.derivatives[i]),
+});
+operator!([const N: usize] Dual<N>, Sub::sub, inline(always), |a, b| Self {
+    value: a.value - b.value,
+    derivatives: from_fn(|i| a.derivatives[i] - b.derivatives[i]),
+});
+operator!([const N: usize] Dual<N>, Mul::mul, inline(always), |a, b| {
+    a.chain_two(b, a.value * b.value, [b.value, a.value])
+});
+operator!([const N: usize] Dual<N>, Div::div, inline(always), |a, b| {
+    let quotient = a.value / b.value;
+    let slope = 1.0 / b.value;
+    a.chain_two(b, quotient, [slope, -quotient * slope])
+});
 
 impl<const N: usize> Neg for Dual<N> {
     type Output = Self;

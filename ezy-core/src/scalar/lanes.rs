@@ -10,7 +10,7 @@ mod sin_cos;
 mod tests;
 
 use super::Scalar;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::Neg;
 
 /// `L` numbers that go through the same operations, one a trajectory; 4 and 8 fill vector registers.
 ///
@@ -42,23 +42,10 @@ impl<const L: usize> Lanes<L> {
     }
 }
 
-macro_rules! operator {
-    ($operator:ident, $method:ident) => {
-        impl<const L: usize> $operator for Lanes<L> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                self.zip(other, f64::$method)
-            }
-        }
-    };
-}
-
-operator!(Add, add);
-operator!(Sub, sub);
-operator!(Mul, mul);
-operator!(Div, div);
+operator!([const L: usize] Lanes<L>, Add::add, inline(always), |a, b| a.zip(b, f64::add));
+operator!([const L: usize] Lanes<L>, Sub::sub, inline(always), |a, b| a.zip(b, f64::sub));
+operator!([const L: usize] Lanes<L>, Mul::mul, inline(always), |a, b| a.zip(b, f64::mul));
+operator!([const L: usize] Lanes<L>, Div::div, inline(always), |a, b| a.zip(b, f64::div));
 
 impl<const L: usize> Neg for Lanes<L> {
     type Output = Self;

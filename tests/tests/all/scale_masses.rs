@@ -1,4 +1,5 @@
-//! Chains of rods whose masses differ by ten decades and more: the problem is well conditioned, only the numbers differ.
+//! Chains of rods whose masses differ by ten decades and more: the problem is well conditioned, only the numbers differ. Their
+//! motion is in the hard cases `mass_ratio_…`.
 
 use ezy_core::prelude::*;
 
@@ -13,21 +14,6 @@ ezy_core::model! {
         hinge pin: upper(0.5, 0) ~ lower(-0.5, 0);
         gravity (0, -9.81);
         start bent { upper angle 0.3; lower angle -0.5; at rest; }
-        scene swing { start bent; until 2 s; }
-    }
-}
-
-ezy_core::model! {
-    /// A light rod between two heavy ones.
-    model Sandwich {
-        body upper { mass: 1e5, inertia: 1e5/12 }
-        body middle { mass: 1e-5, inertia: 1e-5/12 }
-        body lower { mass: 1e5, inertia: 1e5/12 }
-        hinge bearing: ground(0, 0) ~ upper(-0.5, 0);
-        hinge pin: upper(0.5, 0) ~ middle(-0.5, 0);
-        hinge tip: middle(0.5, 0) ~ lower(-0.5, 0);
-        gravity (0, -9.81);
-        start bent { upper angle 0.3; middle angle -0.5; lower angle 0.9; at rest; }
         scene swing { start bent; until 2 s; }
     }
 }
@@ -95,45 +81,4 @@ fn cross_accelerations_of_a_rope_of_light_rods_are_the_dense_ones() {
     let largest = exact.iter().fold(0.0_f64, |largest, a| largest.max(a.abs()));
     let error = crate::scenes::distance(&found, &exact) / largest;
     assert!(error <= ACCELERATIONS, "{error:.1e}");
-}
-
-/// Ten times the tolerance of the methods, and what grows from it in two seconds.
-const ANGLES: f64 = 1e-8;
-/// What a projection promises, with rounding.
-const GAPS: f64 = 1e-12;
-/// Relative to the weight of the heavy rod times a length.
-const ENERGY: f64 = 1e-11;
-
-fn assert_swing<S: Scene>(scene: &S, angles: &[f64], heaviest: f64) {
-    for method in [Method::dop853(1e-12), Method::taylor(1e-12)] {
-        let run = Simulation::new(scene).method(method).work().every(0.1).run().unwrap();
-        assert!(run.outcome.reached_end(), "{}: {}", method.name(), run.outcome);
-        let error = (angles.iter().enumerate())
-            .map(|(i, angle)| (run.last().coordinates[3 * i + 2] - angle).abs())
-            .fold(0.0, f64::max);
-        assert!(error <= ANGLES, "{}: {error:.1e} rad", method.name());
-        for sample in run.samples() {
-            assert!(sample.position_residual <= GAPS, "{}: {:.1e} m", method.name(), sample.position_residual);
-            let balance = sample.energy.balance.abs() / (9.81 * heaviest);
-            assert!(balance <= ENERGY, "{}: {balance:.1e}", method.name());
-        }
-    }
-}
-
-/// `mass_ratio_heavy_below` of `torture.json` at 2 s.
-#[test]
-fn reference_light_rod_that_carries_a_heavy_one() {
-    assert_swing(&rods(1.0, 1e10), &[-1.528469711344305, -2.8227262468960914], 1e10);
-}
-
-/// `mass_ratio_heavy_above` of `torture.json` at 2 s.
-#[test]
-fn reference_light_rod_on_a_heavy_one() {
-    assert_swing(&rods(1e10, 1.0), &[0.242246944917525, -18.933943743760707], 1e10);
-}
-
-/// `mass_ratio_sandwich` of `torture.json` at 2 s.
-#[test]
-fn reference_light_rod_between_heavy_ones() {
-    assert_swing(&sandwich::Swing::default(), &[-2.7217863553749444, -4.370155660374619, -2.2301465842326254], 1e5);
 }

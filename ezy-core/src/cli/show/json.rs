@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::model::{EventKind, Formula, SceneInfo};
+use crate::model::{EventKind, Formula, ParameterInfo, SceneInfo};
 
 use super::{freedom, kernels, with_equations};
 use crate::cli::list::counts_json;
@@ -31,8 +31,8 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
         })),
         "bodies": info.bodies,
         "coordinates": list(info.coordinates, |c| json!(c.name)),
-        "parameters": list(info.parameters, |p| json!({ "name": p.name, "unit": p.unit, "default": p.default })),
-        "inputs": list(info.inputs, |p| json!({ "name": p.name, "unit": p.unit, "default": p.default })),
+        "parameters": list(info.parameters, declared),
+        "inputs": list(info.inputs, declared),
         "outputs": list(info.outputs, |o| json!({ "name": o.name, "unit": o.unit, "value": formula(&o.formula) })),
         "events": list(info.events, |e| {
             json!({ "name": e.name, "ends": e.kind == EventKind::End, "value": formula(&e.formula) })
@@ -76,6 +76,10 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
 
 fn list<T>(items: impl IntoIterator<Item = T>, value: impl FnMut(T) -> Value) -> Value {
     items.into_iter().map(value).collect()
+}
+
+fn declared(number: &ParameterInfo) -> Value {
+    json!({ "name": number.name, "unit": number.unit, "default": number.default })
 }
 
 fn formula(formula: &Formula) -> Value {

@@ -1,6 +1,6 @@
 //! A scene as text.
 
-use crate::model::{Direction, EffectInfo, EliminationStep, Equation, EventKind, SceneInfo};
+use crate::model::{Direction, EffectInfo, EliminationStep, Equation, EventKind, ParameterInfo, SceneInfo};
 use crate::report::table::Table;
 
 use super::{OPERATIONS, freedom, kernels, pattern, pivot, series, with_equations};
@@ -51,13 +51,14 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     let counts: Vec<String> = info.repeats.iter().flat_map(|repeats| repeats.values).map(ToString::to_string).collect();
     let counts = info.counts().iter().zip(&counts).map(|(c, value)| [c.name, value, c.documentation.trim(), "", ""]);
     put(["count", "value", "what it is", "", ""], counts.collect());
-    let parameters = info.parameters.iter();
-    let parameters =
-        parameters.map(|p| [p.name, p.default_text, p.unit, p.effect.unwrap_or("-"), p.documentation.trim()]);
-    put(["parameter", "value", "unit", "effect", "what it is"], parameters.collect());
-    let inputs = info.inputs.iter();
-    let inputs = inputs.map(|p| [p.name, p.default_text, p.unit, p.effect.unwrap_or("-"), p.documentation.trim()]);
-    put(["input", "until it is set", "unit", "effect", "what it is"], inputs.collect());
+    let declared = |numbers: &'static [ParameterInfo]| {
+        let number = |p: &'static ParameterInfo| {
+            [p.name, p.default_text, p.unit, p.effect.unwrap_or("-"), p.documentation.trim()]
+        };
+        numbers.iter().map(number).collect()
+    };
+    put(["parameter", "value", "unit", "effect", "what it is"], declared(info.parameters));
+    put(["input", "until it is set", "unit", "effect", "what it is"], declared(info.inputs));
     let effects = info.effects.iter().map(|e: &EffectInfo| [e.name, e.documentation.trim(), "", "", ""]);
     put(["effect", "what it is", "", "", ""], effects.collect());
     let outputs = info.outputs.iter().map(|o| [o.name, o.unit, o.formula.text, o.documentation.trim(), ""]);

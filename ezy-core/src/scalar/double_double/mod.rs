@@ -5,7 +5,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::Neg;
 
 /// The unevaluated sum of two `f64` that do not overlap: `low` is at most half of the last place of `high`.
 ///
@@ -120,47 +120,18 @@ fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
 // Operators are calls: a kernel has hundreds of them, and inlined each is twenty instructions to be compiled for every
 // scene. What runs in loops is inlined there (`fused_in_loop`).
 
-impl Add for DoubleDouble {
-    type Output = Self;
-
-    #[inline(never)]
-    fn add(self, other: Self) -> Self {
-        sum(self, other)
-    }
-}
-
-impl Sub for DoubleDouble {
-    type Output = Self;
-
-    #[inline(never)]
-    fn sub(self, other: Self) -> Self {
-        sum(self, -other)
-    }
-}
-
-impl Mul for DoubleDouble {
-    type Output = Self;
-
-    #[inline(never)]
-    fn mul(self, other: Self) -> Self {
-        product(self, other)
-    }
-}
-
-impl Div for DoubleDouble {
-    type Output = Self;
-
-    /// Long division, digit by digit of 53 bits.
-    #[inline(never)]
-    fn div(self, other: Self) -> Self {
-        let first = self.high / other.high;
-        let rest = self - other * first.into();
-        let second = rest.high / other.high;
-        let third = (rest - other * second.into()).high / other.high;
-        let quotient = quick_two_sum(first, second);
-        quick_two_sum(quotient.high, quotient.low + third)
-    }
-}
+operator!([] DoubleDouble, Add::add, inline(never), |a, b| sum(a, b));
+operator!([] DoubleDouble, Sub::sub, inline(never), |a, b| sum(a, -b));
+operator!([] DoubleDouble, Mul::mul, inline(never), |a, b| product(a, b));
+// long division, digit by digit of 53 bits
+operator!([] DoubleDouble, Div::div, inline(never), |a, b| {
+    let first = a.high / b.high;
+    let rest = a - b * first.into();
+    let second = rest.high / b.high;
+    let third = (rest - b * second.into()).high / b.high;
+    let quotient = quick_two_sum(first, second);
+    quick_two_sum(quotient.high, quotient.low + third)
+});
 
 impl Neg for DoubleDouble {
     type Output = Self;

@@ -54,6 +54,12 @@ impl Diagnostics {
         self.warnings.push(warning);
     }
 
+    /// Keeps the error in place of a value.
+    pub fn refuse<T>(&mut self, error: syn::Error) -> Option<T> {
+        self.errors.push(error);
+        None
+    }
+
     /// The value, or `None` after keeping the error.
     pub fn keep<T>(&mut self, result: syn::Result<T>) -> Option<T> {
         result.map_err(|error| self.error(error)).ok()

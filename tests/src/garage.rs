@@ -72,6 +72,19 @@ pub fn set(scene: &mut dyn Scene, values: &[(&str, f64)]) {
 /// Names of bodies in a reference, and in the model.
 pub type Names<'n> = &'n [(&'n str, &'n str)];
 
+/// Coordinates and velocities of a body of a reference's model, by their names here.
+pub fn start_values(body: &Value) -> [(&'static str, &Value); 6] {
+    let (centre, velocity) = (&body["com"], &body["vel"]);
+    [
+        ("x", &centre[0]),
+        ("y", &centre[1]),
+        ("phi", &body["angle"]),
+        ("vx", &velocity[0]),
+        ("vy", &velocity[1]),
+        ("omega", &body["omega"]),
+    ]
+}
+
 /// Starts the named bodies where the `bodies` of a reference's model are.
 ///
 /// # Panics
@@ -83,14 +96,7 @@ pub fn start_at<'s, S: Scene + ?Sized + 's>(
 ) -> Simulation<'s, S> {
     for body in list(&model["bodies"]) {
         let Some((_, name)) = names.iter().find(|(theirs, _)| body["name"] == *theirs) else { continue };
-        for (member, value) in [
-            ("x", &body["com"][0]),
-            ("y", &body["com"][1]),
-            ("phi", &body["angle"]),
-            ("vx", &body["vel"][0]),
-            ("vy", &body["vel"][1]),
-            ("omega", &body["omega"]),
-        ] {
+        for (member, value) in start_values(body) {
             order = order.give(format!("{name}.{member}"), number(value));
         }
     }

@@ -1,5 +1,6 @@
 //! Messages about counts, arrays and `for`.
 
+use super::nearest::quoted;
 use super::{Extent, fault_with_help};
 use proc_macro2::Ident;
 
@@ -40,10 +41,7 @@ pub fn count_not_whole(at: Extent, name: &Ident, value: f64) -> syn::Error {
 pub fn unknown_index(name: &Ident, known: &[String]) -> syn::Error {
     let help = match known {
         [] => "write a whole number, or `count name = …;` and its name".to_owned(),
-        known => format!(
-            "counts and indices here: {}",
-            known.iter().map(|k| format!("`{k}`")).collect::<Vec<_>>().join(", ")
-        ),
+        known => format!("counts and indices here: {}", quoted(known)),
     };
     fault_with_help(name, format_args!("`{name}` is neither a count nor the index of a `for` around"), help)
 }

@@ -38,8 +38,7 @@ impl Context<'_> {
     /// The slot of a member of an array of bodies.
     pub fn body_member(&mut self, array: usize, name: &ast::Name) -> Option<BodyId> {
         if name.indices.is_empty() {
-            self.diag.error(repeats::without_index(name, "an array of bodies"));
-            return None;
+            return self.diag.refuse(repeats::without_index(name, "an array of bodies"));
         }
         let lengths = self.arrays[array].lengths.clone();
         let index = self.indices_of(name, lengths.len())?;
@@ -50,8 +49,7 @@ impl Context<'_> {
             if let Some(wrong) = self.extremes(index).into_iter().find(|value| !(0..length).contains(value)) {
                 let counts = self.counts.iter().map(|(name, value)| format!("{name} = {value}"));
                 let counts = if known { String::new() } else { counts.collect::<Vec<_>>().join(", ") };
-                self.diag.error(repeats::out_of_range(at.extent(), name, wrong, length, &counts));
-                return None;
+                return self.diag.refuse(repeats::out_of_range(at.extent(), name, wrong, length, &counts));
             }
         }
         Some(self.slot(array, index))
@@ -71,8 +69,7 @@ impl Context<'_> {
         let indices: Vec<Option<Whole>> = name.indices.iter().map(|index| self.whole(index)).collect();
         let indices: Option<Vec<Whole>> = indices.into_iter().collect();
         if name.indices.len() != wanted {
-            self.diag.error(repeats::number_of_indices(name.into(), name, wanted, name.indices.len()));
-            return None;
+            return self.diag.refuse(repeats::number_of_indices(name.into(), name, wanted, name.indices.len()));
         }
         indices
     }
@@ -111,8 +108,7 @@ impl Context<'_> {
         if name.indices.is_empty() {
             return Some(());
         }
-        self.diag.error(repeats::index_on_single(Extent::from(name), name, what));
-        None
+        self.diag.refuse(repeats::index_on_single(Extent::from(name), name, what))
     }
 
     /// Reports a member that is used as a value.

@@ -22,8 +22,7 @@ impl Context<'_> {
         let (value, _) = self.difference([left, right], sign, &purpose, &format!("a side of {what}"))?;
         if motion(&value) == Motion::Parameters {
             let at = Extent { first: left.extent().first, last: right.extent().last };
-            self.diag.error(scenes::condition_never_changes(at, what));
-            return None;
+            return self.diag.refuse(scenes::condition_never_changes(at, what));
         }
         Some(value)
     }

@@ -22,10 +22,7 @@ impl Context<'_> {
             Form::Vector(x, y) => [literal(x), literal(y)],
         };
         match components.into_iter().flatten().find(|x| !x.is_finite()) {
-            Some(number) => {
-                self.diag.error(values::constant_not_finite(expr.extent(), "this expression", number));
-                None
-            }
+            Some(number) => self.diag.refuse(values::constant_not_finite(expr.extent(), "this expression", number)),
             None => Some(value),
         }
     }
@@ -46,8 +43,7 @@ impl Context<'_> {
                 let (left, right) = (self.value(left, purpose), self.value(right, purpose));
                 let by_zero = |value: &Value| matches!(&value.form, Form::Scalar(x) if literal(x) == Some(0.0));
                 if *operator == Operator::Divide && right.as_ref().is_some_and(by_zero) {
-                    self.diag.error(values::division_by_zero(*span));
-                    return None;
+                    return self.diag.refuse(values::division_by_zero(*span));
                 }
                 let result = left?.binary(*operator, *span, right?);
                 self.diag.keep(result)
@@ -90,8 +86,7 @@ impl Context<'_> {
     ) -> Option<(Expr, Expr)> {
         let value = self.value(expr, purpose)?;
         let Form::Vector(x, y) = value.form else {
-            self.diag.error(values::expected_vector(expr.extent(), what));
-            return None;
+            return self.diag.refuse(values::expected_vector(expr.extent(), what));
         };
         self.check_dimension(expr, what, value.measure, dimension)?;
         Some((x, y))
@@ -108,8 +103,7 @@ impl Context<'_> {
         let [left, right] = sides.map(|side| self.value(side, purpose));
         let (left, right) = (left?, right?);
         if let Some((a, b)) = left.measure.known().zip(right.measure.known()).filter(|(a, b)| a != b) {
-            self.diag.error(values::unlike_sides(at, sign, &a.in_words(), &b.in_words()));
-            return None;
+            return self.diag.refuse(values::unlike_sides(at, sign, &a.in_words(), &b.in_words()));
         }
         let measure = left.measure.or(right.measure);
         let (a, b) = (self.as_scalar(left, sides[0], what)?, self.as_scalar(right, sides[1], what)?);
@@ -118,8 +112,7 @@ impl Context<'_> {
 
     fn as_scalar(&mut self, value: Value, expr: &ast::Expr, what: &str) -> Option<Expr> {
         let Form::Scalar(scalar) = value.form else {
-            self.diag.error(values::expected_scalar(expr.extent(), what));
-            return None;
+            return self.diag.refuse(values::expected_scalar(expr.extent(), what));
         };
         Some(scalar)
     }
@@ -134,8 +127,7 @@ impl Context<'_> {
     ) -> Option<()> {
         match found.known().zip(wanted) {
             Some((found, wanted)) if found != wanted => {
-                self.diag.error(values::wrong_dimension(expr.extent(), what, &found.in_words(), &wanted.in_words()));
-                None
+                self.diag.refuse(values::wrong_dimension(expr.extent(), what, &found.in_words(), &wanted.in_words()))
             }
             _ => Some(()),
         }
@@ -184,18 +176,13 @@ impl Context<'_> {
             Some(Symbol::Broken) => None,
             Some(symbol) => {
                 let members = Self::members(symbol);
-                self.diag.error(names::not_a_value(name, symbol.what(), members));
-                None
+                self.diag.refuse(names::not_a_value(name, symbol.what(), members))
             }
-            None if name == "ground" => {
-                self.diag.error(names::not_a_value(name, "the fixed ground", &[]));
-                None
-            }
+            None if name == "ground" => self.diag.refuse(names::not_a_value(name, "the fixed ground", &[])),
             None => {
                 let error =
                     self.names.unknown(name, |known| names::unknown(name, names::VALUE, &known.values(purpose.scope)));
-                self.diag.error(error);
-                None
+                self.diag.refuse(error)
             }
         }
     }
@@ -210,8 +197,7 @@ impl Context<'_> {
         match &purpose.limit {
             Some((what, limit)) if motion > *limit => {
                 let remedy = if purpose.is_stop { remedy_in_stop(motion) } else { remedy(motion, *limit) };
-                self.diag.error(values::must_not_move(at, what, motion.text(), remedy));
-                None
+                self.diag.refuse(values::must_not_move(at, what, motion.text(), remedy))
             }
             _ => Some(()),
         }
@@ -228,8 +214,7 @@ impl Context<'_> {
         if zero(&x) && zero(&y) {
             let last = direction.y.extent().last;
             let at = crate::diag::Extent { first: direction.x.extent().first, last };
-            self.diag.error(rules::direction_without_length(at, &direction.body));
-            return None;
+            return self.diag.refuse(rules::direction_without_length(at, &direction.body));
         }
         Some(Direction { body, x, y })
     }

@@ -94,16 +94,14 @@ impl Context<'_> {
         let written_out = WRITTEN_OUT.iter().find(|(known, ..)| function == known);
         let arity = scalar.map(|(known, _)| known.arity()).or(written_out.map(|(_, arity, _)| *arity));
         if let Some(arity) = arity.filter(|arity| *arity != arguments.len()) {
-            self.diag.error(values::arity(function, arity, arguments.len()));
-            return None;
+            return self.diag.refuse(values::arity(function, arity, arguments.len()));
         }
         match (scalar, written_out) {
             (Some((function, rule)), _) => self.scalar_call(*function, *rule, arguments, purpose),
             (_, Some((.., call))) => call(self, arguments, purpose),
             _ => {
                 let error = self.not_a_function(function, Extent { first: function.span(), last: end }, purpose);
-                self.diag.error(error);
-                None
+                self.diag.refuse(error)
             }
         }
     }
@@ -215,8 +213,7 @@ impl Context<'_> {
         let names = arguments.iter().map(ast::Expr::as_name).collect::<Option<Vec<_>>>();
         let Some([point, body]) = names.as_deref() else {
             let other = arguments.iter().find(|argument| argument.as_name().is_none())?;
-            self.diag.error(values::expected_name(other.extent(), "slip_angle", "slip_angle(A, seat)"));
-            return None;
+            return self.diag.refuse(values::expected_name(other.extent(), "slip_angle", "slip_angle(A, seat)"));
         };
         let velocity = self.member(point, &Ident::new("v", point.span()), purpose);
         let (velocity, body) = (velocity?, self.body(body, false)?);

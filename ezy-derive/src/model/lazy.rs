@@ -23,14 +23,12 @@ impl Context<'_> {
             State::Done(value) => return Some(value.clone()),
             State::Faulty => return None,
             State::InWork => {
-                self.diag.error(values::cyclic_let(at, &source.name));
-                return None;
+                return self.diag.refuse(values::cyclic_let(at, &source.name));
             }
             State::Waiting => {}
         }
         if self.n_lets_in_work == MAX_LETS_IN_WORK {
-            self.diag.error(values::let_used_too_early(&source.name));
-            return None;
+            return self.diag.refuse(values::let_used_too_early(&source.name));
         }
         self.lets[id].state = State::InWork;
         self.n_lets_in_work += 1;
@@ -65,17 +63,12 @@ impl Context<'_> {
                 }
                 Some(Symbol::Broken) => None,
                 Some(symbol) => {
-                    self.diag.error(names::not_a_place(name, symbol.what(), matches!(symbol, Symbol::Body(_))));
-                    None
+                    self.diag.refuse(names::not_a_place(name, symbol.what(), matches!(symbol, Symbol::Body(_))))
                 }
-                None if name.word == "ground" => {
-                    self.diag.error(names::not_a_place(name, "the fixed ground", true));
-                    None
-                }
+                None if name.word == "ground" => self.diag.refuse(names::not_a_place(name, "the fixed ground", true)),
                 None => {
                     let error = self.names.unknown(name, |known| names::unknown(name, names::POINT, &known.places()));
-                    self.diag.error(error);
-                    None
+                    self.diag.refuse(error)
                 }
             },
         }
@@ -87,8 +80,7 @@ impl Context<'_> {
             State::Done(place) => return Some(place.clone()),
             State::Faulty => return None,
             State::InWork => {
-                self.diag.error(rules::cyclic_place(at));
-                return None;
+                return self.diag.refuse(rules::cyclic_place(at));
             }
             State::Waiting => {}
         }
@@ -136,8 +128,7 @@ impl Context<'_> {
                 names::unknown(name, names::BODY, &[ground, &self.names.bodies()].concat())
             }
         };
-        self.diag.error(error);
-        None
+        self.diag.refuse(error)
     }
 }
 

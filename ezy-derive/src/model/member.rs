@@ -59,8 +59,7 @@ impl Context<'_> {
             } else {
                 self.names.unknown(owner, |known| names::unknown(owner, names::OWNER, &known.owners()))
             };
-            self.diag.error(error);
-            return None;
+            return self.diag.refuse(error);
         };
         if symbol == Symbol::Broken {
             return None;
@@ -68,11 +67,10 @@ impl Context<'_> {
         let members = Self::members(symbol);
         let known = members.iter().find(|known| member == *known);
         let Some((shape, rate)) = known.and_then(|known| Shape::of(known)) else {
-            self.diag.error(match members {
+            return self.diag.refuse(match members {
                 [] => names::no_members(member, owner, symbol.what()),
                 _ => names::unknown_member(member, owner, symbol.what(), members),
             });
-            return None;
         };
         let value = self.member_value(owner, symbol, shape, rate)?;
         let moving = if rate { Motion::Velocity } else { Motion::Position };

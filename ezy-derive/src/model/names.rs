@@ -146,26 +146,21 @@ impl Names {
     }
 
     pub fn bodies(&self) -> Vec<&str> {
-        let bodies =
-            self.model.iter().filter(|declared| matches!(declared.symbol, Symbol::Body(_) | Symbol::Bodies(_)));
-        bodies.map(|declared| declared.name.as_str()).collect()
+        of_kind(&self.model, |symbol| matches!(symbol, Symbol::Body(_) | Symbol::Bodies(_)))
     }
 
     pub fn places(&self) -> Vec<&str> {
-        let places = self.model.iter().filter(|declared| declared.symbol.is_place());
-        places.map(|declared| declared.name.as_str()).collect()
+        of_kind(&self.model, Symbol::is_place)
     }
 
     /// Parameters, inputs and `let` values.
     pub fn values(&self, scope: Scope) -> Vec<&str> {
-        let values = self.visible(scope).filter(|declared| declared.symbol.is_value());
-        values.map(|declared| declared.name.as_str()).collect()
+        of_kind(self.visible(scope), Symbol::is_value)
     }
 
     /// Every event, those of effects too.
     pub fn events(&self) -> Vec<&str> {
-        let all = self.model.iter().chain(self.effects.iter().flatten());
-        all.filter(|d| matches!(d.symbol, Symbol::Event(..))).map(|declared| declared.name.as_str()).collect()
+        of_kind(self.model.iter().chain(self.effects.iter().flatten()), |symbol| matches!(symbol, Symbol::Event(..)))
     }
 
     /// The event of this name, of the model or of one of its effects.
@@ -178,10 +173,8 @@ impl Names {
 
     /// Everything that can be released.
     pub fn rows(&self, scope: Scope) -> Vec<&str> {
-        let rows = self
-            .visible(scope)
-            .filter(|d| matches!(d.symbol, Symbol::Hinge(..) | Symbol::Hinges(..) | Symbol::Row(..)));
-        rows.map(|declared| declared.name.as_str()).collect()
+        let is_row = |symbol| matches!(symbol, Symbol::Hinge(..) | Symbol::Hinges(..) | Symbol::Row(..));
+        of_kind(self.visible(scope), is_row)
     }
 
     /// Everything that can stand before a dot.
@@ -202,4 +195,9 @@ impl Names {
         let own = scope.and_then(|effect| self.effects.get(effect.0));
         own.into_iter().flatten().chain(&self.model)
     }
+}
+
+fn of_kind<'d>(declared: impl IntoIterator<Item = &'d Declared>, is_wanted: impl Fn(Symbol) -> bool) -> Vec<&'d str> {
+    let wanted = declared.into_iter().filter(|declared| is_wanted(declared.symbol));
+    wanted.map(|declared| declared.name.as_str()).collect()
 }

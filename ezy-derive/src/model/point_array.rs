@@ -17,15 +17,13 @@ impl<'a> Context<'a> {
     ) -> Option<T> {
         let ArraySource { source, loops } = self.point_arrays[id].source;
         if name.indices.is_empty() {
-            self.diag.error(repeats::without_index(name, source.what_array()));
-            return None;
+            return self.diag.refuse(repeats::without_index(name, source.what_array()));
         }
         let indices = self.indices_of(name, loops.len())?;
         match self.point_arrays[id].state {
             State::Faulty => return None,
             State::InWork => {
-                self.diag.error(rules::cyclic_place(name));
-                return None;
+                return self.diag.refuse(rules::cyclic_place(name));
             }
             State::Waiting | State::Done(()) => {}
         }
@@ -70,8 +68,7 @@ impl<'a> Context<'a> {
         let wrong = self.extremes(&indices[0]).into_iter().find(|value| !(from..to).contains(value));
         if let Some(wrong) = wrong {
             let at = name.indices[0].extent();
-            self.diag.error(repeats::out_of_declared_range(at, name, wrong, from, to));
-            return None;
+            return self.diag.refuse(repeats::out_of_declared_range(at, name, wrong, from, to));
         }
         Some(())
     }

@@ -77,17 +77,13 @@ impl Context<'_> {
                     Operator::Subtract => Whole::difference,
                     Operator::Multiply => Whole::product,
                     Operator::Divide | Operator::Power => {
-                        self.diag.error(repeats::not_an_index(expr.extent()));
-                        return None;
+                        return self.diag.refuse(repeats::not_an_index(expr.extent()));
                     }
                 };
                 let (left, right) = (self.whole(left), self.whole(right));
                 Some(make(left?, right?))
             }
-            _ => {
-                self.diag.error(repeats::not_an_index(expr.extent()));
-                None
-            }
+            _ => self.diag.refuse(repeats::not_an_index(expr.extent())),
         }
     }
 
@@ -101,8 +97,7 @@ impl Context<'_> {
             _ => {
                 let counts = self.counts.iter().map(|(name, _)| name.clone());
                 let known: Vec<String> = counts.chain(self.bound.iter().map(|(name, _)| name.clone())).collect();
-                self.diag.error(repeats::unknown_index(name, &known));
-                None
+                self.diag.refuse(repeats::unknown_index(name, &known))
             }
         }
     }

@@ -100,15 +100,13 @@ impl Context<'_> {
         let number = constant(&until.value, "the end of a scene", "a run can be given another end");
         let (unit, number) = (unit?, self.diag.keep(number)?);
         if unit.dimension != super::dimension::Dimension::TIME {
-            self.diag.error(scenes::until_in_wrong_unit(&until.unit));
-            return None;
+            return self.diag.refuse(scenes::until_in_wrong_unit(&until.unit));
         }
         let until_s = unit.to_si(number);
         if until_s > 0.0 && until_s.is_finite() {
             return Some(until_s);
         }
-        self.diag.error(scenes::until_not_positive(until.value.extent(), &scene.name));
-        None
+        self.diag.refuse(scenes::until_not_positive(until.value.extent(), &scene.name))
     }
 
     fn scene_effects(&mut self, scene: &ast::Scene, choice: &Choice) -> Vec<EffectId> {

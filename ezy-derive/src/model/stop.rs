@@ -23,8 +23,7 @@ impl Context<'_> {
         let restitution = self.restitution(stop, &what, effect);
         let (quantity, _) = quantity?;
         if motion(&quantity) != Motion::Position {
-            self.diag.error(rules::stop_of_nothing(stop.quantity.extent(), &what));
-            return None;
+            return self.diag.refuse(rules::stop_of_nothing(stop.quantity.extent(), &what));
         }
         let multiplier_unit = dimension.map_or_else(String::new, |of| Dimension::TORQUE.over(of).to_string());
         Some(Stop { name: stop.name.clone(), effect, quantity, bounds, restitution: restitution?, multiplier_unit })

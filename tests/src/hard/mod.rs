@@ -3,15 +3,10 @@
 
 pub mod block;
 pub mod case;
-pub mod cranks;
 pub mod families;
 pub mod methods;
+pub mod models;
 pub mod naive;
 pub mod page;
-pub mod rods;
-pub mod skates;
-pub mod slider;
-pub mod spin;
-pub mod springs;
 pub mod subject;
 pub mod trial;

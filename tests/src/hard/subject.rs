@@ -1,7 +1,9 @@
 //! The scenes of the hard cases: each reference with the model that is held against it, its numbers set from the file.
 
-use super::{cranks, rods, skates, slider, spin, springs};
-use crate::garage::{Names, case, list, load, number, number_or_zero, set};
+use super::models::{
+    coaxial, five_cranks, rotor, sliding_block, spinning_pair, spring_pendulum, three_rods, three_skates,
+};
+use crate::garage::{Names, case, list, load, number, number_or_zero, set, start_values};
 use ezy_core::model::Scene;
 use ezy_models::{
     andrews, chaplygin_sleigh, double_pendulum, four_bar, knife_edge, n_four_bar, pendulum, roller_racer, slider_crank,
@@ -21,6 +23,30 @@ pub struct Subject {
     pub names: Names<'static>,
 }
 
+/// A case of a reference, and the scene that is held against it.
+pub struct Entry {
+    /// The file, without `.json`.
+    pub file: &'static str,
+    /// The case; empty for a file without cases.
+    pub case: &'static str,
+    /// Of the case and its `model` block.
+    scene: fn(&Value, &Value) -> Box<dyn Scene>,
+    names: Names<'static>,
+}
+
+const fn entry(
+    file: &'static str,
+    case: &'static str,
+    scene: fn(&Value, &Value) -> Box<dyn Scene>,
+    names: Names<'static>,
+) -> Entry {
+    Entry { file, case, scene, names }
+}
+
+const SAME: Names<'static> = &[];
+const PLATE: Names<'static> = &[("B", "plate")];
+const RODS: Names<'static> = &[("r1", "upper"), ("r2", "lower")];
+const SLEIGH: Names<'static> = &[("S", "sleigh")];
 const RACER: Names<'static> = &[
     ("seat", "seat"),
     ("handle", "handle"),
@@ -35,42 +61,54 @@ const TRAIN: Names<'static> = &[("front", "steer"), ("car", "tractor"), ("traile
 const LINKAGE: Names<'static> =
     &[("c0", "crank[0]"), ("c1", "crank[1]"), ("c2", "crank[2]"), ("h0", "coupler[0]"), ("h1", "coupler[1]")];
 
-/// Files with cases, and the cases that have a `model` block.
-pub const SUBJECTS: &[(&str, &[&str])] = &[
-    (
+/// Every case that has a `model` block.
+pub static SUBJECTS: &[Entry] = &[
+    entry("torture", "mass_ratio_heavy_below", two_rods, RODS),
+    entry("torture", "mass_ratio_heavy_above", two_rods, RODS),
+    entry("torture", "mass_ratio_sandwich", chain_of_rods, SAME),
+    entry("torture", "massless_coupler", massless_coupler, SAME),
+    entry("torture", "massless_middle_link", chain_of_rods, SAME),
+    entry("torture", "stiff_spring_undamped", stiff_spring, &[("M", "bob")]),
+    entry("torture", "stiff_spring_damped", stiff_spring, &[("M", "bob")]),
+    entry("torture", "fast_rotor_off_centre", declared::<rotor::Spin>, &[("R", "rotor")]),
+    entry(
         "torture",
-        &[
-            "mass_ratio_heavy_below",
-            "mass_ratio_heavy_above",
-            "mass_ratio_sandwich",
-            "massless_coupler",
-            "massless_middle_link",
-            "stiff_spring_undamped",
-            "stiff_spring_damped",
-            "fast_rotor_off_centre",
-            "fast_counter_rotating_pair",
-            "inconsistent_velocities",
-            "coaxial_wheels",
-            "three_skates_concurrent",
-            "three_skates_locked",
-            "caster_trail_1e-2",
-            "caster_trail_1e-3",
-            "slider_crank_equal_lengths",
-            "five_cranks_hanging",
-            "five_cranks_from_top",
-            "driven_four_bar",
-            "snakeboard_through_90deg",
-        ],
+        "fast_counter_rotating_pair",
+        declared::<spinning_pair::Flight>,
+        &[("A", "first"), ("B", "second")],
     ),
-    ("a01_simple_pendulum", &[""]),
-    ("a02_n_four_bar", &[""]),
-    ("a03_andrews", &[""]),
-    ("slider_crank_ida", &[""]),
-    ("knife_edge_incline", &["scipy_dae", "dae4py", "fast_turn"]),
-    ("chaplygin_sleigh", &["bloch", "spin", "reversal", "com_behind"]),
-    ("snakeboard", &["drive_gait", "rotate_gait", "locked_steering", "torque_driven"]),
-    ("roller_racer", &["free_racer", "rowed_racer", "twistcar"]),
-    ("car_trailers", &["locked_circle", "driven_slalom", "heavy_tractor_tractrix"]),
+    entry("torture", "inconsistent_velocities", declared::<n_four_bar::Fall>, LINKAGE),
+    entry("torture", "coaxial_wheels", declared::<coaxial::Coast>, SLEIGH),
+    entry("torture", "three_skates_concurrent", plate_on_skates::<three_skates::Free>, PLATE),
+    entry("torture", "three_skates_locked", plate_on_skates::<three_skates::Pushed>, PLATE),
+    entry("torture", "caster_trail_1e-2", racer::<roller_racer::Coast>, RACER),
+    entry("torture", "caster_trail_1e-3", racer::<roller_racer::Coast>, RACER),
+    entry("torture", "slider_crank_equal_lengths", declared::<sliding_block::Falling>, SAME),
+    entry("torture", "five_cranks_hanging", declared::<five_cranks::Fall>, SAME),
+    entry("torture", "five_cranks_from_top", declared::<five_cranks::Fall>, SAME),
+    entry("torture", "driven_four_bar", driven_four_bar, SAME),
+    entry("torture", "snakeboard_through_90deg", snakeboard_gait, SAME),
+    entry("a01_simple_pendulum", "", declared::<pendulum::Swing>, &[("P", "bob")]),
+    entry("a02_n_four_bar", "", declared::<n_four_bar::Fall>, LINKAGE),
+    entry("a03_andrews", "", declared::<andrews::Squeeze>, SAME),
+    entry("slider_crank_ida", "", declared::<slider_crank::Pushed>, SAME),
+    entry("knife_edge_incline", "scipy_dae", blade, &[("S", "blade")]),
+    entry("knife_edge_incline", "dae4py", blade, &[("S", "blade")]),
+    entry("knife_edge_incline", "fast_turn", blade, &[("S", "blade")]),
+    entry("chaplygin_sleigh", "bloch", sleigh, SLEIGH),
+    entry("chaplygin_sleigh", "spin", sleigh, SLEIGH),
+    entry("chaplygin_sleigh", "reversal", sleigh, SLEIGH),
+    entry("chaplygin_sleigh", "com_behind", sleigh, SLEIGH),
+    entry("snakeboard", "drive_gait", snakeboard_gait, SAME),
+    entry("snakeboard", "rotate_gait", snakeboard_gait, SAME),
+    entry("snakeboard", "locked_steering", snakeboard_gait, SAME),
+    entry("snakeboard", "torque_driven", declared::<snakeboard::Stroked>, SAME),
+    entry("roller_racer", "free_racer", racer::<roller_racer::Coast>, RACER),
+    entry("roller_racer", "rowed_racer", racer::<roller_racer::Rowed>, RACER),
+    entry("roller_racer", "twistcar", twistcar, RACER),
+    entry("car_trailers", "locked_circle", declared::<tractor_trailers::Locked>, TRAIN),
+    entry("car_trailers", "driven_slalom", declared::<tractor_trailers::Winding>, TRAIN),
+    entry("car_trailers", "heavy_tractor_tractrix", racer::<roller_racer::Coast>, RACER),
 ];
 
 /// The scene for a case of a file; for a file without cases the name is empty.
@@ -78,92 +116,73 @@ pub const SUBJECTS: &[(&str, &[&str])] = &[
 /// # Panics
 /// When there is no such case: the test or program that asks for it fails.
 pub fn subject(file: &str, name: &str) -> Subject {
+    let entry = SUBJECTS.iter().find(|entry| (entry.file, entry.case) == (file, name));
+    let entry = entry.unwrap_or_else(|| panic!("no scene for `{name}` of {file}.json"));
     let file_data = load(file);
-    let data = if name.is_empty() { file_data.clone() } else { case(&file_data, name).clone() };
+    let data = if name.is_empty() { file_data } else { case(&file_data, name).clone() };
     let block = data.get("model").or_else(|| data.get("model_N2")).cloned().unwrap_or(Value::Null);
-    let (scene, names) = scene_of(file, name, &data, &block);
-    Subject { data, block, scene, names }
+    let scene = (entry.scene)(&data, &block);
+    Subject { data, block, scene, names: entry.names }
 }
 
-fn scene_of(file: &str, name: &str, data: &Value, block: &Value) -> (Box<dyn Scene>, Names<'static>) {
-    match (file, name) {
-        (_, "mass_ratio_heavy_below" | "mass_ratio_heavy_above") => {
-            let mut scene = double_pendulum::Swing::default();
-            [scene.m1, scene.m2] = [0, 1].map(|i| number(&block["bodies"][i]["mass"]));
-            (Box::new(scene), &[("r1", "upper"), ("r2", "lower")])
-        }
-        (_, "mass_ratio_sandwich" | "massless_middle_link") => (Box::new(three_rods(block)), &[]),
-        (_, "massless_coupler") => {
-            let scene = four_bar::Turning { base: 2.0, l2: 2.0, l3: 1.5, m2: 0.0, m3: 2.0, ..Default::default() };
-            (Box::new(scene), &[])
-        }
-        (_, "driven_four_bar") => {
-            let (angle, omega) = (number(&block["drivers"][0]["c0"]), number(&block["drivers"][0]["rate"]));
-            let lengths = four_bar::Driven { base: 3.0, l2: 3.0, l3: 2.5, m2: 2.0, m3: 1.5, ..Default::default() };
-            (Box::new(four_bar::Driven { angle, omega, swing: 0.0, ..lengths }), &[])
-        }
-        (_, "stiff_spring_undamped" | "stiff_spring_damped") => {
-            let c = number(&block["springs"][0]["c"]);
-            (Box::new(springs::spring_pendulum::Swing { c, ..Default::default() }), &[("M", "bob")])
-        }
-        (_, "fast_rotor_off_centre") => (Box::new(spin::rotor::Spin::default()), &[("R", "rotor")]),
-        (_, "fast_counter_rotating_pair") => {
-            (Box::new(spin::spinning_pair::Flight::default()), &[("A", "first"), ("B", "second")])
-        }
-        (_, "coaxial_wheels") => (Box::new(skates::coaxial::Coast::default()), &[("S", "sleigh")]),
-        (_, "three_skates_concurrent") => {
-            (three_skates(skates::three_skates::Free::default(), block), &[("B", "plate")])
-        }
-        (_, "three_skates_locked") => (three_skates(skates::three_skates::Pushed::default(), block), &[("B", "plate")]),
-        (_, "slider_crank_equal_lengths") => (Box::new(slider::sliding_block::Falling::default()), &[]),
-        (_, "five_cranks_hanging" | "five_cranks_from_top") => (Box::new(cranks::five_cranks::Fall::default()), &[]),
-        (_, "inconsistent_velocities") | ("a02_n_four_bar", _) => (Box::new(n_four_bar::Fall::default()), LINKAGE),
-        (_, "snakeboard_through_90deg" | "drive_gait" | "rotate_gait" | "locked_steering") => {
-            (Box::new(gait(block)), &[])
-        }
-        (_, "torque_driven") => (Box::new(snakeboard::Stroked::default()), &[]),
-        (_, "caster_trail_1e-2" | "caster_trail_1e-3" | "free_racer" | "heavy_tractor_tractrix") => {
-            (racer(roller_racer::Coast::default(), block), RACER)
-        }
-        (_, "rowed_racer") => (racer(roller_racer::Rowed::default(), block), RACER),
-        (_, "twistcar") => {
-            let (torque, torsion) = (&block["torques"][0], &block["torsion"][0]);
-            let mut scene = racer(roller_racer::Twistcar::default(), block);
-            let of = |value: &Value, names: [(&'static str, &str); 3]| {
-                names.map(|(ours, theirs)| (ours, number(&value[theirs])))
-            };
-            set(&mut *scene, &of(torque, [("m0", "amp"), ("omega", "freq"), ("phase", "phase")]));
-            set(&mut *scene, &of(torsion, [("k", "k"), ("damping", "c"), ("angle", "angle0")]));
-            (scene, RACER)
-        }
-        (_, "locked_circle") => (Box::new(tractor_trailers::Locked::default()), TRAIN),
-        (_, "driven_slalom") => (Box::new(tractor_trailers::Winding::default()), TRAIN),
-        ("a01_simple_pendulum", _) => (Box::new(pendulum::Swing::default()), &[("P", "bob")]),
-        ("a03_andrews", _) => (Box::new(andrews::Squeeze::default()), &[]),
-        ("slider_crank_ida", _) => (Box::new(slider_crank::Pushed::default()), &[]),
-        ("knife_edge_incline", _) => {
-            let p = |name: &str| number(&data["parameters"][name]);
-            let scene = knife_edge::Cycloid { m: p("m"), j: p("J"), g: p("g"), alpha: p("incline_alpha") };
-            (Box::new(scene), &[("S", "blade")])
-        }
-        ("chaplygin_sleigh", _) => {
-            let p = |name: &str| number(&data["parameters"][name]);
-            (Box::new(chaplygin_sleigh::Coast { m: p("m"), j: p("J"), a: p("a") }), &[("S", "sleigh")])
-        }
-        _ => panic!("no scene for `{name}` of {file}.json"),
+/// With the parameters of its declaration.
+fn declared<S: Scene + Default + 'static>(_: &Value, _: &Value) -> Box<dyn Scene> {
+    Box::new(S::default())
+}
+
+fn two_rods(_: &Value, block: &Value) -> Box<dyn Scene> {
+    let [m1, m2] = [0, 1].map(|i| number(&block["bodies"][i]["mass"]));
+    Box::new(double_pendulum::Swing { m1, m2, ..Default::default() })
+}
+
+fn massless_coupler(_: &Value, _: &Value) -> Box<dyn Scene> {
+    Box::new(four_bar::Turning { base: 2.0, l2: 2.0, l3: 1.5, m2: 0.0, m3: 2.0, ..Default::default() })
+}
+
+fn driven_four_bar(_: &Value, block: &Value) -> Box<dyn Scene> {
+    let (angle, omega) = (number(&block["drivers"][0]["c0"]), number(&block["drivers"][0]["rate"]));
+    let lengths = four_bar::Driven { base: 3.0, l2: 3.0, l3: 2.5, m2: 2.0, m3: 1.5, ..Default::default() };
+    Box::new(four_bar::Driven { angle, omega, swing: 0.0, ..lengths })
+}
+
+fn stiff_spring(_: &Value, block: &Value) -> Box<dyn Scene> {
+    let c = number(&block["springs"][0]["c"]);
+    Box::new(spring_pendulum::Swing { c, ..Default::default() })
+}
+
+fn twistcar(data: &Value, block: &Value) -> Box<dyn Scene> {
+    let mut scene = racer::<roller_racer::Twistcar>(data, block);
+    let (torque, torsion) = (&block["torques"][0], &block["torsion"][0]);
+    let of_torque =
+        [("m0", "amp"), ("omega", "freq"), ("phase", "phase")].map(|(ours, theirs)| (ours, &torque[theirs]));
+    let of_torsion = [("k", "k"), ("damping", "c"), ("angle", "angle0")].map(|(ours, theirs)| (ours, &torsion[theirs]));
+    for (ours, value) in of_torque.into_iter().chain(of_torsion) {
+        set(&mut *scene, &[(ours, number(value))]);
     }
+    scene
 }
 
-fn three_rods(block: &Value) -> rods::three_rods::Swing {
-    let mut scene = rods::three_rods::Swing::default();
+fn blade(data: &Value, _: &Value) -> Box<dyn Scene> {
+    let [m, j, g, alpha] = ["m", "J", "g", "incline_alpha"].map(|name| number(&data["parameters"][name]));
+    Box::new(knife_edge::Cycloid { m, j, g, alpha })
+}
+
+fn sleigh(data: &Value, _: &Value) -> Box<dyn Scene> {
+    let [m, j, a] = ["m", "J", "a"].map(|name| number(&data["parameters"][name]));
+    Box::new(chaplygin_sleigh::Coast { m, j, a })
+}
+
+fn chain_of_rods(_: &Value, block: &Value) -> Box<dyn Scene> {
+    let mut scene = three_rods::Swing::default();
     let of = |name: &str| [0, 1, 2].map(|i| number(&block["bodies"][i][name]));
     [scene.m1, scene.m2, scene.m3] = of("mass");
     [scene.i1, scene.i2, scene.i3] = of("inertia");
     [scene.l1, scene.l2, scene.l3] = [0, 1, 2].map(|i| -2.0 * number(&block["hinges"][i]["pb"][0]));
-    scene
+    Box::new(scene)
 }
 
-fn three_skates(mut scene: impl Scene + 'static, block: &Value) -> Box<dyn Scene> {
+fn plate_on_skates<S: Scene + Default + 'static>(_: &Value, block: &Value) -> Box<dyn Scene> {
+    let mut scene = S::default();
     for (skate, names) in
         list(&block["skates"]).iter().zip([["x1", "y1", "h1"], ["x2", "y2", "h2"], ["x3", "y3", "h3"]])
     {
@@ -174,7 +193,8 @@ fn three_skates(mut scene: impl Scene + 'static, block: &Value) -> Box<dyn Scene
 }
 
 /// Two bodies with a hinge and a skate each.
-fn racer(mut scene: impl Scene + 'static, block: &Value) -> Box<dyn Scene> {
+fn racer<S: Scene + Default + 'static>(_: &Value, block: &Value) -> Box<dyn Scene> {
+    let mut scene = S::default();
     set(&mut scene, &racer_geometry(block));
     Box::new(scene)
 }
@@ -195,6 +215,10 @@ pub fn racer_geometry(block: &Value) -> [(&'static str, f64); 8] {
         ("m2", number(&bodies[1]["mass"])),
         ("i2", number(&bodies[1]["inertia"])),
     ]
+}
+
+fn snakeboard_gait(_: &Value, block: &Value) -> Box<dyn Scene> {
+    Box::new(gait(block))
 }
 
 /// A snakeboard whose three angles are prescribed by the drivers of a `model` block.
@@ -233,16 +257,7 @@ impl Subject {
         let mut given = Vec::new();
         for body in list(&self.block["bodies"]) {
             let name = self.body(body["name"].as_str().unwrap_or_default());
-            for (member, value) in [
-                ("x", &body["com"][0]),
-                ("y", &body["com"][1]),
-                ("phi", &body["angle"]),
-                ("vx", &body["vel"][0]),
-                ("vy", &body["vel"][1]),
-                ("omega", &body["omega"]),
-            ] {
-                given.push((format!("{name}.{member}"), number_or_zero(value)));
-            }
+            given.extend(start_values(body).map(|(member, value)| (format!("{name}.{member}"), number_or_zero(value))));
         }
         given
     }

@@ -7,19 +7,17 @@ use ezy_core::prelude::*;
 use ezy_models::double_pendulum;
 use ezy_tests::hard::block::difference;
 use ezy_tests::hard::naive::Naive;
-use ezy_tests::hard::subject::{SUBJECTS, subject};
+use ezy_tests::hard::subject::{Entry, SUBJECTS, subject};
 
 /// Rounding of sums of a few terms of the size of the largest, which a stiff spring makes 1e9.
 const SAME_MODEL: f64 = 1e-12;
 
 #[test]
 fn cross_every_model_is_the_one_of_its_reference() {
-    for (file, names) in SUBJECTS {
-        for name in *names {
-            let subject = subject(file, name);
-            let error = difference(&subject.block, &*subject.scene, subject.names);
-            assert!(error <= SAME_MODEL, "{file} {name}: {error:.1e}");
-        }
+    for Entry { file, case, .. } in SUBJECTS {
+        let subject = subject(file, case);
+        let error = difference(&subject.block, &*subject.scene, subject.names);
+        assert!(error <= SAME_MODEL, "{file} {case}: {error:.1e}");
     }
 }
 

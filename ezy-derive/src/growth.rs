@@ -46,6 +46,18 @@ fn order_work_is_linear_in_the_number_of_bodies() {
     }
 }
 
+/// The limit of `docs/decisions/041-no-elimination-of-wide-hubs.md`. A loop has two rows on the hub, a caster two on the cart.
+#[test]
+fn analytic_elimination_is_written_up_to_24_rows_of_a_body() {
+    for (shape, n, is_written) in
+        [(Shape::Hub, 12, true), (Shape::Hub, 13, false), (Shape::Casters, 12, true), (Shape::Casters, 13, false)]
+    {
+        let tokens = shape.text(n).parse().expect("the text consists of tokens");
+        let text = crate::pipeline::expand(tokens).to_string();
+        assert_eq!(text.contains("fn accelerations"), is_written, "{shape:?}: {} rows", 2 * n);
+    }
+}
+
 /// The vectors that a kernel opens.
 const VECTORS: usize = 15;
 

@@ -44,7 +44,7 @@ pub(crate) use tolerances::sizes::{LARGEST_DENSE, LARGEST_DIAGNOSED};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Backend {
-    /// [`Backend::Generated`], in scenes without an elimination (with counts, or with a body in more than 36 rows)
+    /// [`Backend::Generated`], in scenes without an elimination (with counts, or with a body in more than 24 rows)
     /// [`Backend::Sparse`]; [`Backend::Dense`] when a mass or inertia is zero or, in a scene with an elimination or with at most
     /// 100 equations, less than 1e-4 of the largest; inertias count by the mass that their longest lever feels.
     #[default]

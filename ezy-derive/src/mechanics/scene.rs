@@ -78,9 +78,7 @@ pub struct GivenValue {
 impl Equations {
     pub fn derive(model: &Model, scene: &Scene) -> Self {
         let mut algebra = Algebra::new();
-        let called = |effect: Option<EffectId>| effect.is_none_or(|effect| scene.effects.contains(&effect));
-        let inputs: Vec<InputId> =
-            (0..model.inputs.len()).map(InputId).filter(|id| called(model.inputs[id.0].effect)).collect();
+        let (parameters, inputs) = called(model, scene);
         let mut symbols = Symbols::new(model, &inputs);
         let mut writer = Writer::new(model, &mut algebra, &symbols);
 
@@ -92,15 +90,13 @@ impl Equations {
         let Applied { force, mut power, potential } = applied_forces(&mut writer, scene);
         let points = points(&mut writer);
         let start = start(&mut writer, scene);
-        let outputs = model.outputs.iter().enumerate().filter(|(_, output)| called(output.effect));
+        let outputs = model.outputs.iter().enumerate().filter(|(_, output)| is_called(scene, output.effect));
         let outputs = outputs.map(|(i, output)| (i, writer.write(&output.value))).collect();
         let mut events = SceneEvent::declared(&mut writer, model, scene);
         let stick_slip = model.stick_slip_of(scene).map(|(row, limit)| sliding::stick_slip(&mut writer, row, limit));
         let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
         let laws = laws(&mut writer, scene, &force, stick_slip);
         events.extend(SceneEvent::discontinuities(writer.algebra, &laws));
-        let parameters =
-            (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
         let stop = model.stop_of(scene).map(|stop| stop.name.to_string());
         let multipliers = drives(&mut algebra, &mut symbols, &constraints, stop.as_deref(), &mut power);
@@ -124,6 +120,21 @@ impl Equations {
             start,
         }
     }
+}
+
+/// Whether what an effect declares belongs to a scene; what stands outside effects always does.
+pub fn is_called(scene: &Scene, effect: Option<EffectId>) -> bool {
+    effect.is_none_or(|effect| scene.effects.contains(&effect))
+}
+
+/// Parameters and inputs of the model and of the scene's effects.
+pub fn called(model: &Model, scene: &Scene) -> (Vec<ParameterId>, Vec<InputId>) {
+    let parameters = (0..model.parameters.len()).map(ParameterId);
+    let inputs = (0..model.inputs.len()).map(InputId);
+    (
+        parameters.filter(|id| is_called(scene, model.parameters[id.0].effect)).collect(),
+        inputs.filter(|id| is_called(scene, model.inputs[id.0].effect)).collect(),
+    )
 }
 
 fn mass_matrix(writer: &mut Writer<'_>) -> Vec<Coefficient> {

@@ -12,9 +12,10 @@ use crate::symbolic::{SumId, Symbol};
 const PIVOT_TOLERANCE: f64 = 1e-10;
 
 /// Most rows of G that one body may be in for a straight-line elimination. All of them are coupled through it: r rows cost
-/// r³/3 operations, and minutes of rustc. Builds set this limit; the sparse solver is faster from
-/// between 50 and 60 rows on, extrapolated from 12 and 24 rows in `docs/decisions/041-no-elimination-of-wide-hubs.md`, `growth.rs` bounds the work above.
-const MOST_ROWS_OF_A_BODY: usize = 36;
+/// r³/3 operations. rustc sets this limit: a release build takes some 100 s and 1 GB at 24 rows, some 500 s and 2 GB at 36
+/// (`docs/decisions/041-no-elimination-of-wide-hubs.md`). `analytic_elimination_is_written_up_to_24_rows_of_a_body` in
+/// `growth.rs` sees it.
+const MOST_ROWS_OF_A_BODY: usize = 24;
 
 /// Whether an elimination is written: not where it would be longer than what the sparse solver does.
 pub fn is_worth_writing(equations: &Equations) -> bool {

@@ -8,13 +8,12 @@ use super::jacobians::Jacobians;
 use super::kernels::{Over, Pass};
 use super::kinematics::Vector;
 use super::rows;
-use super::scene::{Group, drives};
+use super::scene::{Group, called, drives, is_called};
 use super::series::Series;
 use super::symbols::Symbols;
 use crate::function::Function;
 use crate::model::{
-    BodyId, Component, Coordinate, EffectId, Force, InputId, Loop, Model, Output, ParameterId, Point, Row, Scene,
-    StartValue,
+    BodyId, Component, Coordinate, Force, InputId, Loop, Model, Output, ParameterId, Point, Row, Scene, StartValue,
 };
 use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::{Algebra, SumId, Symbol};
@@ -98,9 +97,7 @@ impl RowTemplate<'_> {
 impl<'m> Templates<'m> {
     pub fn derive(model: &'m Model, scene: &'m Scene) -> Self {
         let mut algebra = Algebra::new();
-        let called = |effect: Option<EffectId>| effect.is_none_or(|effect| scene.effects.contains(&effect));
-        let inputs: Vec<InputId> =
-            (0..model.inputs.len()).map(InputId).filter(|id| called(model.inputs[id.0].effect)).collect();
+        let (parameters, inputs) = called(model, scene);
         let mut symbols = Symbols::new(model, &inputs);
         let mut writer = Writer::new(model, &mut algebra, &symbols);
         let masses = model.arrays.iter().map(|array| {
@@ -114,7 +111,7 @@ impl<'m> Templates<'m> {
             PointTemplate { point, slots: slots(&mut writer, &position), position }
         });
         let points = points.collect();
-        let outputs = model.outputs.iter().filter(|output| called(output.effect));
+        let outputs = model.outputs.iter().filter(|output| is_called(scene, output.effect));
         let outputs = outputs.map(|output| {
             let value = writer.write(&output.value);
             OutputTemplate { output, slots: slots(&mut writer, &[value]), value }
@@ -135,8 +132,6 @@ impl<'m> Templates<'m> {
         let rows = position.into_iter().chain(velocity);
         let rows: Vec<_> =
             rows.map(|(row, slots, rows)| RowTemplate::new(&mut algebra, &mut symbols, row, slots, rows)).collect();
-        let parameters =
-            (0..model.parameters.len()).map(ParameterId).filter(|id| called(model.parameters[id.0].effect)).collect();
         // forces of the model that have a potential do no work to record
         let works = |force: &ForceTemplate| force.group == Group::Model && !force.power.is_zero();
         let of_model = forces.iter().any(works).then_some(Group::Model);

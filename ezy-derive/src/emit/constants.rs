@@ -85,58 +85,37 @@ impl<'a> Constants<'a> {
 
     /// A constant in words of its parameters; none where that is long or could be read in two ways.
     fn wording(&self, id: CoefficientId) -> Option<Wording> {
-        use Shape::{Product, Quotient, Sum};
         let operand = |id: CoefficientId| match self.names.get(&id) {
             Some(name) if name.starts_with('k') && name[1..].parse::<u32>().is_ok() => None,
             _ => self.wording(id).filter(|wording| wording.text.len() <= LONGEST_NAME),
         };
-        let (text, shape) = match self.coefficients.node(id) {
+        match self.coefficients.node(id) {
             CoefficientNode::Number(x) => {
                 let known = [(0.5, "half"), (1.0, "one"), (2.0, "two"), (3.0, "three"), (4.0, "four")];
-                (known.iter().find(|(number, _)| number == x)?.1.to_owned(), Product)
+                let (_, word) = known.iter().find(|(number, _)| number == x)?;
+                Some(Wording { text: (*word).to_owned(), shape: Shape::Product })
             }
-            CoefficientNode::Pi => ("pi".to_owned(), Product),
+            CoefficientNode::Pi => Some(Wording { text: "pi".to_owned(), shape: Shape::Product }),
             CoefficientNode::Parameter(index) => {
                 let parameter = self.model.parameters.get(*index).map(|parameter| &parameter.name);
                 let name = parameter.or_else(|| {
                     let count = self.model.counts.get(*index - self.model.parameters.len());
                     count.map(|count| &count.name)
                 })?;
-                (name.to_string().replace("r#", "parameter_"), Product)
+                Some(Wording { text: name.to_string().replace("r#", "parameter_"), shape: Shape::Product })
             }
-            CoefficientNode::Add(a, b) => {
-                let (x, y) = (operand(a.id)?, operand(b.id)?);
-                let text = match (x.shape == Sum || y.shape == Sum, a.negative, b.negative) {
-                    (false, false, false) => format!("{}_plus_{}", x.text, y.text),
-                    (false, false, true) => format!("{}_minus_{}", x.text, y.text),
-                    (false, true, false) => format!("{}_minus_{}", y.text, x.text),
-                    _ => return None,
-                };
-                (text, Sum)
-            }
-            CoefficientNode::Mul(a, b) => {
-                let (x, y) = (operand(*a)?, operand(*b)?);
-                match (x.shape, y.shape) {
-                    (Product, Product) if a == b => (format!("{}_squared", x.text), Product),
-                    (Product, Product) => (format!("{}_{}", x.text, y.text), Product),
-                    (Product, Quotient) => (over(&x.text, &y.text), Quotient),
-                    (Quotient, Product) => (over(&y.text, &x.text), Quotient),
-                    _ => return None,
-                }
-            }
-            CoefficientNode::Div(a, b) => {
-                let (x, y) = (operand(*a)?, operand(*b)?);
-                match (x.shape, y.shape) {
-                    (Product, Product) => (format!("{}_over_{}", x.text, y.text), Quotient),
-                    _ => return None,
-                }
-            }
+            CoefficientNode::Add(a, b) => sum(&operand(a.id)?, &operand(b.id)?, [a.negative, b.negative]),
+            CoefficientNode::Mul(a, b) if a == b => square(&operand(*a)?),
+            CoefficientNode::Mul(a, b) => product(&operand(*a)?, &operand(*b)?),
+            CoefficientNode::Div(a, b) => quotient(&operand(*a)?, &operand(*b)?),
             CoefficientNode::Call(function, arguments) => match &arguments[..] {
-                [x] if !x.negative => (format!("{}_{}", function.name(), operand(x.id)?.text), Product),
-                _ => return None,
+                [x] if !x.negative => {
+                    let text = format!("{}_{}", function.name(), operand(x.id)?.text);
+                    Some(Wording { text, shape: Shape::Product })
+                }
+                _ => None,
             },
-        };
-        Some(Wording { text, shape })
+        }
     }
 
     fn collect(&self, id: CoefficientId, needed: &mut BTreeSet<CoefficientId>) {
@@ -175,6 +154,39 @@ enum Shape {
     Product,
     Quotient,
     Sum,
+}
+
+/// None where the order of the parts is not plain.
+fn sum(x: &Wording, y: &Wording, negative: [bool; 2]) -> Option<Wording> {
+    if x.shape == Shape::Sum || y.shape == Shape::Sum {
+        return None;
+    }
+    let text = match negative {
+        [false, false] => format!("{}_plus_{}", x.text, y.text),
+        [false, true] => format!("{}_minus_{}", x.text, y.text),
+        [true, false] => format!("{}_minus_{}", y.text, x.text),
+        [true, true] => return None,
+    };
+    Some(Wording { text, shape: Shape::Sum })
+}
+
+fn square(x: &Wording) -> Option<Wording> {
+    (x.shape == Shape::Product).then(|| Wording { text: format!("{}_squared", x.text), shape: Shape::Product })
+}
+
+fn product(x: &Wording, y: &Wording) -> Option<Wording> {
+    let (text, shape) = match (x.shape, y.shape) {
+        (Shape::Product, Shape::Product) => (format!("{}_{}", x.text, y.text), Shape::Product),
+        (Shape::Product, Shape::Quotient) => (over(&x.text, &y.text), Shape::Quotient),
+        (Shape::Quotient, Shape::Product) => (over(&y.text, &x.text), Shape::Quotient),
+        _ => return None,
+    };
+    Some(Wording { text, shape })
+}
+
+fn quotient(x: &Wording, y: &Wording) -> Option<Wording> {
+    let of_products = x.shape == Shape::Product && y.shape == Shape::Product;
+    of_products.then(|| Wording { text: format!("{}_over_{}", x.text, y.text), shape: Shape::Quotient })
 }
 
 /// A factor before a quotient, within its numerator.

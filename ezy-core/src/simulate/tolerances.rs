@@ -5,7 +5,7 @@
 pub(crate) mod steps {
     /// Shortest step, relative to the time or to one second: shorter steps change nothing.
     /// Unit: share of the time, or s.
-    /// Test: `analytic_dry_friction_is_followed_through_every_reversal`.
+    /// Test: `order_rk4_is_four_across_discontinuities`.
     pub(crate) const SHORTEST: f64 = 1e-14;
 
     /// Attempts of one step to end at a discontinuity: each one locates it better.
@@ -218,11 +218,6 @@ pub(crate) mod modes {
     /// Unit: roundings of the quantity.
     /// Test: `analytic_stone_rests_on_a_floor_away_from_the_origin`.
     pub(crate) const LOWEST_FLIGHT: f64 = 16.0;
-
-    /// A flight ends within this factor of its duration under a constant force.
-    /// Unit: 1.
-    /// Test: `analytic_stone_bounces_until_it_rests_by_every_method`.
-    pub(crate) const LONG_ENOUGH: f64 = 1.25;
 }
 
 /// What a run watches.

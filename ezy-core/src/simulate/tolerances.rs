@@ -187,7 +187,7 @@ pub(crate) mod events {
 
     /// An initial value below this part of the largest one in the first step is rounding: its sign is taken as zero.
     /// Unit: 1.
-    /// Test: `analytic_start_on_an_event_within_rounding_is_no_event`.
+    /// Test: `analytic_start_just_before_an_event_is_told_from_rounding`.
     pub(crate) const NOTHING: f64 = 1e-10;
 
     /// Parabolas that are tried, each through the last three samples.

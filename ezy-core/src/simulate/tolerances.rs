@@ -118,11 +118,6 @@ pub(crate) mod crossing {
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const MAX_TRIES: u32 = 10;
 
-    /// Smallest useful tolerance: below it error estimates next to a singular position are rounding.
-    /// Unit: 1, m or m/s.
-    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
-    pub(crate) const FINEST: f64 = 1e-13;
-
     /// Tolerance of crossing steps for methods with a fixed step, whose own errors are larger. Shorter crossing steps end nearer to the position.
     /// Unit: 1, m or m/s.
     /// Test: `analytic_three_level_cranks_by_rk4_are_a_pendulum`.

@@ -1,7 +1,7 @@
 //! Corrections of a start: given values stay, the others take the residual away.
 
 use super::System;
-use super::tolerances::start::{DAMPING, LARGEST_DENSE_START, LEAST_WEIGHT, RANK_TOLERANCE};
+use super::tolerances::start::{DAMPING, LARGEST_DENSE_START, RANK_TOLERANCE};
 use crate::linalg::{KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
 use crate::model::Scene;
 use crate::model::coordinate::is_angle;
@@ -63,7 +63,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     fn dense_correction(&self, n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {
         let sizes = &self.geometry.sizes;
         let unit = |column: usize| match (self.mass[column] > 0.0, is_angle(column)) {
-            (true, _) => self.mass[column].max(LEAST_WEIGHT).sqrt(),
+            (true, _) => self.mass[column].sqrt(),
             (false, true) => self.geometry.length,
             (false, false) => 1.0,
         };

@@ -4,7 +4,7 @@ use super::euclidean::Euclidean;
 use super::solved::{Rows, Solved};
 use super::system::Buffers;
 use super::tolerances::projection::{
-    MAX_PASSES, NEAR_RANK_LOSS, NOTICEABLE, PASSES_NEAR_RANK_LOSS, PASSES_TO_ROUNDING, TOLERANCE_OF_REDUNDANT,
+    MAX_PASSES, NEAR_RANK_LOSS, PASSES_NEAR_RANK_LOSS, PASSES_TO_ROUNDING, TOLERANCE_OF_REDUNDANT,
 };
 use super::{MotionError, Projected, System, Worst, max_abs};
 use crate::linalg::{INDEPENDENT, Independent};
@@ -110,8 +110,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
             let mut solved;
             (projected.velocities_before, solved) = self.move_velocities(t, q, v, metric, next)?;
             let (removed, correction) = (projected.velocities_before.value, max_abs(&self.buffers.delta));
-            let near_rank_loss = correction > NEAR_RANK_LOSS * removed && correction > NOTICEABLE * max_abs(v);
-            if near_rank_loss && projection.positions() {
+            if correction > NEAR_RANK_LOSS * removed && projection.positions() {
                 v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v -= delta);
                 for _ in 0..PASSES_NEAR_RANK_LOSS {
                     self.polish_positions_in(t, q, metric)?;

@@ -48,11 +48,6 @@ pub(crate) mod projection {
     /// Unit: 1.
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const NEAR_RANK_LOSS: f64 = 1e3;
-
-    /// Velocity corrections below this fraction of the velocities are rounding, or harmless.
-    /// Unit: share of the largest velocity.
-    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
-    pub(crate) const NOTICEABLE: f64 = 1e-10;
 }
 
 /// Rows that depend on each other.
@@ -84,18 +79,14 @@ pub(crate) mod singular_position {
 
     /// Shorter ways are no motion, but rounding of positions.
     /// Unit: rad and longest levers.
-    /// Test: `analytic_parallel_cranks_leave_their_level_position`.
+    /// Test: `analytic_stretched_bars_are_refused_by_every_method`.
     pub(crate) const SHORTEST: f64 = 1e-8;
-
-    /// Corrections onto the independent rows, from an error of 1e-6: quadratic convergence, and one for rounding.
-    /// Unit: passes.
-    /// Test: `analytic_cranks_of_two_rates_in_a_level_position_contradict_no_row`.
-    pub(crate) const PASSES: usize = 3;
 
     /// What a redundant row may leave of velocities after a way, as a share of the way. Where the motion leads on it is the square of the
     /// way, 1e-3 of it; where it does not, about 1.
     /// Unit: 1.
-    /// Test: `analytic_parallel_cranks_leave_their_level_position`.
+    /// Test: `analytic_stretched_bars_are_refused_by_every_method`,
+    /// and `analytic_parallel_cranks_leave_their_level_position`.
     pub(crate) const LEAVES: f64 = 0.1;
 }
 
@@ -127,11 +118,6 @@ pub(crate) mod start {
     /// Unit: share of the largest singular value.
     /// Test: `analytic_accelerations_of_any_ratio_of_masses`.
     pub(crate) const RANK_TOLERANCE: f64 = 1e-10;
-
-    /// Smaller entries of M count as this: their reciprocals would overflow in products.
-    /// Unit: kg, kg·m².
-    /// Test: `invariant_energy_balance_of_bars_of_any_lightness`.
-    pub(crate) const LEAST_WEIGHT: f64 = 1e-280;
 
     /// Coordinates beyond which corrections come from a sparse factorisation instead of singular values.
     /// Unit: coordinates.

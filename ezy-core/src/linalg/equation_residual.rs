@@ -108,7 +108,7 @@ mod tests {
         // the first coordinate and its multiplier are zero but for rounding
         equations.write(&[1.0, 1.0], &[1.0], &[0.0, 1.0, 0.0], &[1e-17, 1.0, -1e-17]);
         assert_eq!(equations.share(), 1.0);
-        let [of_rounding, of_an_error] = [1e-17, 1e-10].map(|x| {
+        let [of_rounding, of_an_error] = [f64::EPSILON, 1e-13].map(|x| {
             equations.write(&[1.0, 1.0], &[1.0], &[0.0, 1.0, 0.0], &[x, 1.0, -x]);
             equations.share_of_what_matters(&[1.0, 1.0], &[1.0])
         });

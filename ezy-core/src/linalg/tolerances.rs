@@ -65,11 +65,6 @@ pub(crate) mod sizes {
     /// Test: `analytic_flat_linkage_names_its_rows_or_the_first_that_fails`.
     pub(crate) const LARGEST_DIAGNOSED: usize = 500;
 
-    /// Squares of larger numbers, and sums of these, overflow.
-    /// Unit: 1.
-    /// Test: `invariant_matrices_at_the_edge_of_numbers_have_none`.
-    pub(crate) const LARGEST_ENTRY: f64 = 1e150;
-
     /// A coordinate in more rows than this is a hub: taken before its rows it would couple each of them with all others,
     /// so that a body with n joints would cost n². A hinge on each side of a body and a few more are no hub.
     /// Unit: rows.

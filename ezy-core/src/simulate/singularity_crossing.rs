@@ -2,7 +2,7 @@
 
 use super::singular::{Approach, about};
 use super::snapshot::Snapshot;
-use super::tolerances::crossing::{ABOUT, FINEST, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
+use super::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
@@ -46,7 +46,7 @@ impl SingularityCrossing {
             method: Dop853::new(n_q, info.n_rows(), n_works),
             on_rows: State::zero(n_q, 0),
             control: StepControl::new(DOP853_ERROR_ORDER),
-            tolerance: Tolerance { relative: wanted.relative.max(FINEST), absolute: wanted.absolute.max(FINEST) },
+            tolerance: wanted,
             chooses_steps: tolerance.is_some(),
             length_s: 0.0,
             begin_s: 0.0,

@@ -5,7 +5,7 @@
 pub(crate) mod steps {
     /// Shortest step, relative to the time or to one second: shorter steps change nothing.
     /// Unit: share of the time, or s.
-    /// Test: `analytic_dry_friction_is_followed_through_every_reversal`.
+    /// Test: `order_rk4_is_four_across_discontinuities`.
     pub(crate) const SHORTEST: f64 = 1e-14;
 
     /// Attempts of one step to end at a discontinuity: each one locates it better.
@@ -118,11 +118,6 @@ pub(crate) mod crossing {
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const MAX_TRIES: u32 = 10;
 
-    /// Smallest useful tolerance: below it error estimates next to a singular position are rounding.
-    /// Unit: 1, m or m/s.
-    /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
-    pub(crate) const FINEST: f64 = 1e-13;
-
     /// Tolerance of crossing steps for methods with a fixed step, whose own errors are larger. Shorter crossing steps end nearer to the position.
     /// Unit: 1, m or m/s.
     /// Test: `analytic_three_level_cranks_by_rk4_are_a_pendulum`.
@@ -187,7 +182,7 @@ pub(crate) mod events {
 
     /// An initial value below this part of the largest one in the first step is rounding: its sign is taken as zero.
     /// Unit: 1.
-    /// Test: `analytic_start_on_an_event_within_rounding_is_no_event`.
+    /// Test: `analytic_start_just_before_an_event_is_told_from_rounding`.
     pub(crate) const NOTHING: f64 = 1e-10;
 
     /// Parabolas that are tried, each through the last three samples.
@@ -218,11 +213,6 @@ pub(crate) mod modes {
     /// Unit: roundings of the quantity.
     /// Test: `analytic_stone_rests_on_a_floor_away_from_the_origin`.
     pub(crate) const LOWEST_FLIGHT: f64 = 16.0;
-
-    /// A flight ends within this factor of its duration under a constant force.
-    /// Unit: 1.
-    /// Test: `analytic_stone_bounces_until_it_rests_by_every_method`.
-    pub(crate) const LONG_ENOUGH: f64 = 1.25;
 }
 
 /// What a run watches.

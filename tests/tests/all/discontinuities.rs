@@ -57,8 +57,11 @@ fn rubbing(t: f64) -> [f64; 2] {
     [towards * (-0.1 - amplitude * s.cos()), towards * amplitude * s.sin()]
 }
 
+/// Far more steps than any run here takes: one whose steps become too short fails at once.
+const MOST_STEPS: u64 = 100_000;
+
 fn end(scene: &dyn Scene, method: Method) -> ([f64; 2], Run) {
-    let run = Simulation::new(scene).method(method).run().unwrap();
+    let run = Simulation::new(scene).method(method).max_steps(MOST_STEPS).run().unwrap();
     let last = run.last();
     ([last.get("block.x").unwrap(), last.get("block.vx").unwrap()], run)
 }

@@ -38,6 +38,17 @@ fn run(scene: &dyn Scene, method: Method) -> Run {
     Simulation::new(scene).method(method).run().unwrap()
 }
 
+/// A value below 1e-10 of the largest in the first step is rounding: 5e-12 where the wheel turns by 0.05 rad.
+#[test]
+fn analytic_start_just_before_an_event_is_told_from_rounding() {
+    for (before, expected) in [(1e-12, 1), (4e-10, 2)] {
+        let scene = wheel::Turn::default();
+        let order = Simulation::new(&scene).method(Method::rk4(0.05)).give("wheel.phi", std::f64::consts::PI - before);
+        let found = named(&order.run().unwrap());
+        assert_eq!(found.len(), expected, "{before:e} rad: {found:?}");
+    }
+}
+
 fn named(run: &Run) -> Vec<(&'static str, f64)> {
     run.events().iter().map(|occurred| (occurred.event.name, occurred.state.t)).collect()
 }

@@ -52,23 +52,26 @@ fn invariant_solver_does_not_depend_on_units() {
     }
 }
 
+/// Roots of masses may be 1e12 apart.
 #[test]
 fn invariant_levers_and_masses_too_far_apart_are_not_eliminated() {
-    for m3 in [1e30, 1e120] {
-        let scene = four_bar::Turning { m3, ..scaled(1.0, 1.0) };
+    let heavy = |m3| four_bar::Turning { m3, ..scaled(1.0, 1.0) };
+    assert!(System::new(&heavy(1e22), Backend::Generated).is_ok());
+    for m3 in [1e26, 1e120] {
+        let scene = heavy(m3);
         assert!(!System::new(&scene, Backend::Auto).unwrap().uses_elimination(), "{m3} kg");
         let Err(error) = System::new(&scene, Backend::Generated) else { panic!("{m3} kg") };
         assert!(error.to_string().contains("too far apart for the generated backend"), "{error}");
     }
 }
 
-/// Fourth powers of 1e90 are no doubles.
+/// Fourth powers of 1e90 are no doubles; the roots of masses are taken from 1e-50 on.
 #[test]
 fn invariant_masses_whose_powers_are_no_doubles_are_not_eliminated() {
-    for mass in [1e-180, 1e180] {
+    for (mass, eliminated) in [(1e-180, false), (1e-102, false), (1e-98, true), (1e180, false)] {
         let scene = scaled(1.0, mass);
-        assert!(!System::new(&scene, Backend::Auto).unwrap().uses_elimination(), "{mass} kg");
-        assert!(System::new(&scene, Backend::Generated).is_err(), "{mass} kg");
+        assert_eq!(System::new(&scene, Backend::Auto).unwrap().uses_elimination(), eliminated, "{mass} kg");
+        assert_eq!(System::new(&scene, Backend::Generated).is_ok(), eliminated, "{mass} kg");
     }
 }
 

@@ -69,7 +69,8 @@ fn analytic_accelerations_of_any_ratio_of_masses() {
 
 #[test]
 fn cross_accelerations_of_a_rope_of_light_rods_are_the_dense_ones() {
-    let scene = rope::Swing::default();
+    // the sparse solver, which divides by masses, leaves 1e-9 of a load that hangs on one light rod
+    let scene = rope::Swing { n: 1, ..Default::default() };
     let accelerations = |backend| {
         let mut system = System::new(&scene, backend).unwrap();
         let State { t, q, v, .. } = system.consistent_start(&system.scene_start()).unwrap();

@@ -10,6 +10,9 @@ const BRANCH: f64 = 1e-6;
 /// A tolerance a thousandth of the bound, and one that rounding next to singular positions used to forbid.
 const TOLERANCES: [f64; 2] = [1e-9, 1e-12];
 
+/// Far more steps than any run here takes: one whose steps become too short fails at once.
+const MOST_STEPS: u64 = 100_000;
+
 /// Of Radau, whose steps go with the fifth root.
 const IMPLICIT: f64 = 1e-9;
 
@@ -19,7 +22,7 @@ fn methods() -> Vec<Method> {
 }
 
 fn run(subject: &Subject, method: Method, until_s: f64) -> Run {
-    let start = Simulation::new(&*subject.scene).method(method).until(until_s);
+    let start = Simulation::new(&*subject.scene).method(method).until(until_s).max_steps(MOST_STEPS);
     let order = subject.given().into_iter().fold(start, |order, (name, value)| order.give(&name, value));
     let run = order.run().unwrap();
     assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);

@@ -117,6 +117,36 @@ fn invariant_thresholds_have_a_unit_and_a_test_that_exists() {
     }
 }
 
+/// The decision lists each threshold with its value, the tests named beside it, and that one of them fails.
+#[test]
+fn invariant_table_of_the_decision_lists_every_threshold_and_a_test_that_fails() {
+    let decision = fs::read_to_string(root().join("docs/decisions/045-thresholds-earn-their-place.md")).unwrap();
+    let mut rows: Vec<&str> =
+        decision.lines().filter(|line| LAYERS.iter().any(|l| line.starts_with(&format!("| {l} |")))).collect();
+    for layer in LAYERS {
+        let text = fs::read_to_string(root().join("ezy-core/src").join(layer).join("tolerances.rs")).unwrap();
+        let (mut group, mut doc) = ("", String::new());
+        for line in text.lines() {
+            group = line.strip_prefix("pub(crate) mod ").map_or(group, |rest| rest.trim_end_matches(" {"));
+            if line.trim().starts_with("///") {
+                doc.push_str(line);
+            } else if let (Some((name, _)), Some((_, value))) = (constant(line), line.split_once(" = ")) {
+                let begins = format!("| {layer} | {group}::{name} | {} |", value.trim_end_matches(';'));
+                let Some(i) = rows.iter().position(|row| row.starts_with(&begins)) else { panic!("no row `{begins}`") };
+                let row = rows.swap_remove(i);
+                let tests = doc.split_once("Test: ").map_or("", |(_, named)| named);
+                let missing = tests.split('`').skip(1).step_by(2).find(|test| !row.contains(&format!("`{test}`")));
+                let fails = row.contains("| fails |") || row.ends_with("fails |");
+                assert!(missing.is_none() && fails, "{row}: {missing:?}");
+                doc.clear();
+            } else {
+                doc.clear();
+            }
+        }
+    }
+    assert!(rows.is_empty(), "no thresholds: {rows:?}");
+}
+
 #[test]
 fn analytic_lines_with_thresholds_are_told_from_others() {
     for (line, expected) in [

@@ -89,4 +89,12 @@ fn invariant_sample_on_the_end_of_a_step_costs_nothing() {
     let (sampled, plain) = (order().every(0.3).run().unwrap(), order().run().unwrap());
     assert_eq!(sampled.samples().len(), 11);
     assert_eq!(sampled.cost.evaluations, plain.cost.evaluations);
+    // within 1e-9 of a step a sample is its end, and farther away it is not
+    let apart = |share: f64| {
+        let order = || Simulation::new(&scene).method(Method::rk4(0.1)).until(0.3);
+        let sampled = order().every(0.1 * (1.0 + share)).run().unwrap();
+        sampled.cost.evaluations - order().run().unwrap().cost.evaluations
+    };
+    assert_eq!(apart(3e-10), 0);
+    assert!(apart(3e-8) > 0);
 }

@@ -11,7 +11,7 @@ use crate::simulate::SetupError;
 use crate::simulate::events::EventFunction;
 use crate::simulate::root::resolution_at;
 use crate::simulate::stepper_state::StepperState;
-use crate::simulate::tolerances::modes::{LONG_ENOUGH, LOWEST_FLIGHT, SHORTEST_FLIGHT};
+use crate::simulate::tolerances::modes::{LOWEST_FLIGHT, SHORTEST_FLIGHT};
 
 const FREE: usize = 0;
 
@@ -44,7 +44,7 @@ pub(super) fn start<'s, S: Scene + ?Sized>(
         return Ok(());
     }
     check_rate(info, end, state.t, rate)?;
-    let stands = rate == 0.0 || flight(info, end, stepper, rest).is_some_and(|flight| flight.is_too_short);
+    let stands = rate == 0.0 || flight_is_too_short(info, end, stepper, rest);
     if stands {
         modes.change(stepper)?;
         modes.occurred.clear();
@@ -109,8 +109,7 @@ fn arrive<'s, S: Scene + ?Sized>(
     let (before, landed) = (stepper.energy(), &rest.now.state);
     let velocities = landed.v.iter().zip(&stepper.now.state.v).map(|(v0, v)| v0 + e * (v0 - v)).collect();
     stepper.apply_restitution(&landed.q, velocities)?;
-    let flight = flight(info, end, stepper, rest);
-    let stays = e == 0.0 || flight.is_some_and(|flight| flight.is_too_short);
+    let stays = e == 0.0 || flight_is_too_short(info, end, stepper, rest);
     let rests = stays && push(info, mode, rest) >= 0.0;
     let arrived = if rests { &mut *rest } else { &mut *stepper };
     let lost = arrived.energy() - before;
@@ -120,39 +119,31 @@ fn arrive<'s, S: Scene + ?Sized>(
     if rests {
         modes.swap(mode, stepper);
         modes.tell(&info.holds, stepper);
-    } else {
-        modes.longest_s = flight.map_or(f64::INFINITY, |flight| LONG_ENOUGH * flight.length_s);
     }
     Ok(())
 }
 
-/// The flight from an end back to it.
-#[derive(Clone, Copy)]
-struct Flight {
-    length_s: f64,
-    is_too_short: bool,
-}
-
-/// Flight under the acceleration at its start; `None` when the acceleration points away from the end.
-fn flight<S: Scene + ?Sized>(
+/// Whether the flight from an end back to it, under the acceleration at its start, is too short to be followed; not when the acceleration
+/// points away from the end.
+fn flight_is_too_short<S: Scene + ?Sized>(
     info: &StopInfo,
     end: usize,
     stepper: &StepperState<'_, S>,
     rest: &mut StepperState<'_, S>,
-) -> Option<Flight> {
+) -> bool {
     let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
     let (acceleration, rounding) = rest.system.row_acceleration(&row, &stepper.now.a);
     let fall = -f64::from(info.sides[end]) * acceleration;
     if fall.is_nan() || fall <= 0.0 {
-        return None;
+        return false;
     }
     let mut values = vec![0.0; n_values(info)];
     stepper.system.stop(state.t, &state.q, &state.v, &mut values);
     let rate = values[2 * end + 1];
     let (length_s, height) = (2.0 * rate.abs() / fall, 0.5 * rate * rate / fall);
     let shortest_s = SHORTEST_FLIGHT * resolution_at(state.t);
-    Some(Flight { length_s, is_too_short: length_s < shortest_s || height < LOWEST_FLIGHT * rounding })
+    length_s < shortest_s || height < LOWEST_FLIGHT * rounding
 }
 
 /// The nearest end.

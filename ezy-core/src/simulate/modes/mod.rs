@@ -30,8 +30,6 @@ pub(super) struct Modes<'s, S: Scene + ?Sized> {
     begins: bool,
     /// Whether the next step begins with a change of mode.
     is_due: bool,
-    /// Longest first step of a mode, s.
-    longest_s: f64,
     /// Steps that were made and discarded.
     n_taken_back: u64,
     pub occurred: Vec<Occurrence>,
@@ -61,7 +59,6 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
             detector,
             begins: false,
             is_due: false,
-            longest_s: f64::INFINITY,
             n_taken_back: 0,
             occurred: Vec::new(),
         };
@@ -111,14 +108,10 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     ) -> Result<bool, MotionError> {
         self.settle(stepper)?;
         for _ in 0..MAX_AT_ONCE {
-            if h > self.longest_s {
-                stepper.advance_again(self.longest_s, stepper.now.state.t + self.longest_s)?;
-            } else {
-                stepper.advance(h, t_next)?;
-            }
+            stepper.advance(h, t_next)?;
             match self.cut(stepper)? {
                 Cut::Whole => {
-                    (self.begins, self.longest_s) = (false, f64::INFINITY);
+                    self.begins = false;
                     return Ok(false);
                 }
                 Cut::AtChange => return Ok(true),
@@ -145,7 +138,6 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
 
     /// Changes to the next mode.
     pub(super) fn change(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
-        self.longest_s = f64::INFINITY;
         self.begins = match self.law {
             Law::StickSlip(info) => stick_slip::change(self, info, stepper)?,
             Law::Stop(info) => contact::change(self, info, stepper)?,

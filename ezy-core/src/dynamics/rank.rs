@@ -52,6 +52,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.independence(t, q).is_some_and(|independence| independence <= NEARLY_DEPENDENT * NEARLY_DEPENDENT)
     }
 
+    /// Whether it is certain that they do not. Slow.
+    pub(crate) fn is_far_from_singular(&mut self, t: f64, q: &[f64]) -> bool {
+        self.independence(t, q).is_some_and(|independence| independence > NEARLY_DEPENDENT * NEARLY_DEPENDENT)
+    }
+
     /// Square of the smallest pivot of G, rows scaled to one and angles in units of their levers: how far rows are from depending on each
     /// other, whatever the masses are. Masses far apart make small pivots of G M⁻¹ Gᵀ everywhere, and no position singular.
     /// `None` in a system too large to tell. Slow.

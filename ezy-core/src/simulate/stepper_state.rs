@@ -206,7 +206,9 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         let (was, is) = (self.now.solved.is_rank_deficient, self.next.end.is_rank_deficient);
         let State { t, q, .. } = &self.next.state;
         let pivot = if was { self.system.pivot_at(*t, q) } else { self.next.end.smallest_pivot };
-        is && !was || self.crosses && pivot < TOO_NEAR * self.now.end.smallest_pivot
+        let has_fallen = self.crosses && pivot < TOO_NEAR * self.now.end.smallest_pivot;
+        // where masses are far apart, pivots fall although constraints are independent
+        is && !was || has_fallen && !self.system.is_far_from_singular(*t, q)
     }
 
     #[inline]

@@ -3,6 +3,7 @@
 
 mod accelerations;
 pub mod draw;
+pub mod methods;
 mod motion;
 mod oracle;
 mod parameters;

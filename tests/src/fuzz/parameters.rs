@@ -28,6 +28,11 @@ impl Scenes {
         Self(models.flat_map(|model| model.scenes.iter().map(move |scene| (*model, scene))).collect())
     }
 
+    /// One of them.
+    pub(super) fn pick(&self, draw: &mut Draw) -> (&'static ModelInfo, &'static SceneEntry) {
+        self.0[draw.below(self.n_scenes())]
+    }
+
     /// How many there are.
     pub fn n_scenes(&self) -> usize {
         self.0.len()
@@ -37,7 +42,7 @@ impl Scenes {
 /// Trial `i` of a seed: sets a scene up, compares accelerations at its start and at a state anywhere, and runs it.
 pub fn trial(scenes: &Scenes, seed: u64, i: u64, tally: &mut Tally) {
     let mut draw = Draw::new(seed, i);
-    let (model, entry) = scenes.0[draw.below(scenes.n_scenes())];
+    let (model, entry) = scenes.pick(&mut draw);
     let wild = draw.once_in(2);
     let mut scene = (entry.new)();
     let changed = change(&mut *scene, &mut draw, wild);
@@ -98,7 +103,7 @@ fn attempt(scene: &dyn Scene, order: &Order, draw: &mut Draw, tally: &mut Tally)
 }
 
 /// Changes parameters and counts; gives back those that it changed.
-fn change(scene: &mut dyn Scene, draw: &mut Draw, wild: bool) -> Vec<(&'static str, f64)> {
+pub(super) fn change(scene: &mut dyn Scene, draw: &mut Draw, wild: bool) -> Vec<(&'static str, f64)> {
     let mut changed = Vec::new();
     for i in 0..scene.info().counts().len() {
         scene.set_count(i, 1 + draw.below(LARGEST_COUNT));

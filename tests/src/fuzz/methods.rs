@@ -1,0 +1,280 @@
+//! The same motion by every method: what tolerance and the motion's own amplification do not explain is a fault.
+
+use ezy_core::model::SceneEntry;
+use ezy_core::prelude::*;
+use ezy_core::simulate::SetupError;
+
+use super::draw::Draw;
+use super::parameters::{Scenes, change};
+use crate::garage::worse;
+
+/// Tolerances that methods are judged at.
+const TOLERANCES: [f64; 2] = [1e-6, 1e-9];
+
+/// Tolerance of the two references.
+const REFERENCE: f64 = 1e-12;
+
+/// What an error may be, in tolerances times amplification: steps add up.
+const MARGIN: f64 = 100.0;
+
+/// Share of a scene's time that is run.
+const SHARES: [f64; 2] = [-2.0, -0.3];
+
+/// Samples that are compared.
+const N_SAMPLES: usize = 32;
+
+/// Steps after which a run is ended: a reference needs some hundred, and stiffness is no fault.
+const MOST_STEPS: u64 = 20_000;
+
+/// What starts are moved by to see the amplification, of their scale; differences of runs at the tolerance of references are
+/// below a thousandth of it.
+const MOVED: f64 = 1e-8;
+
+/// Starts that are moved.
+const N_MOVED: usize = 2;
+
+/// Motions that amplify more are not compared: differences are no longer linear.
+const LARGEST_AMPLIFICATION: f64 = 1e5;
+
+/// A motion to be computed by every method.
+#[derive(Clone)]
+pub struct Case {
+    model: &'static ModelInfo,
+    entry: &'static SceneEntry,
+    /// Parameters and counts that differ from the scene's.
+    changed: Vec<(&'static str, f64)>,
+    /// Start values.
+    given: Vec<(&'static str, f64)>,
+    until_s: f64,
+    /// What starts are moved by is drawn from it.
+    seed: u64,
+}
+
+/// What came of one run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// The motion has no two references: one is refused, stops or takes too many steps.
+    NoReference,
+    /// The method does not apply to the scene.
+    NotForIt,
+    /// It amplifies errors too much.
+    Amplifies,
+    /// Within its bound.
+    Right,
+    /// It stopped and said why.
+    Stopped,
+    /// Its fixed steps were too long, and it said so.
+    Untrusted,
+    /// Beyond its bound without a word.
+    Fault,
+}
+
+/// A run that is wrong without a word.
+pub struct Fault {
+    case: Case,
+    method: Method,
+    /// Error in tolerances times amplification.
+    excess: f64,
+    amplification: f64,
+}
+
+/// Samples of a run: coordinates and velocities.
+type Samples = Vec<Vec<f64>>;
+
+impl Case {
+    /// Case `i` of a seed.
+    pub fn new(scenes: &Scenes, seed: u64, i: u64) -> Self {
+        let mut draw = Draw::new(seed, i);
+        let (model, entry) = scenes.pick(&mut draw);
+        let mut scene = (entry.new)();
+        let changed = change(&mut *scene, &mut draw, false);
+        let info = scene.info();
+        let mut given = Vec::new();
+        for name in info.coordinates.iter().flat_map(|c| [c.name, c.velocity_name]) {
+            if draw.once_in(12) {
+                given.push((name, draw.instead_of(1.0, false)));
+            }
+        }
+        let [low, high] = SHARES;
+        Self { model, entry, changed, given, until_s: info.until_s * draw.decades(low, high), seed: i }
+    }
+
+    fn scene(&self) -> Box<dyn Scene> {
+        let mut scene = (self.entry.new)();
+        let info = scene.info();
+        for (name, value) in &self.changed {
+            match info.counts().iter().position(|count| count.name == *name) {
+                Some(i) => scene.set_count(i, *value as usize),
+                None => {
+                    let i = info.parameters.iter().position(|parameter| parameter.name == *name);
+                    scene.set_parameter(i.expect("a parameter of the scene"), *value);
+                }
+            }
+        }
+        scene
+    }
+
+    fn order<'s>(&self, scene: &'s dyn Scene, method: Method) -> Simulation<'s, dyn Scene + 's> {
+        let every_s = self.until_s / N_SAMPLES as f64;
+        let order = Simulation::new(scene).method(method).until(self.until_s).every(every_s);
+        let order = order.max_steps(MOST_STEPS).project_start();
+        self.given.iter().fold(order, |order, (name, value)| order.give(*name, *value))
+    }
+
+    /// Samples of a run that reached its end.
+    fn run(&self, scene: &dyn Scene, method: Method) -> Result<Samples, Verdict> {
+        match self.order(scene, method).run() {
+            Ok(run) => samples(&run),
+            Err(SetupError::NoSeries { .. } | SetupError::NoJacobians { .. }) => Err(Verdict::NotForIt),
+            Err(_) => Err(Verdict::Stopped),
+        }
+    }
+
+    /// Samples from a start that is moved a little.
+    fn moved(&self, scene: &dyn Scene, reference: &[Vec<f64>], scale: &[f64], draw: &mut Draw) -> Option<Samples> {
+        let info = scene.info();
+        let names = info.coordinates.iter().map(|c| c.name).chain(info.coordinates.iter().map(|c| c.velocity_name));
+        let order = names
+            .zip(&reference[0])
+            .zip(scale)
+            .fold(self.order(scene, Method::dop853(REFERENCE)), |order, ((name, value), scale)| {
+                order.give(name, value + MOVED * scale * draw.between(-1.0, 1.0))
+            });
+        order.run().ok().and_then(|run| samples(&run).ok())
+    }
+
+    /// Runs by every method; faults as `(method, excess)`.
+    pub fn judge(&self, mut tell: impl FnMut(Method, Verdict)) -> Vec<Fault> {
+        let scene = self.scene();
+        let scene = &*scene;
+        let explicit = Method::dop853(REFERENCE);
+        let mut other = Method::taylor(REFERENCE);
+        let mut second = self.run(scene, other);
+        if let Err(Verdict::NotForIt) = second {
+            other = Method::radau(REFERENCE);
+            second = self.run(scene, other);
+        }
+        let (Ok(reference), Ok(second)) = (self.run(scene, explicit), second) else {
+            tell(explicit, Verdict::NoReference);
+            return Vec::new();
+        };
+        let scale = scale(&reference);
+        let mut draw = Draw::new(self.seed, 1);
+        let moved: Option<Vec<Samples>> =
+            (0..N_MOVED).map(|_| self.moved(scene, &reference, &scale, &mut draw)).collect();
+        let Some(moved) = moved else {
+            tell(explicit, Verdict::NoReference);
+            return Vec::new();
+        };
+        let amplification = moved.iter().map(|moved| amplification(moved, &reference, &scale)).fold(1.0, f64::max);
+        if amplification > LARGEST_AMPLIFICATION {
+            tell(explicit, Verdict::Amplifies);
+            return Vec::new();
+        }
+        let mut faults = Vec::new();
+        let mut judge = |method: Method, outcome: Result<Samples, Verdict>, tolerance: f64| {
+            let verdict = outcome.map_or_else(
+                |verdict| verdict,
+                |samples| {
+                    let excess = distance(&samples, &reference, &scale) / (tolerance * amplification);
+                    if excess <= MARGIN {
+                        return Verdict::Right;
+                    }
+                    faults.push(Fault { case: self.clone(), method, excess, amplification });
+                    Verdict::Fault
+                },
+            );
+            tell(method, verdict);
+        };
+        judge(other, Ok(second), REFERENCE);
+        for tolerance in TOLERANCES {
+            for method in [Method::dop853(tolerance), Method::taylor(tolerance), Method::radau(tolerance)] {
+                judge(method, self.run(scene, method), tolerance);
+            }
+        }
+        faults
+    }
+}
+
+impl Fault {
+    /// The same fault with as few changes of the scene as it takes.
+    pub fn shrunk(mut self) -> Self {
+        let fails = |case: &Case, method: Method| {
+            let mut faults = case.judge(|_, _| {});
+            let at = faults.iter().position(|fault| fault.method == method);
+            at.map(|at| faults.swap_remove(at))
+        };
+        let mut i = 0;
+        while i < self.case.changed.len() + self.case.given.len() {
+            let mut fewer = self.case.clone();
+            let n_changed = fewer.changed.len();
+            match i.checked_sub(n_changed) {
+                None => drop(fewer.changed.remove(i)),
+                Some(given) => drop(fewer.given.remove(given)),
+            }
+            match fails(&fewer, self.method) {
+                Some(fault) => self = fault,
+                None => i += 1,
+            }
+        }
+        self
+    }
+}
+
+/// What went wrong, and the command line that shows it.
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { case: Case { model, entry, changed, given, until_s, .. }, method, excess, amplification } = self;
+        let (name, tolerance) = (method.name(), method.tolerance().map_or(0.0, |tolerance| tolerance.relative));
+        writeln!(
+            f,
+            "{name} at {tolerance:e} is off by {excess:.1e} times tolerance and amplification ({amplification:.1e})"
+        )?;
+        let id = |name: &str| name.chars().filter(|c| *c != '_').collect::<String>().to_lowercase();
+        write!(
+            f,
+            "  ezy run {}/{} --project-start --until {until_s} --method {name} --rtol {tolerance:e}",
+            id(model.name),
+            entry.name
+        )?;
+        changed.iter().try_for_each(|(name, value)| write!(f, " --set {name}={value:e}"))?;
+        given.iter().try_for_each(|(name, value)| write!(f, " --start {name}={value:e}"))
+    }
+}
+
+/// Coordinates and velocities of every sample of a run that may be trusted.
+fn samples(run: &Run) -> Result<Samples, Verdict> {
+    match run.outcome {
+        Outcome::ReachedEnd => {
+            let numbers = |sample: Sample<'_>| [sample.coordinates, sample.velocities].concat();
+            Ok(run.samples().map(numbers).collect())
+        }
+        Outcome::Untrusted { .. } => Err(Verdict::Untrusted),
+        _ => Err(Verdict::Stopped),
+    }
+}
+
+/// What tolerances are relative to: one more than the largest of each number.
+fn scale(reference: &[Vec<f64>]) -> Vec<f64> {
+    let largest = |i: usize| reference.iter().fold(0.0, |m: f64, sample| m.max(sample[i].abs()));
+    (0..reference[0].len()).map(|i| 1.0 + largest(i)).collect()
+}
+
+/// The largest difference of two samples, of its scale; NaN where one is none.
+fn apart(a: &[f64], b: &[f64], scale: &[f64]) -> f64 {
+    a.iter().zip(b).zip(scale).fold(0.0, |m: f64, ((a, b), scale)| worse(m, (a - b) / scale))
+}
+
+/// The largest difference of two runs.
+fn distance(a: &[Vec<f64>], b: &[Vec<f64>], scale: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |m: f64, (a, b)| worse(m, apart(a, b, scale)))
+}
+
+/// How much a difference grows from any sample to any later one.
+fn amplification(moved: &[Vec<f64>], reference: &[Vec<f64>], scale: &[f64]) -> f64 {
+    let differences = moved.iter().zip(reference).map(|(a, b)| apart(a, b, scale).max(REFERENCE));
+    let grown = |(least, most): (f64, f64), difference: f64| {
+        (least.min(difference), most.max(difference / least.min(difference)))
+    };
+    differences.fold((f64::INFINITY, 1.0), grown).1
+}

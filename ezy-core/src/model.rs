@@ -81,10 +81,10 @@ pub struct RowInfo {
     pub convective_term: Formula,
 }
 
-/// A parameter of a scene.
+/// A parameter or an input of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParameterInfo {
-    /// Name in the model file and of the field.
+    /// Name in the model file; of a parameter that of the field, too.
     pub name: &'static str,
     /// Unit as written, empty when none was declared; values are in this unit.
     pub unit: &'static str,
@@ -275,8 +275,8 @@ pub struct SceneInfo {
 }
 
 impl SceneInfo {
-    /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts, nor where so
-    /// many rows meet in one body that the sparse solver is faster.
+    /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts, nor where more
+    /// than 24 rows meet in one body, for which rustc takes minutes.
     pub const fn has_elimination(&self) -> bool {
         self.repeats.is_none() && (self.rows.is_empty() || !self.elimination.is_empty())
     }

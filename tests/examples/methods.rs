@@ -1,4 +1,4 @@
-//! Random motions by every method, judged by two references and by their own amplification.
+//! Random motions by every method that has a tolerance, judged by two references and by their own amplification.
 //!
 //! `cargo run --release -p ezy-tests --example methods -- 1000 --seed 1`
 

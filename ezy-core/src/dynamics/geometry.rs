@@ -52,6 +52,12 @@ impl Geometry {
         largest(x.iter().enumerate().map(|(i, x)| if is_angle(i) { x.abs() } else { x.abs() / self.length }))
     }
 
+    /// Largest of displacements, or of velocities, as lengths: angles times their levers.
+    #[cold]
+    pub(super) fn length_of(&self, x: &[f64]) -> f64 {
+        largest(x.iter().zip(&self.units).map(|(x, unit)| (x * unit).abs()))
+    }
+
     /// Largest residual of a position constraint, in units of what counts as zero at `q`; NaN when there is one.
     pub(super) fn position_excess(&self, residual: &[f64], q: &[f64]) -> f64 {
         let extent = self.extent(q);

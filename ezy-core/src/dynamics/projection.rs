@@ -110,7 +110,9 @@ impl<S: Scene + ?Sized> System<'_, S> {
             let mut solved;
             (projected.velocities_before, solved) = self.move_velocities(t, q, v, metric, next)?;
             let (removed, correction) = (projected.velocities_before.value, max_abs(&self.buffers.delta));
-            if correction > NEAR_RANK_LOSS * removed && projection.positions() {
+            let is_large = correction > NEAR_RANK_LOSS * removed && projection.positions();
+            // levers of a millimetre alone make angles a thousand times as large
+            if is_large && self.geometry.length_of(&self.buffers.delta) > NEAR_RANK_LOSS * removed {
                 v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v -= delta);
                 for _ in 0..PASSES_NEAR_RANK_LOSS {
                     self.polish_positions_in(t, q, metric)?;

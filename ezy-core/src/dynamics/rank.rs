@@ -52,7 +52,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         self.independence(t, q).is_some_and(|independence| independence <= NEARLY_DEPENDENT * NEARLY_DEPENDENT)
     }
 
-    /// Whether it is certain that they do not. Slow.
+    /// Whether the rows that a step goes on with are certainly far from depending on each other. Slow.
     pub(crate) fn is_far_from_singular(&mut self, t: f64, q: &[f64]) -> bool {
         self.independence(t, q).is_some_and(|independence| independence > NEARLY_DEPENDENT * NEARLY_DEPENDENT)
     }

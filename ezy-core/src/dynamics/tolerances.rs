@@ -43,8 +43,8 @@ pub(crate) mod projection {
     /// Test: `analytic_motors_that_part_are_followed_to_a_tenth_of_a_nanometre`.
     pub(crate) const TOLERANCE_OF_REDUNDANT: f64 = 1e-10;
 
-    /// A velocity correction this many times as large as the residual that it removes shows rows that nearly depend on each
-    /// other; levers of a centimetre make it a hundred times as large.
+    /// A velocity correction this many times as large as the residual that it removes, with angles weighed by their levers, too, shows
+    /// rows that nearly depend on each other.
     /// Unit: 1.
     /// Test: `cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch`.
     pub(crate) const NEAR_RANK_LOSS: f64 = 1e3;

@@ -33,13 +33,13 @@ pub struct RankRecord {
     crossed_until_s: f64,
 }
 
-/// A stretch that led across a singular position, in which rank is lost for an instant, or up to one. Its steps were of DOP853 with
+/// A stretch of a run across a singular position, where rank is lost for an instant, or towards one. Its steps are of DOP853 with
 /// projected stages, whatever the method of the run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SingularityCrossed {
     /// Its beginning, s.
     pub from_s: f64,
-    /// Its end, s. That of the run may come before.
+    /// Its end, s; a run that ends at an event may end before.
     pub to_s: f64,
 }
 

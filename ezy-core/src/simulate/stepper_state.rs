@@ -26,7 +26,7 @@ pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     crossing: Option<Box<SingularityCrossing>>,
     /// A buffer for positions ahead.
     foreseen: Vec<f64>,
-    /// The stretch that the last step over a singular position or towards it leads through, s, until it is recorded.
+    /// Start and end of the last crossing step, s; none once it is recorded.
     pub crossed_s: Option<[f64; 2]>,
     /// Steps taken again shorter next to a singular position.
     n_shortened: u64,

@@ -1,5 +1,4 @@
-//! Scenes with arrays: kernels that loop over the members of each item, and the loops that describe a run with given
-//! counts.
+//! Scenes with counts: their descriptions, made when a run gives the counts, and access to the counts.
 
 mod describe;
 

@@ -14,10 +14,10 @@ const PIVOT_TOLERANCE: f64 = 1e-10;
 /// Most rows of G that one body may be in for a straight-line elimination. All of them are coupled through it: r rows cost
 /// r³/3 operations. rustc sets this limit: a release build takes some 100 s and 1 GB at 24 rows, some 500 s and 2 GB at 36
 /// (`docs/decisions/041-no-elimination-of-wide-hubs.md`). `analytic_elimination_is_written_up_to_24_rows_of_a_body` in
-/// `growth.rs` sees it.
+/// `growth.rs` checks it.
 const MOST_ROWS_OF_A_BODY: usize = 24;
 
-/// Whether an elimination is written: not where it would be longer than what the sparse solver does.
+/// Whether an elimination is written: not where rustc would take minutes for it.
 pub fn is_worth_writing(equations: &Equations) -> bool {
     let mut n_rows = vec![0; equations.mass.len()];
     let entries = equations.constraints.jacobian.iter().flatten();

@@ -1,4 +1,4 @@
-//! The same motion by every method: what tolerance and the motion's own amplification do not explain is a fault.
+//! The same motion by every method that has a tolerance: what tolerance and the motion's own amplification do not explain is a fault.
 
 use ezy_core::model::SceneEntry;
 use ezy_core::prelude::*;
@@ -17,7 +17,7 @@ const REFERENCE: f64 = 1e-12;
 /// What an error may be, in tolerances times amplification: steps add up.
 const MARGIN: f64 = 100.0;
 
-/// Share of a scene's time that is run.
+/// Share of a scene's time that is run, as powers of ten.
 const SHARES: [f64; 2] = [-2.0, -0.3];
 
 /// Samples that are compared.
@@ -52,7 +52,7 @@ pub struct Case {
 
 /// What came of one run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Verdict {
+pub enum Judgement {
     /// The motion has no two references: one is refused, stops or takes too many steps.
     NoReference,
     /// The method does not apply to the scene.
@@ -63,8 +63,6 @@ pub enum Verdict {
     Right,
     /// It stopped and said why.
     Stopped,
-    /// Its fixed steps were too long, and it said so.
-    Untrusted,
     /// Beyond its bound without a word.
     Fault,
 }
@@ -122,11 +120,11 @@ impl Case {
     }
 
     /// Samples of a run that reached its end.
-    fn run(&self, scene: &dyn Scene, method: Method) -> Result<Samples, Verdict> {
+    fn run(&self, scene: &dyn Scene, method: Method) -> Result<Samples, Judgement> {
         match self.order(scene, method).run() {
             Ok(run) => samples(&run),
-            Err(SetupError::NoSeries { .. } | SetupError::NoJacobians { .. }) => Err(Verdict::NotForIt),
-            Err(_) => Err(Verdict::Stopped),
+            Err(SetupError::NoSeries { .. } | SetupError::NoJacobians { .. }) => Err(Judgement::NotForIt),
+            Err(_) => Err(Judgement::Stopped),
         }
     }
 
@@ -143,19 +141,19 @@ impl Case {
         order.run().ok().and_then(|run| samples(&run).ok())
     }
 
-    /// Runs by every method; faults as `(method, excess)`.
-    pub fn judge(&self, mut tell: impl FnMut(Method, Verdict)) -> Vec<Fault> {
+    /// Runs the case by every method with a tolerance, tells what came of each run, and returns the faults.
+    pub fn judge(&self, mut tell: impl FnMut(Method, Judgement)) -> Vec<Fault> {
         let scene = self.scene();
         let scene = &*scene;
         let explicit = Method::dop853(REFERENCE);
         let mut other = Method::taylor(REFERENCE);
         let mut second = self.run(scene, other);
-        if let Err(Verdict::NotForIt) = second {
+        if let Err(Judgement::NotForIt) = second {
             other = Method::radau(REFERENCE);
             second = self.run(scene, other);
         }
         let (Ok(reference), Ok(second)) = (self.run(scene, explicit), second) else {
-            tell(explicit, Verdict::NoReference);
+            tell(explicit, Judgement::NoReference);
             return Vec::new();
         };
         let scale = scale(&reference);
@@ -163,25 +161,25 @@ impl Case {
         let moved: Option<Vec<Samples>> =
             (0..N_MOVED).map(|_| self.moved(scene, &reference, &scale, &mut draw)).collect();
         let Some(moved) = moved else {
-            tell(explicit, Verdict::NoReference);
+            tell(explicit, Judgement::NoReference);
             return Vec::new();
         };
         let amplification = moved.iter().map(|moved| amplification(moved, &reference, &scale)).fold(1.0, f64::max);
         if amplification > LARGEST_AMPLIFICATION {
-            tell(explicit, Verdict::Amplifies);
+            tell(explicit, Judgement::Amplifies);
             return Vec::new();
         }
         let mut faults = Vec::new();
-        let mut judge = |method: Method, outcome: Result<Samples, Verdict>, tolerance: f64| {
+        let mut judge = |method: Method, outcome: Result<Samples, Judgement>, tolerance: f64| {
             let verdict = outcome.map_or_else(
                 |verdict| verdict,
                 |samples| {
                     let excess = distance(&samples, &reference, &scale) / (tolerance * amplification);
                     if excess <= MARGIN {
-                        return Verdict::Right;
+                        return Judgement::Right;
                     }
                     faults.push(Fault { case: self.clone(), method, excess, amplification });
-                    Verdict::Fault
+                    Judgement::Fault
                 },
             );
             tell(method, verdict);
@@ -242,15 +240,14 @@ impl std::fmt::Display for Fault {
     }
 }
 
-/// Coordinates and velocities of every sample of a run that may be trusted.
-fn samples(run: &Run) -> Result<Samples, Verdict> {
+/// Coordinates and velocities of every sample of a run that reached its end.
+fn samples(run: &Run) -> Result<Samples, Judgement> {
     match run.outcome {
         Outcome::ReachedEnd => {
             let numbers = |sample: Sample<'_>| [sample.coordinates, sample.velocities].concat();
             Ok(run.samples().map(numbers).collect())
         }
-        Outcome::Untrusted { .. } => Err(Verdict::Untrusted),
-        _ => Err(Verdict::Stopped),
+        _ => Err(Judgement::Stopped),
     }
 }
 

@@ -1,5 +1,5 @@
 //! Random parameters, starts and inputs, most of them reasonable and some of them not: every scene either computes what
-//! an independent solution in 31 digits confirms, or refuses.
+//! an independent solution in 31 digits confirms, or refuses. `methods`: the same motion by every method that has a tolerance.
 
 mod accelerations;
 pub mod draw;

@@ -108,3 +108,19 @@ fn invariant_shipped_scenes_with_masses_are_eliminated() {
         assert!(eliminated || !has_masses, "{} {}", scene.info().model, scene.info().name);
     }
 }
+
+#[test]
+fn regress_short_levers_take_no_more_projections() {
+    // angles of levers below a millimetre move a thousand times as much as points, and no constraint is nearly redundant
+    let factorizations = |length: f64| {
+        let scene = scaled(length, 1.0);
+        let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
+        assert!(run.outcome.reached_end(), "{length} m: {}", run.outcome);
+        run.cost.factorizations
+    };
+    let usual = factorizations(1.0);
+    for length in [1e-4, 1e-6] {
+        let n = factorizations(length);
+        assert!(n <= usual, "{length} m: {n} factorisations, {usual} of lengths of a metre");
+    }
+}

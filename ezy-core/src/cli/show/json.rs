@@ -53,7 +53,7 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
             "multiplier_unit": row.multiplier_unit,
             "constraint": formula(&row.constraint),
             "convective_term": formula(&row.convective_term),
-            "limit": info.stick_slip.filter(|skate| skate.row == i).map(|skate| formula(&skate.limit)),
+            "limit": info.stick_slip.filter(|stick_slip| stick_slip.row == i).map(|stick_slip| formula(&stick_slip.limit)),
         })),
         "jacobian": list(info.jacobian.entries(), |(k, i, j)| json!({
             "row": info.rows[i].name,

@@ -58,11 +58,14 @@ impl Watch {
         }
     }
 
-    /// Whether another step may be taken; `n_rejected` were rejected, which count where the method chooses its steps.
+    /// Whether another step may be taken; `n_rejected` were rejected.
     pub(crate) fn admits_step(&self, chooses_steps: bool, n_rejected: u64) -> Result<(), ExceededLimit> {
         let limit = self.limits.most_steps(chooses_steps);
-        let n_attempts = self.n_steps + if chooses_steps { n_rejected } else { 0 };
-        if n_attempts < limit { Ok(()) } else { Err(ExceededLimit::Steps { limit, step_s: self.last_s }) }
+        if self.n_steps + n_rejected < limit {
+            Ok(())
+        } else {
+            Err(ExceededLimit::Steps { limit, step_s: self.last_s })
+        }
     }
 
     /// Monitors the projected end of a step that began at `from`, s. A state beyond a limit is not counted.

@@ -53,7 +53,6 @@ impl Geometry {
     }
 
     /// Largest of displacements, or of velocities, as lengths: angles times their levers.
-    #[cold]
     pub(super) fn length_of(&self, x: &[f64]) -> f64 {
         largest(x.iter().zip(&self.units).map(|(x, unit)| (x * unit).abs()))
     }

@@ -110,18 +110,38 @@ impl<S: Scene + ?Sized> System<'_, S> {
             let mut solved;
             (projected.velocities_before, solved) = self.move_velocities(t, q, v, metric, next)?;
             let (removed, correction) = (projected.velocities_before.value, max_abs(&self.buffers.delta));
-            let is_large = correction > NEAR_RANK_LOSS * removed && projection.positions();
-            // levers of a millimetre alone make angles a thousand times as large
-            if is_large && self.geometry.length_of(&self.buffers.delta) > NEAR_RANK_LOSS * removed {
-                v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v -= delta);
-                for _ in 0..PASSES_NEAR_RANK_LOSS {
-                    self.polish_positions_in(t, q, metric)?;
-                }
-                (_, solved) = self.move_velocities(t, q, v, metric, next)?;
+            if correction > NEAR_RANK_LOSS * removed
+                && projection.positions()
+                && let Some(again) = self.correct_near_rank_loss(t, q, v, metric, next, removed)?
+            {
+                solved = again;
             }
             projected.solved = Some(solved);
         }
         Ok(projected)
+    }
+
+    /// Corrects positions and velocities again where the velocity correction just made is one near rank loss.
+    #[cold]
+    #[inline(never)]
+    fn correct_near_rank_loss(
+        &mut self,
+        t: f64,
+        q: &mut [f64],
+        v: &mut [f64],
+        metric: Metric,
+        next: Next,
+        removed: f64,
+    ) -> Result<Option<Solved>, MotionError> {
+        // levers of a millimetre alone make angles a thousand times as large
+        if self.geometry.length_of(&self.buffers.delta) <= NEAR_RANK_LOSS * removed {
+            return Ok(None);
+        }
+        v.iter_mut().zip(&self.buffers.delta).for_each(|(v, delta)| *v -= delta);
+        for _ in 0..PASSES_NEAR_RANK_LOSS {
+            self.polish_positions_in(t, q, metric)?;
+        }
+        Ok(Some(self.move_velocities(t, q, v, metric, next)?.1))
     }
 
     /// Largest |C(q, t)| over the position constraints; zero without any.

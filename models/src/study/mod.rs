@@ -2,7 +2,7 @@
 //!
 //! Everything that the page states is measured while it is written.
 
-mod averaged;
+pub mod averaged;
 mod claims;
 mod coast;
 pub mod command;
@@ -12,7 +12,7 @@ mod error;
 mod growth;
 mod motion;
 mod output;
-mod parts;
+pub mod parts;
 mod projection;
 mod slips;
 mod steps;

@@ -35,15 +35,3 @@ pub fn typeset_unit(unit: &str) -> String {
 pub fn row([part, claim, finding]: [&str; 3], measured: String) -> [String; 4] {
     [part.to_owned(), claim.to_owned(), finding.to_owned(), measured]
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn analytic_slope_of_a_power_law_is_its_exponent() {
-        let x = geometric(0.1, 2.0, 5);
-        let y: Vec<f64> = x.iter().map(|x| 3.0 * x.powi(4)).collect();
-        assert!((log_slope(&x, &y) - 4.0).abs() < 1e-12);
-    }
-}

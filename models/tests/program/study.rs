@@ -1,6 +1,9 @@
 //! The study, done once: what it prints and what it writes.
 
 use crate::{assert_wrong_use, directory, ezy, text};
+use ezy_models::ezy_roller::Driven;
+use ezy_models::study::averaged::Averaged;
+use ezy_models::study::parts::{geometric, log_slope};
 
 /// Figures, each as SVG, PNG and CSV.
 const FIGURES: [&str; 10] = [
@@ -74,4 +77,20 @@ fn invariant_study_into_a_file_exits_with_2() {
     let file = directory("no_study").join("not_a_directory");
     std::fs::write(&file, "").unwrap();
     assert_wrong_use(&["study", "--out", file.to_str().unwrap()], "choose another directory");
+}
+
+#[test]
+fn analytic_slope_of_a_power_law_is_its_exponent() {
+    let x = geometric(0.1, 2.0, 5);
+    let y: Vec<f64> = x.iter().map(|x| 3.0 * x.powi(4)).collect();
+    assert!((log_slope(&x, &y) - 4.0).abs() < 1e-12);
+}
+
+#[test]
+fn analytic_mean_power_tends_to_the_limit_law() {
+    let law = Averaged::of(&Driven::default()).unwrap();
+    let v: f64 = 1e6;
+    let limit = 5.0 * law.mean_power(v) * v.powi(3) / law.mass;
+    // the law misses terms of order 1/v²
+    assert!((limit / law.limit() - 1.0).abs() < 1e-9, "{limit} {}", law.limit());
 }

@@ -159,14 +159,19 @@ pub fn table(rows: &[Row<'_>]) -> String {
 }
 
 /// A line of the page.
-struct Line<'p> {
-    case: &'p str,
-    seconds: Option<f64>,
-    method: &'p str,
-    cells: Vec<&'p str>,
+pub struct Line<'p> {
+    /// Its name.
+    pub case: &'p str,
+    /// Processor time, where it was measured.
+    pub seconds: Option<f64>,
+    /// Its name.
+    pub method: &'p str,
+    /// What came of it at each tolerance.
+    pub cells: Vec<&'p str>,
 }
 
-fn lines(page: &str) -> impl Iterator<Item = Line<'_>> {
+/// The lines that a page has.
+pub fn lines(page: &str) -> impl Iterator<Item = Line<'_>> {
     page.lines().filter_map(|line| {
         let mut cells = line.strip_prefix("| `")?.trim_end_matches('|').split('|').map(str::trim);
         let case = cells.next()?.strip_suffix('`')?;
@@ -224,49 +229,4 @@ fn processor_s() -> f64 {
         || std::time::UNIX_EPOCH.elapsed().map_or(0.0, |elapsed| elapsed.as_secs_f64()),
         |nanoseconds| 1e-9 * nanoseconds,
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn case_with(reached: fn(f64) -> f64, ended: Ended) -> Case {
-        let examine = move |how: How| {
-            let How::By(Setting { tolerance, .. }) = how else { return Findings::default() };
-            let checks = vec![Check::new("angle", 1e-8, reached(tolerance)), Check::for_all("gap", 1e-12, 1e-13)];
-            Findings { checks, steps: 10, ended: Some(ended), ..Findings::default() }
-        };
-        Case { name: "rod".to_owned(), why: "it is one", is_quick: true, examine: Box::new(examine) }
-    }
-
-    fn page_of(case: &Case) -> String {
-        table(&[examine(case).unwrap()])
-    }
-
-    #[test]
-    fn analytic_kept_right_and_off_follow_from_bound_and_tolerance() {
-        let page = page_of(&case_with(|tolerance| 20.0 * tolerance, Ended::Reached));
-        let line = lines(&page).find(|line| line.method == "taylor").unwrap();
-        assert_eq!(line.cells, ["2e-5, 10", "2e-8, 10", "kept: 2e-11, 10"]);
-        // at 1e-6 and 1e-9 the median of error over tolerance is 2e4
-        let off = page_of(&case_with(|_| 2e-5, Ended::Reached));
-        let line = lines(&off).find(|line| line.method == "radau").unwrap();
-        assert_eq!(line.cells, ["2e-5, 10", "2e-5, 10", "**off: 2e-5**, 10"]);
-        assert!(lines(&off).find(|line| line.method == "rk4").unwrap().cells.iter().all(|cell| *cell == "2e-5, 10"));
-    }
-
-    #[test]
-    fn analytic_what_a_page_has_is_not_lost() {
-        let [good, bad] = [|_| 1e-10, |_| 2e-3].map(|reached: fn(f64) -> f64| case_with(reached, Ended::Reached));
-        let refused = case_with(|_| f64::NAN, Ended::Refused("does not get past"));
-        let page = page_of(&good);
-        let lost = |case: &Case| broken(&page, &[case], &[examine(case).unwrap()]).len();
-        assert_eq!((lost(&good), lost(&bad), lost(&refused)), (0, 12, 12));
-        assert_eq!(broken(&page_of(&refused), &[&good], &[examine(&good).unwrap()]).len(), 0);
-        // a case, a method and a tolerance that are gone
-        assert_eq!((broken(&page, &[], &[]).len(), broken("", &[&good], &[]).len()), (1, 1));
-        let fewer: String =
-            page.lines().filter(|line| !line.contains("dop853")).fold(String::new(), |t, l| t + l + "\n");
-        assert_eq!(broken(&fewer, &[&good], &[examine(&good).unwrap()]).len(), 1);
-    }
 }

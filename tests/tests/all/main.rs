@@ -8,6 +8,7 @@ mod architecture;
 mod backends;
 mod circles;
 mod control;
+mod count_table;
 mod degenerate_forces;
 mod discontinuities;
 mod dop853;

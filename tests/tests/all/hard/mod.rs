@@ -1,6 +1,8 @@
 //! Models that are hard on purpose: they are what their references say, and the naive program beside them is what it says.
 
 mod bounds;
+mod methods_page;
+mod page;
 mod symptoms;
 
 use ezy_core::prelude::*;

@@ -65,8 +65,7 @@ impl Implicit {
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
-            let doubtful = self.control.is_doubtful();
-            let attempt = self.method.attempt(system, from, h, self.tolerance, doubtful, to)?;
+            let attempt = self.method.attempt(system, from, h, self.tolerance, to)?;
             if matches!(attempt, Attempt::Solved { .. }) {
                 to.t = t_next;
                 let next_cut = match cut {

@@ -91,7 +91,7 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
             Method::Rk4(rk4) => rk4.step(system, from, h, state.t + h, other).map(|()| true)?,
             Method::Dop853(dop853) => dop853.attempt(system, from, h, ANY, other).map(|_| true)?,
             Method::Radau(radau) => {
-                matches!(radau.attempt(system, from, h, CONVERGED, false, other)?, Attempt::Solved { .. })
+                matches!(radau.attempt(system, from, h, CONVERGED, other)?, Attempt::Solved { .. })
             }
             Method::Taylor(_) => true,
         };

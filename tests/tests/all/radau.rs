@@ -4,7 +4,7 @@ use crate::scenes::{distance, stepped};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{Cost, SetupError};
 use ezy_core::testing::StepsBy;
-use ezy_models::{chain, double_pendulum, ezy_roller};
+use ezy_models::{chain, double_pendulum, ezy_roller, roller_racer};
 use ezy_tests::garage::{case, load, rows, worse};
 use ezy_tests::hand_roller::HandRoller;
 
@@ -301,5 +301,30 @@ fn invariant_no_scene_without_stiffness_is_called_stiff() {
         let until_s = scene.info().until_s.min(2.0);
         let Ok(run) = Simulation::new(&*scene).method(Method::dop853(1e-9)).until(until_s).run() else { continue };
         assert_eq!(run.stiff_since_s, None, "{}/{}", scene.info().model, scene.info().name);
+    }
+}
+
+/// Angle of the handle after a second of rowing against friction with this knee, from DOP853 at 1e-12 in 10,507 and 1,043,158 steps.
+const OVER_KNEES: [(f64, f64); 2] = [(1e-8, 2.356_228_683_73), (1e-10, 2.356_228_045_84)];
+
+/// Steps at most: DOP853 takes ten thousand and a million.
+const FEW_STEPS: u64 = 200;
+
+/// What a tolerance per step may become in this motion, which doubles errors.
+const ADDED_UP: f64 = 100.0;
+
+/// Within the knee the force is stiff, beyond it is constant, and wheels that stand begin to roll within a step. The iteration must not
+/// take small changes for a solution, nor the estimate hide what is stiff at the start of the step alone.
+#[test]
+fn reference_radau_over_a_steep_knee_of_friction() {
+    for (knee, expected) in OVER_KNEES {
+        let scene = roller_racer::RowedOnTarmac { knee, ..Default::default() };
+        for tolerance in [1e-6, 1e-7, 1e-8, 1e-9] {
+            let run = Simulation::new(&scene).method(Method::radau(tolerance)).until(1.0).run().unwrap();
+            let error = (run.last().get("handle.phi").unwrap() - expected).abs();
+            let steps = run.cost.steps;
+            assert!(error <= ADDED_UP * tolerance, "{knee:.0e} at {tolerance:.0e}: off by {error:.1e}, {steps} steps");
+            assert!(steps <= FEW_STEPS, "{knee:.0e} at {tolerance:.0e}: {steps} steps");
+        }
     }
 }

@@ -37,11 +37,6 @@ pub(crate) fn tolerance_of_estimate(tolerance: Tolerance) -> Tolerance {
 }
 
 impl RadauControl {
-    /// Whether the error estimate of a rejected step is filtered once more.
-    pub(crate) fn is_doubtful(&self) -> bool {
-        self.last.is_none() || self.just_rejected
-    }
-
     /// Length of the step after one of length `h` with an error of at most 1; `keeps` says that an equal length would keep the
     /// factors.
     pub(crate) fn accept(&mut self, h: f64, error: f64, n_passes: u32, keeps: bool) -> f64 {

@@ -6,14 +6,17 @@ use crate::integrate::Tolerance;
 pub(super) const MAX_PASSES: u32 = 7;
 /// The iteration ends when its error is below this part of the tolerance, or below the root of the tolerance.
 const PART: f64 = 0.03;
-/// Changes below this many units of rounding are zero.
-const ROUNDING: f64 = 10.0 * f64::EPSILON;
+/// Rounding of sums of some terms, in parts of the largest: changes and residuals below it are zero.
+pub(super) const ROUNDING: f64 = 10.0 * f64::EPSILON;
 /// Factor for the step after an iteration that diverges.
 pub(super) const SHORTEN: f64 = 0.5;
 /// Largest rate of convergence.
 const SLOWEST: f64 = 0.99;
 /// Exponent of the previous rate in the estimate for the first iteration.
 const FORGET: f64 = 0.8;
+/// What a pass leaves of the error at most where changes are small and residuals are not. A stiff force that levels off makes such
+/// passes: each takes its Jacobian for the whole law, and little of the residual is gone.
+const TRUSTED: f64 = 0.1;
 /// Rate of convergence that is assumed when one iteration sufficed.
 const AT_ONCE: f64 = 1e-3;
 
@@ -27,6 +30,7 @@ pub(super) struct Convergence {
     /// Error after a pass over its change.
     share: f64,
     last_change: f64,
+    last_unsolved: f64,
     last_ratio: f64,
     rate: f64,
 }
@@ -46,11 +50,12 @@ impl Convergence {
     pub(super) fn new(tolerance: Tolerance, share: f64) -> Self {
         let goal = (ROUNDING / tolerance.relative).max(PART.min(tolerance.relative.sqrt()));
         let share = share.max(f64::EPSILON).powf(FORGET);
-        Self { goal, n_passes: 0, share, last_change: 0.0, last_ratio: 0.0, rate: AT_ONCE }
+        Self { goal, n_passes: 0, share, last_change: 0.0, last_unsolved: 0.0, last_ratio: 0.0, rate: AT_ONCE }
     }
 
-    /// Judges a pass that changed the stages by `change` tolerances.
-    pub(super) fn judge(&mut self, change: f64) -> Verdict {
+    /// Judges a pass that changed the stages by `change` tolerances, from residuals that alone would change velocities by `unsolved`
+    /// tolerances.
+    pub(super) fn judge(&mut self, change: f64, unsolved: f64) -> Verdict {
         self.n_passes += 1;
         if !change.is_finite() {
             return Verdict::Diverged { factor: SHORTEN };
@@ -59,7 +64,7 @@ impl Convergence {
             let ratio = change / self.last_change;
             self.rate = if self.n_passes == 2 { ratio } else { (ratio * self.last_ratio).sqrt() };
             self.last_ratio = ratio;
-            if change == 0.0 {
+            if change == 0.0 && unsolved <= self.goal {
                 return Verdict::Converged;
             }
             if self.rate >= SLOWEST {
@@ -69,9 +74,11 @@ impl Convergence {
             let share = self.rate / (1.0 - self.rate);
             self.share = if self.n_passes == 2 { share.max(self.share) } else { share };
         }
-        self.last_change = change.max(f64::EPSILON);
+        self.last_change = change.max(f64::MIN_POSITIVE);
         let left = self.share * change;
-        if left <= self.goal {
+        let is_solved = unsolved <= self.goal || (self.n_passes > 1 && unsolved <= TRUSTED * self.last_unsolved);
+        self.last_unsolved = unsolved;
+        if left <= self.goal && is_solved {
             return Verdict::Converged;
         }
         if self.n_passes == 1 {

@@ -1,5 +1,6 @@
 //! Entries of the matrices of the simplified Newton iteration, before they are factored.
 
+use super::convergence::ROUNDING;
 use super::factors::Factors;
 use crate::dynamics::Jacobians;
 use crate::linalg::SparseKktError;
@@ -198,6 +199,19 @@ impl Entries {
         x.iter_mut().zip(&self.row_scale).for_each(|(x, scale)| *x = x.scale(*scale));
         factors.solve(x);
         x.iter_mut().zip(&self.column_scale).for_each(|(x, scale)| *x = x.scale(*scale));
+    }
+
+    /// What rounding of q, v, a and λ leaves at most of the equations of motion, `n_q`: the sum of the magnitudes of their terms.
+    pub(super) fn rounding_along(&self, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut [f64]) {
+        for (x, ends) in out.iter_mut().zip(self.starts.windows(2)) {
+            let terms = (ends[0]..ends[1]).map(|place| match self.columns[place] {
+                j if j < self.n_q => {
+                    (self.by_q[place] * q[j]).abs() + (self.by_v[place] * v[j]).abs() + (self.fixed[place] * a[j]).abs()
+                }
+                j => (self.fixed[place] * lambda[j - self.n_q]).abs(),
+            });
+            *x = ROUNDING * terms.sum::<f64>();
+        }
     }
 
     /// `R_q of_q + R_v of_v` (`n_q + n_c`).

@@ -1,10 +1,9 @@
 //! The end of a step, and an estimate of its error.
 
 use super::Radau;
-use super::matrix::Matrices;
 use super::stages::{Stages, add_combination};
 use super::tableau::{GAMMA, N_STAGES, NODES, START_SLOPE};
-use crate::dynamics::{MotionError, Rows, State, System};
+use crate::dynamics::{State, System};
 use crate::integrate::{Node, compensated};
 use crate::model::Scene;
 
@@ -28,43 +27,54 @@ impl Radau {
         to.t = start.t + h;
     }
 
-    /// Error of the step over the tolerance.
+    /// Error of the step over the tolerance, and the same unfiltered.
     ///
     /// A quadrature with the derivative at the start and the stages has order 3. Its difference from the method is filtered by
     /// (1 − h J/γ)⁻¹, so that stiff components of the derivative at the start do not dominate.
-    pub(super) fn estimate(&mut self, from: Node<'_>, h: f64) -> f64 {
+    pub(super) fn estimate(&mut self, from: Node<'_>, h: f64) -> (f64, f64) {
         let Self { stages, matrices, error, solution, .. } = self;
         error.q.copy_from_slice(&from.state.v);
         error.v.copy_from_slice(from.a);
-        filter(stages, matrices, h, error, solution);
+        subtract_slopes(stages, h, error);
+        let unfiltered = norm(&error.q, &error.v, &self.weights) * h / GAMMA;
+        matrices.filter(h, &mut error.q, &mut error.v, solution);
         error.work.iter_mut().zip(from.power).for_each(|(error, power)| *error = h * power);
         add_combination(&START_SLOPE, &stages.work, &mut error.work);
         error.work.iter_mut().for_each(|error| *error /= GAMMA);
-        norm(&error.q, &error.v, &self.weights)
+        (norm(&error.q, &error.v, &self.weights), unfiltered)
     }
 
-    /// The same with the derivative evaluated at the start plus the first estimate, which removes what the method damps.
-    pub(super) fn look_again<S: Scene + ?Sized>(
+    /// The same with the Jacobians at the end of the step: those at its start hide what a force does that was stiff there and levels
+    /// off within the step. Infinite when their matrix is singular.
+    pub(super) fn estimate_at_end<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
-        start: &State,
+        from: Node<'_>,
         h: f64,
-    ) -> Result<f64, MotionError> {
-        let Self { stages, matrices, error, second_error: second, solution, .. } = self;
-        self.q.iter_mut().zip(&start.q).zip(&error.q).for_each(|((q, start), error)| *q = start + error);
-        second.q.iter_mut().zip(&start.v).zip(&error.v).for_each(|((v, start), error)| *v = start + error);
-        system.accelerations_unchecked(start.t, &self.q, &second.q, &mut second.v, &mut self.lambda, Rows::Held)?;
-        filter(stages, matrices, h, second, solution);
-        Ok(norm(&second.q, &second.v, &self.weights))
+        to: &State,
+    ) -> f64 {
+        let Self { stages, matrices, jacobians, second_error: second, solution, .. } = self;
+        let end = N_STAGES - 1;
+        system.jacobians(to.t, &to.q, &to.v, &stages.a[end], &stages.lambda[end], jacobians);
+        matrices.write(system.mass_matrix(), jacobians);
+        self.fresh = false;
+        system.count_factorization();
+        if !matrices.factor_real(h) {
+            return f64::INFINITY;
+        }
+        second.q.copy_from_slice(&from.state.v);
+        second.v.copy_from_slice(from.a);
+        subtract_slopes(stages, h, second);
+        matrices.filter(h, &mut second.q, &mut second.v, solution);
+        norm(&second.q, &second.v, &self.weights)
     }
 }
 
-/// `(γ/h − J)⁻¹` times the slopes (v, a) in `of`, less those of the polynomial through start and stages.
-fn filter(stages: &Stages, matrices: &mut Matrices, h: f64, of: &mut State, solution: &mut [f64]) {
+/// The slopes (v, a) in `of`, less those of the polynomial through start and stages.
+fn subtract_slopes(stages: &Stages, h: f64, of: &mut State) {
     let weights = START_SLOPE.map(|weight| weight / h);
     add_combination(&weights, &stages.q, &mut of.q);
     add_combination(&weights, &stages.v, &mut of.v);
-    matrices.filter(h, &mut of.q, &mut of.v, solution);
 }
 
 /// Root mean square of positions and velocities, each times its weight.

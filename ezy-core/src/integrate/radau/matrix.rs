@@ -49,6 +49,18 @@ impl Matrices {
         regular
     }
 
+    /// Factors for [`Matrices::filter`] alone; false when the matrix is singular.
+    pub(super) fn factor_real(&mut self, h: f64) -> bool {
+        self.entries.scale(GAMMA / h);
+        self.entries.assemble(GAMMA / h, &mut self.real);
+        self.real.factor()
+    }
+
+    /// As [`Entries::rounding_along`].
+    pub(super) fn rounding_along(&self, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut [f64]) {
+        self.entries.rounding_along(q, v, a, lambda, out);
+    }
+
     /// Solves with the real eigenvalue, in place.
     pub(super) fn solve_real(&mut self, x: &mut [f64]) {
         self.entries.solve(&mut self.real, x);

@@ -61,6 +61,8 @@ pub(crate) struct Radau {
     error: State,
     second_error: State,
     solution: Vec<f64>,
+    /// Rounding of the equations of motion, `n_q`.
+    rounding: Vec<f64>,
     /// A state with its accelerations and multipliers, for the time of a call.
     q: Vec<f64>,
     v: Vec<f64>,
@@ -128,6 +130,7 @@ impl Radau {
             error: state.clone(),
             second_error: state.clone(),
             solution: vec![0.0; n_q + n_c],
+            rounding: vec![0.0; n_q],
             q: vec![0.0; n_q],
             v: vec![0.0; n_q],
             a: vec![0.0; n_q],
@@ -155,8 +158,7 @@ impl Radau {
         }
     }
 
-    /// Attempts a step of length `h` from `from`; writes `to`, not yet projected, when the iteration converges. `doubtful`: the step
-    /// is the first one, or a longer one was rejected. A large error estimate is then filtered once more.
+    /// Attempts a step of length `h` from `from`; writes `to`, not yet projected, when the iteration converges.
     ///
     /// # Errors
     /// [`MotionError`] when accelerations at the start cannot be found.
@@ -170,7 +172,6 @@ impl Radau {
         from: Node<'_>,
         h: f64,
         tolerance: Tolerance,
-        doubtful: bool,
         to: &mut State,
     ) -> Result<Attempt, MotionError> {
         self.weigh(from.state, tolerance);
@@ -178,6 +179,9 @@ impl Radau {
         if !self.prepare_matrices(system, from.state, h) {
             return Ok(Attempt::Diverged { factor: SHORTEN });
         }
+        let (stages, end) = (&self.stages, N_STAGES - 1);
+        let State { q, v, .. } = from.state;
+        self.matrices.rounding_along(q, v, &stages.a[end], &stages.lambda[end], &mut self.rounding);
         let n_passes = match self.solve(system, from, h, tolerance)? {
             Ok(n_passes) => n_passes,
             Err(factor) => return Ok(Attempt::Diverged { factor }),
@@ -186,9 +190,9 @@ impl Radau {
             self.add_works(system, from.state, h);
         }
         self.finish(from.state, h, to);
-        let mut error = self.estimate(from, h);
-        if error >= 1.0 && doubtful {
-            error = self.look_again(system, from.state, h).map_or(error, |second| second.min(error));
+        let (mut error, unfiltered) = self.estimate(from, h);
+        if error < 1.0 && unfiltered > 1.0 {
+            error = error.max(self.estimate_at_end(system, from, h, to));
         }
         Ok(Attempt::Solved { error, n_passes })
     }
@@ -245,7 +249,8 @@ impl Radau {
                     coupled.improve(&self.newton.residual, &mut self.stages, h, &self.weights)
                 }
             };
-            match convergence.judge(change) {
+            let unsolved = self.unsolved(system.mass_matrix(), h);
+            match convergence.judge(change, unsolved) {
                 Verdict::GoOn => {}
                 Verdict::Converged => break,
                 Verdict::Diverged { factor } => {
@@ -256,6 +261,22 @@ impl Radau {
         }
         (self.rate, self.share) = (convergence.rate(), convergence.share());
         Ok(convergence.n_passes())
+    }
+
+    /// Largest change of a velocity, over its tolerance, that the residuals of the equations of motion make in a step of length `h`, less
+    /// their rounding. A coordinate without mass has no velocity of its own.
+    fn unsolved(&self, mass: &[f64], h: f64) -> f64 {
+        let Self { newton, rounding, weights, .. } = self;
+        let of_v = &weights[mass.len()..];
+        let mut largest: f64 = 0.0;
+        for residual in &newton.residual {
+            for (((residual, rounding), mass), weight) in residual.iter().zip(rounding).zip(mass).zip(of_v) {
+                if *mass > 0.0 {
+                    largest = largest.max((residual.abs() - rounding) * h / mass * weight);
+                }
+            }
+        }
+        largest
     }
 
     /// Accepts the last attempt: the next step starts at its end.

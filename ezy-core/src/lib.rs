@@ -72,6 +72,7 @@ mod language;
 mod layout;
 pub mod linalg;
 pub mod model;
+pub mod output;
 pub mod record;
 pub mod report;
 pub mod scalar;

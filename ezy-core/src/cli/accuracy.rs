@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::accuracy::{
     Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, Point, Size, WorkPrecision, setting,
 };
+use crate::output::OutputFolder;
 use crate::simulate::SetupError;
 
 use super::Models;
@@ -35,7 +36,8 @@ pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Res
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("out/accuracy-{}-{}", typed(model.name), entry.name)));
     // a directory that cannot be written is found before the work, not after it
-    std::fs::create_dir_all(&directory).map_err(|cause| AccuracyError::Write { path: directory.clone(), cause })?;
+    let written = OutputFolder::create(&directory);
+    let folder = written.map_err(|cause| AccuracyError::Write { path: directory.clone(), cause })?;
     let progress = Progress::new();
     let measured = order.measure(|fraction, part| {
         progress.tell(fraction);
@@ -43,7 +45,7 @@ pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Res
     });
     drop(progress);
     let measured = measured?;
-    let written = measured.save(&directory)?;
+    let written = measured.save(folder.path())?;
     match arguments.json {
         true => print_json(&json(&measured))?,
         false => print(&format!("{}\nThe {WRITTEN}: {}\n", text(&measured), written.display()))?,

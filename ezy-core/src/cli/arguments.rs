@@ -117,6 +117,9 @@ pub(super) struct RunArguments {
     pub every: Option<f64>,
     /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, inputs, outputs, work, energies,
     /// residuals
+    ///
+    /// Rows go to FILE.csv.partial, which becomes FILE.csv when the run ends. A run that is killed leaves the older FILE.csv. A
+    /// second run into the same file is refused.
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// Print one JSON object with 17 significant digits

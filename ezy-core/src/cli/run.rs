@@ -35,7 +35,7 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     if let (Err(Failure::Stopped(outcome)), true) = (&done, arguments.json) {
         print_json(&run_json(scene.info(), method, None, outcome))?;
     }
-    let run = done?;
+    let (run, written) = done?;
     // it chooses its steps, which a table may not let it
     let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
     if arguments.json {
@@ -44,9 +44,11 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     } else {
         print(&run_text(&run, method, radau_runs))?;
     }
-    match run.outcome.reached_end() {
-        true => Ok(()),
-        false => Err(Failure::stopped(format!("the run {}", run.outcome))),
+    let stopped = (!run.outcome.reached_end()).then(|| format!("the run {}", run.outcome));
+    match (stopped, written) {
+        (None, Ok(())) => Ok(()),
+        (Some(why), Ok(())) | (None, Err(why)) => Err(Failure::stopped(why)),
+        (Some(why), Err(file)) => Err(Failure::stopped(format!("{why}; {file}"))),
     }
 }
 
@@ -98,7 +100,10 @@ fn inputs(arguments: &RunArguments, info: &SceneInfo) -> Result<Vec<(String, Inp
     Ok(all)
 }
 
-fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Result<Run, Failure> {
+/// The run, and whether its file is complete.
+type Simulated = (Run, Result<(), String>);
+
+fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Result<Simulated, Failure> {
     let info = scene.info();
     let until_s = arguments.until.unwrap_or(info.until_s);
     let mut out = arguments.out.as_deref().map(OutFile::open).transpose()?;
@@ -138,8 +143,9 @@ fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Resu
         }
         simulation = simulation.record_to(out);
     }
-    simulation.run().map_err(|error| match error {
+    let run = simulation.run().map_err(|error| match error {
         SetupError::Motion(_) | SetupError::Record(_) => Failure::stopped(error),
         _ => Failure::wrong_use(error),
-    })
+    })?;
+    Ok((run, out.map_or(Ok(()), OutFile::complete)))
 }

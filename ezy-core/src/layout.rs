@@ -3,6 +3,7 @@
 //! A description is made once for each set of counts and kept until the program ends, so that all scenes are
 //! described by `&'static` data.
 
+use crate::memory;
 use crate::model::coordinate::place as place_of;
 use crate::model::{
     CoordinateInfo, Formula, LARGEST_N_MEMBERS, LayoutFault, OutputInfo, PointInfo, Repeats, RowInfo, SceneInfo,
@@ -45,6 +46,16 @@ impl Known {
 
 /// Counts beyond which products of them could overflow; such arrays are too large anyway.
 const LARGEST_COUNT: usize = 1_000_000;
+
+/// Bytes that a body or a member of a `for` needs in a run: half of it is its description, the rest is the state, rows and
+/// factors. Measured in chains of 10,000 and 100,000 rods and nets of 10,000 knots: 900 to 1,200.
+const BYTES_OF_A_MEMBER: u64 = 1_200;
+
+/// Refuses members that need more memory than there is.
+fn memory_fault(n_members: usize) -> Option<LayoutFault> {
+    let needed = n_members as u64 * BYTES_OF_A_MEMBER;
+    memory::too_little_for(needed).map(|available| LayoutFault::Memory { n_members, needed, available })
+}
 
 /// An array of bodies, or a single body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,6 +125,7 @@ impl Layout {
         if self.n_members > LARGEST_N_MEMBERS {
             self.fault = self.fault.or(Some(LayoutFault::TooManyMembers { n_members: self.n_members }));
         }
+        self.fault = self.fault.or_else(|| memory_fault(self.n_members));
         self.fault.is_none()
     }
 
@@ -218,4 +230,19 @@ fn item_name(template: &TemplateInfo, at: &[i64]) -> &'static str {
     });
     let place = indices.collect::<Vec<_>>().join(", ");
     String::leak(if place.is_empty() { format!("a `{word}`") } else { format!("the `{word}` at {place}") })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_members_that_memory_does_not_hold_are_refused_with_the_figure() {
+        assert_eq!(memory_fault(1_000), None);
+        let (n_members, needed, available) = (3_000_000, 3_600_000_000, 2_000_000_000);
+        let fault = LayoutFault::Memory { n_members, needed, available }.to_string();
+        assert!(fault.contains("need about 3.6 GB; the machine has 2.0 GB left: give a smaller count"), "{fault}");
+        #[cfg(target_os = "linux")]
+        assert!(matches!(memory_fault(usize::MAX >> 20), Some(LayoutFault::Memory { .. })));
+    }
 }

@@ -71,6 +71,7 @@ mod kernel;
 mod language;
 mod layout;
 pub mod linalg;
+mod memory;
 pub mod model;
 pub mod output;
 pub mod record;

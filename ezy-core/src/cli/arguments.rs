@@ -191,7 +191,8 @@ pub(super) struct CheckArguments {
 )]
 #[cfg_attr(not(feature = "figures"), doc = "Writes accuracy.csv (with the feature `figures` of ezy-core also a page).")]
 /// Errors are those achieved against a reference that a second method
-/// confirms; times are those of repeated runs that record nothing between their ends.
+/// confirms; times are processor times of repeated runs that record nothing between their ends. Ctrl-C ends the measurement
+/// and writes what was measured.
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
     /// Its name; case and underscores do not matter
@@ -209,7 +210,7 @@ pub(super) struct AccuracyArguments {
     /// Set an input for the whole run, in its unit; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub input: Vec<Assignment>,
-    /// Budget of the measurement in seconds; settings that are not measured are listed
+    /// Budget of the measurement in seconds of processor time; settings that are not measured are listed
     #[arg(long, value_name = "SECONDS", value_parser = parse_number, allow_negative_numbers = true, default_value = "60")]
     pub budget: f64,
     /// Directory to write into; made if it does not exist [default: out/accuracy-MODEL-SCENE]

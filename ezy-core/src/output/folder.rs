@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug)]
 pub struct OutputFolder {
     path: PathBuf,
+    is_new: bool,
     /// Locked as long as it is open; `None` on systems where a folder cannot be locked.
     _lock: Option<File>,
 }
@@ -19,6 +20,7 @@ impl OutputFolder {
     /// # Errors
     /// The error of the system; [`ErrorKind::ResourceBusy`] when another writer has the folder.
     pub fn create(path: &Path) -> io::Result<Self> {
+        let is_new = !path.exists();
         fs::create_dir_all(path)?;
         let lock = match File::open(path) {
             Ok(folder) => match folder.try_lock() {
@@ -30,12 +32,22 @@ impl OutputFolder {
             },
             Err(_) => None,
         };
-        Ok(Self { path: path.to_owned(), _lock: lock })
+        Ok(Self { path: path.to_owned(), is_new, _lock: lock })
     }
 
     /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+}
+
+impl Drop for OutputFolder {
+    /// Removes a folder that was made here and got no file.
+    fn drop(&mut self) {
+        if self.is_new {
+            // a folder with files stays
+            _ = fs::remove_dir(&self.path);
+        }
     }
 }
 

@@ -172,3 +172,52 @@ fn invariant_run_onto_a_disk_that_becomes_full_keeps_the_older_file_and_its_rows
     let whole = rows.lines().count() - 1;
     assert!(rows.lines().take(whole).all(|row| row.split(',').count() == columns), "{rows}");
 }
+
+/// The memory of a run does not grow with rows that go to a file.
+#[test]
+fn cross_run_that_streams_its_samples_keeps_two_and_writes_the_same_rows() {
+    let scene = Coast::default();
+    let order = || Simulation::new(&scene).until(0.1).every(0.003).work();
+    let (mut kept, mut streamed) = (CsvWriter::new(Vec::new()), CsvWriter::new(Vec::new()));
+    let [with, without] =
+        [order().record_to(&mut kept).run(), order().stream_to(&mut streamed).run()].map(Result::unwrap);
+    assert_eq!((with.samples().len(), without.samples().len()), (1 + 33 + 1, 2));
+    assert_eq!((without.first().t, without.last().t), (0.0, 0.1));
+    assert_eq!(with.last().coordinates, without.last().coordinates);
+    assert_eq!(String::from_utf8(kept.into_inner()), String::from_utf8(streamed.into_inner()));
+}
+
+/// Where nobody can read a message, the exit status tells.
+#[cfg(target_os = "linux")]
+#[test]
+fn invariant_full_or_closed_standard_error_leaves_the_exit_status() {
+    let full = || std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let (reader, closed) = std::io::pipe().unwrap();
+    drop(reader);
+    for stderr in [std::process::Stdio::from(full()), closed.into()] {
+        let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_ezy"));
+        let done = program.args(["run", "pendulum/nope"]).stderr(stderr).output().unwrap();
+        assert_eq!(done.status.code(), Some(2), "{done:?}");
+    }
+    // a remark beside an object
+    let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_ezy"));
+    let done = program.args(["run", "ezyroller/driven", "--step", "0.5", "--json"]).stderr(full()).output().unwrap();
+    assert_eq!(done.status.code(), Some(1));
+    assert!(serde_json::from_slice::<serde_json::Value>(&done.stdout).is_ok());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn invariant_inputs_without_end_are_refused() {
+    assert_wrong_use(&["run", "ezyroller/ridden", "--inputs", "/dev/zero"], "a row is longer than 16 MiB");
+    assert_wrong_use(&["run", "ezyroller/ridden", "--inputs", "/dev/urandom"], "`/dev/urandom`: ");
+}
+
+#[test]
+fn invariant_run_whose_energy_overflows_is_no_success() {
+    let done =
+        ezy(&["run", "ezyroller/coast", "--until", "0", "--set", "m1=1e300", "--start", "seat.vx=1e6", "--json"]);
+    let message = text(&done.stderr);
+    assert_eq!(done.status.code(), Some(1), "{message}");
+    assert!(message.contains("`kinetic` is inf"), "{message}");
+}

@@ -4,6 +4,8 @@ mod cli;
 mod faults;
 mod hostile;
 mod run;
+#[cfg(unix)]
+mod signals;
 mod study;
 
 use run::{assert_wrong_use, directory, ezy, text};

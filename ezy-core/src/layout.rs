@@ -24,7 +24,7 @@ impl Known {
 
     /// The description for these counts. `fixed` is what does not depend on them, its `repeats` with the declared
     /// counts and templates; `fill` adds bodies, points and rows.
-    pub fn info(&self, fixed: &SceneInfo, counts: &[usize], fill: impl FnOnce(&mut Layout)) -> &'static SceneInfo {
+    pub fn info(&self, fixed: &SceneInfo, counts: &[usize], fill: impl Fn(&mut Layout)) -> &'static SceneInfo {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, info)) = known.iter().find(|(of, _)| of == counts) {
             return info;
@@ -33,7 +33,13 @@ impl Known {
         let empty = empty.map(|(_, count)| LayoutFault::NoMembers { name: count.name });
         let large = counts.iter().find(|count| **count > LARGEST_COUNT);
         let large = large.map(|&n_members| LayoutFault::TooManyMembers { n_members });
-        let mut layout = Layout { fault: empty.or(large), ..Layout::default() };
+        // what cannot be set up is found before anything is
+        let mut counted = Layout { counts_only: true, fault: empty.or(large), ..Layout::default() };
+        if counted.fault.is_none() {
+            fill(&mut counted);
+        }
+        let fault = counted.fault.or_else(|| memory_fault(counted.n_members));
+        let mut layout = Layout { fault, ..Layout::default() };
         if layout.fault.is_none() {
             fill(&mut layout);
         }
@@ -71,8 +77,11 @@ pub struct Bodies<'l> {
 /// A description that is being made.
 #[derive(Debug, Default)]
 pub struct Layout {
+    /// Whether only members are counted and indices checked.
+    counts_only: bool,
     /// Bodies and members of `for` so far.
     n_members: usize,
+    n_bodies: usize,
     bodies: Vec<&'static str>,
     coordinates: Vec<CoordinateInfo>,
     points: Vec<PointInfo>,
@@ -98,9 +107,11 @@ const fn symbol(name: &'static str) -> Formula {
 impl Layout {
     /// Adds a body, or an array of bodies whose members are ordered by their indices, the last one fastest.
     pub fn bodies<'l>(&mut self, name: &'static str, lengths: &'l [usize]) -> Bodies<'l> {
-        let first = self.bodies.len();
+        let first = self.n_bodies;
         let n_members = lengths.iter().fold(1, |n: usize, length| n.saturating_mul(*length));
-        if self.has_room(n_members) {
+        let has_room = self.has_room(n_members);
+        self.n_bodies = self.n_bodies.saturating_add(n_members);
+        if has_room && !self.counts_only {
             for i in 0..n_members {
                 let mut index = vec![0; lengths.len()];
                 let mut rest = i;
@@ -125,7 +136,6 @@ impl Layout {
         if self.n_members > LARGEST_N_MEMBERS {
             self.fault = self.fault.or(Some(LayoutFault::TooManyMembers { n_members: self.n_members }));
         }
-        self.fault = self.fault.or_else(|| memory_fault(self.n_members));
         self.fault.is_none()
     }
 
@@ -160,7 +170,7 @@ impl Layout {
 
     /// The rows of the member `at` of a template, on the bodies `slots` that it refers to.
     pub fn rows(&mut self, template: &TemplateInfo, at: &[i64], slots: &[usize]) {
-        if self.fault.is_some() {
+        if self.fault.is_some() || self.counts_only {
             return;
         }
         for row in template.rows {
@@ -174,12 +184,16 @@ impl Layout {
 
     /// A named point on a body; `None`: on the ground.
     pub fn point(&mut self, name: &str, at: &[i64], body: Option<usize>) {
-        self.points.push(PointInfo { name: member(name, at, ""), body, position: None });
+        if !self.counts_only {
+            self.points.push(PointInfo { name: member(name, at, ""), body, position: None });
+        }
     }
 
     /// An output; what stands behind its indices is `suffix`.
     pub fn output(&mut self, output: &OutputInfo, at: &[i64], suffix: &str) {
-        self.outputs.push(OutputInfo { name: member(output.name, at, suffix), ..*output });
+        if !self.counts_only {
+            self.outputs.push(OutputInfo { name: member(output.name, at, suffix), ..*output });
+        }
     }
 
     fn finish(self, fixed: &SceneInfo, values: &'static [usize]) -> SceneInfo {

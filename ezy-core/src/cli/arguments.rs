@@ -54,7 +54,7 @@ pub(super) enum Format {
 
 /// Runs a scene and prints where it ends
 ///
-/// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi.
+/// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi. Ctrl-C ends the run with all that it has.
 #[derive(Debug, Args)]
 pub(super) struct RunArguments {
     /// Its name; case and underscores do not matter

@@ -90,11 +90,11 @@ pub enum LayoutFault {
     },
     /// The machine has less memory than bodies and members need.
     #[error(
-        "the counts ask for {n_members} bodies and repeated items or more, which need about {}; the machine has {} left: give a \
+        "the counts ask for {n_members} bodies and repeated items, which need about {}; the machine has {} left: give a \
          smaller count", readable(*.needed), readable(*.available)
     )]
     Memory {
-        /// Members asked for, as far as they were counted.
+        /// Members asked for.
         n_members: usize,
         /// Bytes that they need in a run.
         needed: u64,

@@ -20,7 +20,7 @@ pub fn command() -> Command {
         .long_about(
             "Does the EzyRoller study: equations, figures, numbers and a page\n\n\
              Writes index.html, which needs nothing else, each figure as SVG and PNG, and the numbers behind it as CSV. \
-             Every number that the page states is measured in this run.",
+             Every number that the page states is measured in this run. Ctrl-C ends the study with the parts that are done.",
         )
         .arg(out)
 }

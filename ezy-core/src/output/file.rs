@@ -37,13 +37,15 @@ impl OutputFile {
     /// # Errors
     /// The error of the system; [`ErrorKind::ResourceBusy`] when another writer has the file.
     pub fn create(path: &Path) -> io::Result<Self> {
-        let path = resolved(path);
+        let target = resolved(path);
         // an older file that may not be written is not replaced either
-        if let Some(file) = opened(&path)?
+        if let Some(file) = opened(path)?
             && !file.metadata()?.is_file()
         {
-            return Ok(Self { partial: path.clone(), path, file, state: State::Direct });
+            return Ok(Self { partial: path.to_owned(), path: path.to_owned(), file, state: State::Direct });
         }
+        let open = || io::Error::new(ErrorKind::InvalidInput, "it stands for a file that is open already");
+        let path = target.ok_or_else(open)?;
         let name =
             path.file_name().ok_or_else(|| io::Error::new(ErrorKind::InvalidInput, "this is no name of a file"))?;
         let mut partial_name = name.to_owned();
@@ -120,16 +122,20 @@ pub fn write(path: &Path, bytes: impl AsRef<[u8]>) -> io::Result<()> {
 /// Symbolic links that are followed at most, as many as Linux follows.
 const MAX_LINKS: usize = 40;
 
-/// Where the links of `path` lead to: they stay when the file is replaced.
-fn resolved(path: &Path) -> PathBuf {
+/// Where the links of `path` lead to: they stay when the file is replaced. None for what a process has open, such as
+/// `/dev/stdout`: it may be a pipe, but not a file, in which rows and other output would overwrite each other.
+fn resolved(path: &Path) -> Option<PathBuf> {
     let mut path = path.to_owned();
     for _ in 0..MAX_LINKS {
+        if path.starts_with("/dev/fd") || path.starts_with("/proc") {
+            return None;
+        }
         match fs::read_link(&path) {
             Ok(to) => path = path.parent().unwrap_or(Path::new("")).join(to),
             Err(_) => break,
         }
     }
-    path
+    Some(path)
 }
 
 /// The file that is there, opened for writing; `None` when there is none.

@@ -187,6 +187,31 @@ fn cross_run_that_streams_its_samples_keeps_two_and_writes_the_same_rows() {
     assert_eq!(String::from_utf8(kept.into_inner()), String::from_utf8(streamed.into_inner()));
 }
 
+/// A pipe takes rows as they come; a file that is open would take them and the summary over each other.
+#[cfg(target_os = "linux")]
+#[test]
+fn invariant_rows_to_standard_output_are_written_as_they_come() {
+    let arguments = ["run", "ezyroller/coast", "--every", "0.25", "--out", "/dev/stdout"];
+    let begins = |told: &str| {
+        told.starts_with("t [s],") && told.lines().nth(6).is_some_and(|line| line.starts_with("EzyRoller"))
+    };
+    let into_pipe = text(&ezy(&arguments).stdout);
+    assert!(begins(&into_pipe), "{into_pipe}");
+    let file = directory("standard_output").join("told.txt");
+    let stdout = std::fs::File::create(&file).unwrap();
+    let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_ezy"));
+    let done = program.args(arguments).stdout(stdout).stderr(std::process::Stdio::piped()).output().unwrap();
+    assert_eq!(done.status.code(), Some(2));
+    assert!(text(&done.stderr).contains("stands for a file that is open"), "{}", text(&done.stderr));
+    assert_eq!((std::fs::read(&file).unwrap().len(), partial(&file).exists()), (0, false));
+    // a reader that has seen enough
+    let mut reads_no_more = start(&["run", "ezyroller/driven", "--every", "1e-3", "--out", "/dev/stdout"]);
+    drop(reads_no_more.stdout.take());
+    let done = reads_no_more.wait_with_output().unwrap();
+    assert_eq!(done.status.code(), Some(1));
+    assert!(text(&done.stderr).contains("could not be written: Broken pipe"), "{}", text(&done.stderr));
+}
+
 /// Where nobody can read a message, the exit status tells.
 #[cfg(target_os = "linux")]
 #[test]

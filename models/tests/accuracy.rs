@@ -3,9 +3,12 @@
 #[path = "program/run.rs"]
 mod run;
 
+use ezy_core::accuracy::{Accuracy, PointResult};
+use ezy_models::ezy_roller::Coast;
 use run::{assert_wrong_use, directory, text};
 use serde_json::Value;
 use std::process::Output;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 fn ezy(arguments: &[&str]) -> Output {
     run::ezy(&[&["accuracy"][..], arguments].concat())
@@ -47,6 +50,39 @@ fn invariant_accuracy_writes_page_figures_and_numbers_and_says_what_to_use() {
     for elsewhere in ["http:", "https:", "<script", "<img", "<link", "NaN"] {
         assert!(!page.contains(elsewhere), "{elsewhere}");
     }
+}
+
+#[test]
+fn invariant_interrupted_measurement_keeps_what_it_has_and_says_so() {
+    let scene = Coast::default();
+    let asked = AtomicBool::new(false);
+    let order = Accuracy::new(&scene).until(0.1).budget(1e4).interrupted_by(&asked);
+    let measured = order.measure(|_, part| _ = asked.fetch_or(part == "rk4", Ordering::Relaxed)).unwrap();
+    assert!(measured.interrupted && measured.reservations()[0].starts_with("The measurement was interrupted after"));
+    let outcomes = |wanted: fn(&PointResult) -> bool| measured.points.iter().filter(|p| wanted(&p.result)).count();
+    let n_measured = outcomes(|result| matches!(result, PointResult::Measured(_)));
+    let n_interrupted = outcomes(|result| matches!(result, PointResult::Interrupted));
+    // taylor, dop853 and radau come before rk4
+    assert_eq!((n_measured, n_measured + n_interrupted), (3, measured.points.len()));
+    let told = measured.advice()[0].to_string();
+    assert!(told.ends_with("were not run.") && told.contains("rk4"), "{told}");
+    assert!(measured.missing_text().iter().all(|line| line.contains("not run before the interruption")));
+    let out = directory("accuracy_interrupted");
+    let page = std::fs::read_to_string(measured.save(&out).unwrap()).unwrap();
+    assert!(page.contains("The measurement was interrupted after"), "{page}");
+}
+
+/// A machine whose other programs take most of the processor.
+#[test]
+fn invariant_measurement_on_a_busy_machine_says_so() {
+    let scene = Coast::default();
+    let mut measured = Accuracy::new(&scene).until(0.1).budget(0.5).measure(|_, _| ()).unwrap();
+    measured.processor_share = Some(0.045);
+    assert!(measured.was_busy());
+    let [told] = &measured.reservations()[..] else { panic!("{:?}", measured.reservations()) };
+    assert!(told.contains("too busy for advice by time: the measurement had 4 % of a processor"), "{told}");
+    measured.processor_share = Some(1.0);
+    assert!(measured.reservations().is_empty());
 }
 
 #[test]

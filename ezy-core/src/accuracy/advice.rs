@@ -32,26 +32,30 @@ pub struct Advice {
     pub others: Vec<Candidate>,
     /// The setting with the smallest error, when none reaches it.
     pub closest: Option<Candidate>,
+    /// Methods that are not known to reach it, but whose settings were not all run for lack of time.
+    pub unfinished: Vec<&'static str>,
 }
 
 /// Number of finer settings that must reach a target, too.
 const N_CONFIRMING: usize = 3;
 
 /// Chooses for one target. A setting counts only when the next finer measured ones reach the target, too, since a loose
-/// setting may be accurate by chance.
-pub(super) fn advise(target: f64, known: f64, candidates: &[Candidate]) -> Advice {
+/// setting may be accurate by chance. `unfinished` are the methods whose settings were not all run.
+pub(super) fn advise(target: f64, known: f64, candidates: &[Candidate], unfinished: &[&'static str]) -> Advice {
     let mut names: Vec<&str> = candidates.iter().map(|c| c.method.name()).collect();
     names.sort_unstable();
     names.dedup();
     let mut fastest: Vec<Candidate> = names.iter().filter_map(|name| fastest_of(name, target, candidates)).collect();
     fastest.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let reaches = |name: &str| fastest.iter().any(|candidate| candidate.method.name() == name);
+    let unfinished = unfinished.iter().copied().filter(|name| !reaches(name)).collect();
     let mut reaching = fastest.into_iter();
     let best = reaching.next();
     let closest = match best {
         Some(_) => None,
         None => candidates.iter().copied().min_by(|a, b| a.error.total_cmp(&b.error)),
     };
-    Advice { target, known, best, others: reaching.collect(), closest }
+    Advice { target, known, best, others: reaching.collect(), closest, unfinished }
 }
 
 fn fastest_of(name: &str, target: f64, candidates: &[Candidate]) -> Option<Candidate> {
@@ -65,29 +69,37 @@ fn fastest_of(name: &str, target: f64, candidates: &[Candidate]) -> Option<Candi
 impl fmt::Display for Advice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Positions to {:e} (m, rad) throughout: ", self.target)?;
-        let Some(best) = self.best else {
-            return match self.closest {
-                Some(_) if self.known > self.target => {
-                    write!(f, "not known, since the reference itself is only known to {:.1e}.", self.known)
-                }
-                Some(closest) => write!(
-                    f,
-                    "no measured setting reaches this; {} {} comes closest with {:.1e} in {}.",
-                    closest.method.name(),
-                    command(closest.method),
-                    closest.error,
-                    duration(closest.seconds)
-                ),
-                None => f.write_str("nothing was measured."),
-            };
-        };
+        match (self.best, self.closest) {
+            (Some(best), _) => self.write_choice(f, best)?,
+            (None, Some(_)) if self.known > self.target => {
+                write!(f, "not known, since the reference itself is only known to {:.1e}", self.known)?;
+            }
+            (None, Some(closest)) => write!(
+                f,
+                "no measured setting reaches this; {} {} comes closest with {:.1e} in {}",
+                closest.method.name(),
+                command(closest.method),
+                closest.error,
+                duration(closest.seconds)
+            )?,
+            (None, None) => f.write_str("nothing was measured")?,
+        }
+        if !self.unfinished.is_empty() {
+            write!(f, "; finer settings of {} were not run", self.unfinished.join(", "))?;
+        }
+        f.write_str(".")
+    }
+}
+
+impl Advice {
+    fn write_choice(&self, f: &mut fmt::Formatter<'_>, best: Candidate) -> fmt::Result {
         let (name, setting, time) = (best.method.name(), command(best.method), duration(best.seconds));
         write!(f, "use {name} {setting}; a run takes {time} and is off by {:.1e} at most", best.error)?;
         for other in &self.others {
             let (name, setting, ratio) = (other.method.name(), command(other.method), other.seconds / best.seconds);
             write!(f, "; {name} {setting} takes {ratio:.1} times as long")?;
         }
-        f.write_str(".")
+        Ok(())
     }
 }
 
@@ -131,7 +143,7 @@ mod tests {
             rk4(0.01, 8e-7, 5e-4),
             rk4(0.005, 5e-8, 1e-3),
         ];
-        let advice = advise(1e-6, 1e-13, &all);
+        let advice = advise(1e-6, 1e-13, &all, &[]);
         assert_eq!((advice.best, &advice.others[..]), (Some(all[1]), &[all[3]][..]));
         let sentence = advice.to_string();
         assert_eq!(
@@ -144,24 +156,32 @@ mod tests {
     #[test]
     fn analytic_advice_passes_over_a_setting_that_is_only_lucky() {
         let all = [rk4(0.1, 1e-7, 1e-4), rk4(0.05, 1e-5, 2e-4), rk4(0.02, 3e-7, 5e-4), rk4(0.01, 2e-8, 1e-3)];
-        assert_eq!(advise(1e-6, 0.0, &all).best, Some(all[2]));
+        assert_eq!(advise(1e-6, 0.0, &all, &[]).best, Some(all[2]));
         let twice = [rk4(0.1, 1e-7, 1e-4), rk4(0.05, 1e-7, 2e-4), rk4(0.02, 1e-5, 5e-4), rk4(0.01, 2e-8, 1e-3)];
-        assert_eq!(advise(1e-6, 0.0, &twice).best, Some(twice[3]));
+        assert_eq!(advise(1e-6, 0.0, &twice, &[]).best, Some(twice[3]));
     }
 
     #[test]
     fn analytic_advice_says_what_comes_closest_where_nothing_reaches_the_target() {
         let all = [dop853(1e-4, 2e-3, 1e-4), dop853(1e-14, 3e-11, 2e-3)];
-        let advice = advise(1e-12, 1e-13, &all);
+        let advice = advise(1e-12, 1e-13, &all, &[]);
         assert_eq!((advice.best, advice.closest), (None, Some(all[1])));
         assert!(advice.to_string().contains("dop853 --rtol 1e-14 comes closest with 3.0e-11 in 2.00 ms"), "{advice}");
     }
 
     #[test]
     fn analytic_advice_says_where_the_reference_knows_too_little() {
-        let advice = advise(1e-12, 1e-9, &[dop853(1e-14, 1e-9, 1e-3)]);
+        let advice = advise(1e-12, 1e-9, &[dop853(1e-14, 1e-9, 1e-3)], &[]);
         assert!(advice.to_string().contains("only known to 1.0e-9"), "{advice}");
-        assert!(advise(1e-3, 0.0, &[]).to_string().contains("nothing was measured"));
+        assert!(advise(1e-3, 0.0, &[], &[]).to_string().contains("nothing was measured"));
+    }
+
+    #[test]
+    fn analytic_advice_names_the_methods_that_were_not_run_far_enough() {
+        let all = [dop853(1e-6, 5e-7, 2e-4), dop853(1e-8, 4e-9, 3e-4), rk4(0.1, 1e-4, 1e-3)];
+        let advice = advise(1e-6, 0.0, &all, &["dop853", "rk4"]);
+        assert_eq!(advice.unfinished, ["rk4"]);
+        assert!(advice.to_string().ends_with("5.0e-7 at most; finer settings of rk4 were not run."), "{advice}");
     }
 
     #[test]

@@ -31,6 +31,9 @@ pub enum AccuracyError {
         /// How its run ended.
         outcome: String,
     },
+    /// It was asked to end before the reference was there.
+    #[error("the measurement was interrupted before it had a reference; nothing was measured")]
+    Interrupted,
     /// Even the runs with the smallest tolerances differ from the start.
     #[error(
         "there is no reference: runs at the two tightest tolerances differ by {difference:.1e} of the size of the motion from \

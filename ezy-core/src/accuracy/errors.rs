@@ -31,6 +31,14 @@ pub struct Comparison {
     pub grid: Errors,
 }
 
+impl Comparison {
+    /// Whether every difference is a number.
+    pub(super) fn is_finite(&self) -> bool {
+        let of = |errors: &Errors| [errors.position, errors.velocity, errors.reaction];
+        of(&self.end).iter().chain(&of(&self.grid)).all(|size| size.absolute.is_finite() && size.scaled.is_finite())
+    }
+}
+
 /// Sizes for relative differences: the largest magnitude of any component with the same unit, over the whole reference.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Scales {

@@ -27,11 +27,18 @@ pub struct WorkPrecision {
     pub points: Vec<Point>,
     /// The machine.
     pub machine: String,
-    /// Budget and time of the measurement, s.
+    /// Budget of the measurement, s of processor time.
     pub budget_s: f64,
-    /// s
+    /// What the measurement took, s of processor time.
     pub seconds: f64,
+    /// Processor time of the measurement over its wall time; `None` where the system does not tell processor time.
+    pub processor_share: Option<f64>,
+    /// Whether it was ended before all settings were tried.
+    pub interrupted: bool,
 }
+
+/// Share of a processor below which other programs disturb times: by caches, by clock rate, by threads of one core.
+const QUIET: f64 = 0.9;
 
 /// Settings of one method that were not measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +87,35 @@ impl WorkPrecision {
     pub fn advice(&self) -> Vec<Advice> {
         let candidates = self.candidates();
         let known = self.reference.uncertainty.grid.position.absolute;
-        TARGETS.iter().map(|&target| advise(target, known, &candidates)).collect()
+        let unfinished: Vec<&'static str> = self.methods().filter(|method| self.is_unfinished(method)).collect();
+        TARGETS.iter().map(|&target| advise(target, known, &candidates, &unfinished)).collect()
+    }
+
+    /// Whether settings of a method, with the default projection, were not run for lack of time.
+    fn is_unfinished(&self, method: &str) -> bool {
+        let of_curve = |point: &&Point| point.method.name() == method && point.variant == Variant::default();
+        let mut results = self.points.iter().filter(of_curve).map(|point| &point.result);
+        results.any(|result| matches!(result, PointResult::NotRun | PointResult::Interrupted))
+    }
+
+    /// Whether other programs took so much of the machine that its times are no ground for a choice.
+    pub fn was_busy(&self) -> bool {
+        self.processor_share.is_some_and(|share| share < QUIET)
+    }
+
+    /// What is to be known before the advice is read, as sentences: an interruption, a busy machine.
+    pub fn reservations(&self) -> Vec<String> {
+        let interrupted = self
+            .interrupted
+            .then(|| format!("The measurement was interrupted after {:.1} s: settings are missing.", self.seconds));
+        let busy = self.processor_share.filter(|_| self.was_busy()).map(|share| {
+            format!(
+                "The machine was too busy for advice by time: the measurement had {:.0} % of a processor. Errors and counts of steps hold; \
+                 measure again when the machine is idle before you choose by time.",
+                100.0 * share
+            )
+        });
+        interrupted.into_iter().chain(busy).collect()
     }
 
     /// What was not measured: settings with the same reason together, and projections with the same settings.
@@ -91,6 +126,7 @@ impl WorkPrecision {
                 PointResult::Measured(_) => continue,
                 PointResult::Stopped(reason) => Some(reason.clone()),
                 PointResult::NotRun => None,
+                PointResult::Interrupted => Some("not run before the interruption".to_owned()),
             };
             let (method, variants) = (point.method.name(), vec![point.variant]);
             let alike = |m: &&mut Missing| m.method == method && m.variants == variants && m.reason == reason;

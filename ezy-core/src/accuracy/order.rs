@@ -1,5 +1,6 @@
 //! The settings of a measurement.
 
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use super::error::AccuracyError;
@@ -11,6 +12,7 @@ use super::runs::{NoRun, Runs};
 use super::variant::Variant;
 use crate::integrate::Method;
 use crate::model::Scene;
+use crate::simulate::{PROCESSOR_TIME_IS_KNOWN, processor_time};
 
 /// One measurement of a scene: its settings, then [`Accuracy::measure`].
 pub struct Accuracy<'s> {
@@ -20,6 +22,7 @@ pub struct Accuracy<'s> {
     inputs: Vec<(String, f64)>,
     budget_s: f64,
     ladder: Ladder,
+    interrupt: Option<&'s AtomicBool>,
 }
 
 /// Default budget, s.
@@ -59,10 +62,11 @@ struct Job {
 }
 
 impl<'s> Accuracy<'s> {
-    /// The scene from its own start to its own end, in at most a minute.
+    /// The scene from its own start to its own end, in at most a minute of processor time.
     pub fn new(scene: &'s dyn Scene) -> Self {
         let until_s = scene.info().until_s;
-        Self { scene, until_s, given: Vec::new(), inputs: Vec::new(), budget_s: BUDGET_S, ladder: Ladder::default() }
+        let (given, inputs) = (Vec::new(), Vec::new());
+        Self { scene, until_s, given, inputs, budget_s: BUDGET_S, ladder: Ladder::default(), interrupt: None }
     }
 
     /// End of the runs, s.
@@ -86,7 +90,7 @@ impl<'s> Accuracy<'s> {
         self
     }
 
-    /// Budget of the measurement, s; settings that are not measured by then are listed.
+    /// Budget of the measurement, s of processor time of this thread; settings that are not measured by then are listed.
     #[must_use]
     pub fn budget(mut self, budget_s: f64) -> Self {
         self.budget_s = budget_s;
@@ -100,17 +104,24 @@ impl<'s> Accuracy<'s> {
         self
     }
 
+    /// Ends the measurement once `flag` is true: what was not measured by then is listed as interrupted.
+    #[must_use]
+    pub fn interrupted_by(mut self, flag: &'s AtomicBool) -> Self {
+        self.interrupt = Some(flag);
+        self
+    }
+
     /// Measures; calls `progress` with the fraction done and the next task.
     ///
     /// # Errors
-    /// [`AccuracyError`]: the settings cannot be used, or there is no reference.
+    /// [`AccuracyError`]: the settings cannot be used, there is no reference, or it was interrupted before there was one.
     pub fn measure(self, mut progress: impl FnMut(f64, &str)) -> Result<WorkPrecision, AccuracyError> {
-        let Self { scene, until_s, given, inputs, budget_s, ladder } = self;
+        let Self { scene, until_s, given, inputs, budget_s, ladder, interrupt } = self;
         if !(budget_s > 0.0 && budget_s <= LONGEST_BUDGET_S) {
             return Err(AccuracyError::Budget { budget_s, longest_s: LONGEST_BUDGET_S });
         }
-        let began = Instant::now();
-        let mut runs = Runs::new(scene, given, inputs, until_s)?;
+        let (began, began_wall) = (processor_time(), Instant::now());
+        let mut runs = Runs::new(scene, given, inputs, until_s, interrupt)?;
         if until_s == runs.start_s {
             return Err(AccuracyError::NoTime { until_s });
         }
@@ -120,7 +131,7 @@ impl<'s> Accuracy<'s> {
         let jobs = jobs(&Variant::all(scene.info()), &ladder, long_s);
         let mut points: Vec<Point> = Vec::with_capacity(jobs.len());
         for (i, Job { family, method, variant }) in jobs.iter().enumerate() {
-            let spent = began.elapsed().as_secs_f64();
+            let spent = (processor_time() - began).as_secs_f64();
             progress((i as f64 / jobs.len() as f64).max(spent / budget_s).min(1.0), FAMILIES[*family].name);
             let share = if *variant == Variant::default() { MAIN_SHARE } else { 1.0 };
             let left = share * budget_s - spent;
@@ -134,8 +145,13 @@ impl<'s> Accuracy<'s> {
                 }
                 false => PointResult::NotRun,
             };
+            let result = match (result, runs.is_interrupted()) {
+                (PointResult::NotRun, true) => PointResult::Interrupted,
+                (result, _) => result,
+            };
             points.push(Point { method: *method, variant: *variant, result });
         }
+        let seconds = (processor_time() - began).as_secs_f64();
         Ok(WorkPrecision {
             info: scene.info(),
             start_s: runs.start_s,
@@ -146,7 +162,9 @@ impl<'s> Accuracy<'s> {
             points,
             machine: machine(),
             budget_s,
-            seconds: began.elapsed().as_secs_f64(),
+            seconds,
+            processor_share: PROCESSOR_TIME_IS_KNOWN.then(|| seconds / began_wall.elapsed().as_secs_f64().max(seconds)),
+            interrupted: runs.is_interrupted(),
         })
     }
 }
@@ -161,7 +179,7 @@ fn find_reference(runs: &mut Runs<'_>, until_s: f64, budget_s: f64) -> Result<(R
             Found::Whole(reference) => return Ok((*reference, unknown)),
             Found::Until(t, difference) => {
                 unknown = unknown.or(Some(difference));
-                let shorter = Runs::new(runs.scene, runs.given.clone(), runs.inputs.clone(), t)?;
+                let shorter = Runs::new(runs.scene, runs.given.clone(), runs.inputs.clone(), t, runs.interrupt)?;
                 debug_assert!(t < until_s, "a shorter run is shorter");
                 *runs = shorter;
             }
@@ -175,6 +193,7 @@ fn longest_step(runs: &Runs<'_>) -> Result<f64, AccuracyError> {
     match runs.bare(scout, Variant::default()) {
         Ok(run) => Ok(LONG_STEPS * (runs.until_s - runs.start_s) / run.cost.steps.max(1) as f64),
         Err(NoRun::Setup(error)) => Err(error.into()),
+        Err(NoRun::Interrupted) => Err(AccuracyError::Interrupted),
         Err(why) => Err(AccuracyError::NoReference { method: "dop853".to_owned(), outcome: why.to_string() }),
     }
 }
@@ -206,6 +225,6 @@ fn expected_seconds(points: &[Point], method: Method, variant: Variant) -> Optio
             Some(growth * measured.seconds_min)
         }
         PointResult::Stopped(_) => None,
-        PointResult::NotRun => Some(f64::INFINITY),
+        PointResult::NotRun | PointResult::Interrupted => Some(f64::INFINITY),
     }
 }

@@ -25,9 +25,12 @@ impl WorkPrecision {
 
     fn write_advice(&self, page: &mut Page) {
         page.section("advice", "Which method to use");
+        self.reservations().iter().for_each(|text| {
+            page.paragraph(text);
+        });
         list(page, &self.advice());
         page.paragraph(&format!(
-            "The motion runs from {} s to {} s. A time is the shortest of repeated runs that keep only their two ends, with positions and velocities \
+            "The motion runs from {} s to {} s. A time is the shortest processor time of repeated runs that keep only their two ends, with positions and velocities \
              projected after each step; {}.",
             self.start_s, self.until_s, self.machine
         ));
@@ -90,10 +93,11 @@ impl WorkPrecision {
         page.paragraph(&format!(
             "Each setting runs once on a grid of {} intervals, with works and energy balance; that run gives errors and residuals and warms up. \
              Then runs that keep only their two ends are timed: at least seven, fewer where one takes longer than a tenth of a second. \
-             Other projections than the default one take every second setting. EZY {}, {}. The measurement took {:.1} s of {} s.",
+             Other projections than the default one take every second setting. EZY {}, {}. Times are processor times of one thread{}. The measurement took {:.1} s of {} s.",
             self.reference.trajectory.times().len() - 1,
             env!("CARGO_PKG_VERSION"),
             self.machine,
+            self.processor_share.map_or(", as far as the system tells them apart from wall times", |_| ""),
             self.seconds,
             self.budget_s
         ));

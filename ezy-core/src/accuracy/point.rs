@@ -1,6 +1,6 @@
 //! One setting of one method: its errors and its cost.
 
-use std::time::Instant;
+use std::time::Duration;
 
 use super::errors::{Comparison, compare};
 use super::reference::Reference;
@@ -8,7 +8,7 @@ use super::runs::{NoRun, Runs};
 use super::trajectory::Trajectory;
 use super::variant::Variant;
 use crate::integrate::Method;
-use crate::simulate::{Cost, Run};
+use crate::simulate::{Cost, Run, processor_time};
 
 /// One setting of one method with one projection.
 #[derive(Debug, Clone)]
@@ -31,6 +31,8 @@ pub enum PointResult {
     Stopped(String),
     /// The budget was used up, or would have been exceeded.
     NotRun,
+    /// The measurement was interrupted before.
+    Interrupted,
 }
 
 /// Errors and cost of a setting.
@@ -46,13 +48,13 @@ pub struct Measured {
     pub energy_balance: f64,
     /// Counts of a run that keeps its two ends.
     pub cost: Cost,
-    /// Shortest time of such a run, s.
+    /// Shortest processor time of such a run, s.
     pub seconds_min: f64,
-    /// Median time of such runs, s.
+    /// Median processor time of such runs, s.
     pub seconds_median: f64,
     /// Number of timed runs.
     pub n_timed: usize,
-    /// Time of the run with a sample at every time of the grid, and works, s. It includes the cost of dense output.
+    /// Processor time of the run with a sample at every time of the grid, and works, s. It includes the cost of dense output.
     pub seconds_on_grid: f64,
 }
 
@@ -77,16 +79,19 @@ pub(super) fn measure(
     method: Method,
     variant: Variant,
     reference: &Reference,
-    until: Instant,
+    until: Duration,
 ) -> PointResult {
     let measured = || -> Result<Measured, NoRun> {
         let run = runs.on_grid(method, variant, until)?;
         let error = compare(&Trajectory::of(&run), &reference.trajectory, &reference.scales);
         let error = error.ok_or_else(|| NoRun::Stopped("has samples at other times than the reference".to_owned()))?;
+        if !error.is_finite() {
+            return Err(NoRun::Stopped("has errors that are not finite".to_owned()));
+        }
         let first = runs.bare(method, variant)?.cost;
-        let (mut seconds, mut shortest) = (vec![first.seconds], first.seconds);
-        while seconds.len() < repeats(shortest) && Instant::now() < until {
-            let again = runs.bare(method, variant)?.cost.seconds;
+        let (mut seconds, mut shortest) = (vec![first.processor_seconds], first.processor_seconds);
+        while seconds.len() < repeats(shortest) && processor_time() < until {
+            let again = runs.bare(method, variant)?.cost.processor_seconds;
             seconds.push(again);
             shortest = shortest.min(again);
         }
@@ -100,12 +105,13 @@ pub(super) fn measure(
             seconds_min: shortest,
             seconds_median: seconds[seconds.len() / 2],
             n_timed: seconds.len(),
-            seconds_on_grid: run.cost.seconds,
+            seconds_on_grid: run.cost.processor_seconds,
         })
     };
     match measured() {
         Ok(measured) => PointResult::Measured(Box::new(measured)),
         Err(NoRun::Overtime) => PointResult::NotRun,
+        Err(NoRun::Interrupted) => PointResult::Interrupted,
         Err(why) => PointResult::Stopped(why.to_string()),
     }
 }
@@ -123,12 +129,13 @@ impl Point {
         }
     }
 
-    /// `measured`, why it stopped, or `not run`.
+    /// `measured`, why it stopped, `not run` or `interrupted`.
     pub(crate) fn outcome(&self) -> &str {
         match &self.result {
             PointResult::Measured(_) => "measured",
             PointResult::Stopped(reason) => reason,
             PointResult::NotRun => "not run",
+            PointResult::Interrupted => "interrupted",
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The reference motion: in double-double where the scene has a Taylor series, otherwise the run of DOP853 with the smallest
 //! tolerance.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::error::AccuracyError;
 use super::errors::{Comparison, Errors, Scales, Size, compare, difference};
@@ -12,7 +12,7 @@ use super::variant::Variant;
 use crate::dynamics::State;
 use crate::integrate::{Method, PreciseMotion};
 use crate::record::Sample;
-use crate::simulate::{Cost, Run};
+use crate::simulate::{Cost, Run, processor_time};
 
 /// Tolerances from the tightest on, until two runs have reached the end.
 const TOLERANCES: [f64; 6] = [1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10];
@@ -50,16 +50,17 @@ pub(super) enum Found {
 impl Reference {
     /// In double-double, compared with the two tightest runs that reach the end within `budget`, or the tightest of them.
     pub(super) fn find(runs: &Runs<'_>, budget: Duration) -> Result<Found, AccuracyError> {
-        let deadline = Instant::now() + budget;
+        let deadline = processor_time() + budget;
         let mut best: Vec<(Method, Run)> = Vec::new();
         let mut refused = None;
         for method in TOLERANCES.map(Method::dop853) {
-            match runs.on_grid(method, Variant::default(), Instant::now() + budget / 4) {
+            match runs.on_grid(method, Variant::default(), processor_time() + budget / 4) {
                 Ok(run) => best.push((method, run)),
                 Err(NoRun::Setup(error)) => return Err(error.into()),
+                Err(NoRun::Interrupted) => return Err(AccuracyError::Interrupted),
                 Err(why) => refused = Some((method, why)),
             }
-            if best.len() == 2 || Instant::now() >= deadline {
+            if best.len() == 2 || processor_time() >= deadline {
                 break;
             }
         }
@@ -72,6 +73,9 @@ impl Reference {
         };
         let (tightest, other) = (Trajectory::of(run), Trajectory::of(second_best));
         let precise = precise(runs, &run.first(), tightest.times(), deadline);
+        if runs.is_interrupted() {
+            return Err(AccuracyError::Interrupted);
+        }
         let scales = Scales::of(precise.as_ref().unwrap_or(&tightest));
         if let Some(until) = unknown_from(precise.as_ref().unwrap_or(&other), &tightest, &scales)? {
             return Ok(until);
@@ -120,7 +124,7 @@ fn unknown_from(one: &Trajectory, other: &Trajectory, scales: &Scales) -> Result
 const NAME: &str = "Taylor's method of order 38 in double-double, with 31 digits";
 
 /// The motion from `start` at each of `times`, rounded to f64, or why there is none.
-fn precise(runs: &Runs<'_>, start: &Sample<'_>, times: &[f64], deadline: Instant) -> Result<Trajectory, String> {
+fn precise(runs: &Runs<'_>, start: &Sample<'_>, times: &[f64], deadline: Duration) -> Result<Trajectory, String> {
     if !runs.inputs.is_empty() {
         return Err("inputs are set, and the motion in double-double takes them as declared".to_owned());
     }
@@ -129,7 +133,7 @@ fn precise(runs: &Runs<'_>, start: &Sample<'_>, times: &[f64], deadline: Instant
     let mut trajectory = Trajectory::empty(start.info);
     for &t in times {
         motion.advance_to(t).map_err(|error| error.to_string())?;
-        if Instant::now() >= deadline {
+        if processor_time() >= deadline || runs.is_interrupted() {
             return Err(format!("the motion in double-double had come to t = {t} s when its time was over"));
         }
         let [q, v, lambda] = [motion.q(), motion.v(), motion.lambda()]
@@ -173,7 +177,7 @@ impl Second {
         cost: Cost,
         reference: &Trajectory,
         scales: &Scales,
-        until: Instant,
+        until: Duration,
     ) -> Result<Self, String> {
         let step_s = (runs.until_s - runs.start_s) / (STEPS_PER_STEP * cost.steps.max(1)) as f64;
         let motion = |step_s: f64| {

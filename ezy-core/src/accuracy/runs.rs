@@ -1,7 +1,8 @@
 //! The runs of a measurement: one scene, one start, one grid.
 
 use std::io;
-use std::time::Instant;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use super::variant::Variant;
 use crate::dynamics::System;
@@ -9,7 +10,7 @@ use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::Scene;
 use crate::record::{RecordError, Recorder, Sample};
-use crate::simulate::{Outcome, Run, SetupError, Simulation, StopReason};
+use crate::simulate::{Outcome, Run, SetupError, Simulation, StopReason, processor_time};
 
 /// Intervals of the grid on which motions are compared.
 const N_INTERVALS: usize = 100;
@@ -26,6 +27,8 @@ pub(super) struct Runs<'s> {
     pub until_s: f64,
     /// Interval of the grid, s.
     pub every_s: f64,
+    /// Ends the measurement when it is true.
+    pub interrupt: Option<&'s AtomicBool>,
 }
 
 /// A run without a result.
@@ -34,6 +37,8 @@ pub(super) enum NoRun {
     Setup(SetupError),
     /// It exceeded its time.
     Overtime,
+    /// The measurement was interrupted.
+    Interrupted,
     /// The motion ended early.
     Stopped(String),
 }
@@ -44,11 +49,17 @@ impl<'s> Runs<'s> {
         given: Vec<(String, f64)>,
         inputs: Vec<(String, f64)>,
         until_s: f64,
+        interrupt: Option<&'s AtomicBool>,
     ) -> Result<Self, SetupError> {
         SetupError::refuse_modes(scene.info())?;
         let start_s = System::new(scene, Backend::Auto)?.scene_start().t;
         let every_s = (until_s - start_s) / N_INTERVALS as f64;
-        Ok(Self { scene, given, inputs, start_s, until_s, every_s })
+        Ok(Self { scene, given, inputs, start_s, until_s, every_s, interrupt })
+    }
+
+    /// Whether the measurement is to end.
+    pub(super) fn is_interrupted(&self) -> bool {
+        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
     fn simulation(&self, method: Method, variant: Variant) -> Simulation<'s, dyn Scene + 's> {
@@ -58,6 +69,7 @@ impl<'s> Runs<'s> {
             .project(variant.projection)
             .metric(variant.metric)
             .without_events();
+        let order = self.interrupt.into_iter().fold(order, Simulation::interrupted_by);
         let order = self.given.iter().fold(order, |order, (name, value)| order.give(name, *value));
         self.inputs.iter().fold(order, |order, (name, value)| order.input(name, *value))
     }
@@ -67,8 +79,9 @@ impl<'s> Runs<'s> {
         finished(self.simulation(method, variant).run())
     }
 
-    /// A run with a sample at every time of the grid, and works; it ends when `until` is over.
-    pub(super) fn on_grid(&self, method: Method, variant: Variant, until: Instant) -> Result<Run, NoRun> {
+    /// A run with a sample at every time of the grid, and works; it ends when the processor time is past
+    /// `until`.
+    pub(super) fn on_grid(&self, method: Method, variant: Variant, until: Duration) -> Result<Run, NoRun> {
         let mut deadline = Deadline(until);
         finished(self.simulation(method, variant).every(self.every_s).work().record_to(&mut deadline).run())
     }
@@ -84,6 +97,7 @@ fn finished(done: Result<Run, SetupError>) -> Result<Run, NoRun> {
         // what a run with long steps is worth is measured
         Outcome::ReachedEnd | Outcome::Untrusted { .. } => Ok(run),
         Outcome::Stopped { reason: StopReason::Record(_), .. } => Err(NoRun::Overtime),
+        Outcome::Interrupted { .. } => Err(NoRun::Interrupted),
         outcome => Err(NoRun::Stopped(outcome.to_string())),
     }
 }
@@ -93,17 +107,18 @@ impl std::fmt::Display for NoRun {
         match self {
             Self::Setup(error) => error.fmt(f),
             Self::Overtime => f.write_str("was not finished in the time given to it"),
+            Self::Interrupted => f.write_str("was interrupted"),
             Self::Stopped(outcome) => f.write_str(outcome),
         }
     }
 }
 
 /// Refuses every sample after the deadline.
-struct Deadline(Instant);
+struct Deadline(Duration);
 
 impl Recorder for Deadline {
     fn record(&mut self, sample: &Sample<'_>) -> Result<(), RecordError> {
-        if Instant::now() < self.0 {
+        if processor_time() < self.0 {
             return Ok(());
         }
         let cause = io::Error::new(io::ErrorKind::TimedOut, "the time given to the measurement is over");

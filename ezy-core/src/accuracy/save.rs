@@ -19,7 +19,7 @@ impl WorkPrecision {
     pub fn save(&self, directory: &Path) -> Result<PathBuf, AccuracyError> {
         written(directory.to_owned(), std::fs::create_dir_all(directory))?;
         let csv = directory.join("accuracy.csv");
-        written(csv.clone(), std::fs::write(&csv, self.csv()))?;
+        written(csv.clone(), crate::output::write(&csv, self.csv()))?;
         #[cfg(feature = "figures")]
         {
             self.save_page(directory)
@@ -40,7 +40,7 @@ impl WorkPrecision {
             energy: drawn(&self.energy(), directory, "energy")?,
         };
         let page = directory.join("index.html");
-        written(page.clone(), std::fs::write(&page, self.page(&pictures)))
+        written(page.clone(), crate::output::write(&page, self.page(&pictures)))
     }
 }
 

@@ -7,11 +7,13 @@ use serde_json::{Value, json};
 use crate::accuracy::{
     Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, Point, Size, WorkPrecision, setting,
 };
+use crate::output::OutputFolder;
 use crate::simulate::SetupError;
 
 use super::Models;
 use super::arguments::AccuracyArguments;
 use super::failure::{Failure, print};
+use super::interruption::Interruption;
 use super::json::print_json;
 use super::names::{check_assignments, scene_entry, scene_with};
 use super::progress::Progress;
@@ -35,18 +37,27 @@ pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Res
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("out/accuracy-{}-{}", typed(model.name), entry.name)));
     // a directory that cannot be written is found before the work, not after it
-    std::fs::create_dir_all(&directory).map_err(|cause| AccuracyError::Write { path: directory.clone(), cause })?;
+    let written = OutputFolder::create(&directory);
+    let folder = written.map_err(|cause| AccuracyError::Write { path: directory.clone(), cause })?;
+    let interruption = Interruption::listen();
     let progress = Progress::new();
-    let measured = order.measure(|fraction, part| {
+    let measured = order.interrupted_by(interruption.flag()).measure(|fraction, part| {
         progress.tell(fraction);
         progress.tell_part(part);
     });
     drop(progress);
-    let measured = measured?;
-    let written = measured.save(&directory)?;
+    let measured = match measured {
+        Err(error @ AccuracyError::Interrupted) => return Err(interruption.failure(error)),
+        measured => measured?,
+    };
+    let written = measured.save(folder.path())?;
     match arguments.json {
         true => print_json(&json(&measured))?,
         false => print(&format!("{}\nThe {WRITTEN}: {}\n", text(&measured), written.display()))?,
+    }
+    if measured.interrupted {
+        return Err(interruption
+            .failure(format!("the measurement was interrupted; what it had is in {}", folder.path().display())));
     }
     if measured.is_empty() {
         let budget_s = measured.budget_s;
@@ -60,6 +71,7 @@ impl From<AccuracyError> for Failure {
         match error {
             AccuracyError::Setup(SetupError::Motion(_) | SetupError::Record(_))
             | AccuracyError::NoReference { .. }
+            | AccuracyError::Interrupted
             | AccuracyError::NothingKnown { .. } => Self::stopped(error),
             #[cfg(feature = "figures")]
             AccuracyError::Figure(_) => Self::stopped(error),
@@ -72,6 +84,7 @@ impl From<AccuracyError> for Failure {
 
 fn text(measured: &WorkPrecision) -> String {
     let mut text = format!("{}/{} to t = {} s\n\n", measured.info.model, measured.info.name, measured.until_s);
+    measured.reservations().iter().for_each(|line| text += &format!("{line}\n\n"));
     measured.advice().iter().for_each(|advice| text += &format!("{advice}\n"));
     text += &format!("\n{}\n", measured.table());
     measured.reference_text().iter().for_each(|line| text += &format!("{line}\n"));
@@ -92,6 +105,9 @@ fn json(measured: &WorkPrecision) -> Value {
         "until": measured.until_s,
         "until_asked": measured.asked_until_s,
         "machine": measured.machine,
+        "processor_share": measured.processor_share,
+        "busy": measured.was_busy(),
+        "interrupted": measured.interrupted,
         "reference": {
             "by": reference.by,
             "uncertainty": comparison(&reference.uncertainty),
@@ -114,6 +130,7 @@ fn advice(advice: &Advice) -> Value {
         "target": advice.target,
         "use": advice.best.as_ref().map(candidate),
         "others": advice.others.iter().map(candidate).collect::<Value>(),
+        "unfinished": advice.unfinished,
         "sentence": advice.to_string(),
     })
 }

@@ -54,7 +54,7 @@ pub(super) enum Format {
 
 /// Runs a scene and prints where it ends
 ///
-/// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi.
+/// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi. Ctrl-C ends the run with all that it has.
 #[derive(Debug, Args)]
 pub(super) struct RunArguments {
     /// Its name; case and underscores do not matter
@@ -117,6 +117,9 @@ pub(super) struct RunArguments {
     pub every: Option<f64>,
     /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, inputs, outputs, work, energies,
     /// residuals
+    ///
+    /// Rows go to FILE.csv.partial, which becomes FILE.csv when the run ends. A run that is killed leaves the older FILE.csv. A
+    /// second run into the same file is refused.
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// Print one JSON object with 17 significant digits
@@ -188,7 +191,8 @@ pub(super) struct CheckArguments {
 )]
 #[cfg_attr(not(feature = "figures"), doc = "Writes accuracy.csv (with the feature `figures` of ezy-core also a page).")]
 /// Errors are those achieved against a reference that a second method
-/// confirms; times are those of repeated runs that record nothing between their ends.
+/// confirms; times are processor times of repeated runs that record nothing between their ends. Ctrl-C ends the measurement
+/// and writes what was measured.
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
     /// Its name; case and underscores do not matter
@@ -206,7 +210,7 @@ pub(super) struct AccuracyArguments {
     /// Set an input for the whole run, in its unit; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub input: Vec<Assignment>,
-    /// Budget of the measurement in seconds; settings that are not measured are listed
+    /// Budget of the measurement in seconds of processor time; settings that are not measured are listed
     #[arg(long, value_name = "SECONDS", value_parser = parse_number, allow_negative_numbers = true, default_value = "60")]
     pub budget: f64,
     /// Directory to write into; made if it does not exist [default: out/accuracy-MODEL-SCENE]

@@ -47,7 +47,7 @@ const ABOUT: &str = "Simulates planar mechanisms from equations that are derived
 /// What `--version` prints after the program's name, unless the caller has a version.
 const VERSION: &str = concat!("with ezy-core ", env!("CARGO_PKG_VERSION"));
 
-const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end (what was computed is kept); 2 wrong use.";
+const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end, 130 by Ctrl-C, 143 by SIGTERM (what was computed is kept); 2 wrong use.";
 
 impl<'m> CommandLine<'m> {
     /// The commands `list`, `show`, `run`, `check`, `accuracy` and `help` for `models`.

@@ -11,6 +11,13 @@ pub enum Failure {
     Use(String),
     /// The request was right, but the work stopped before its end; exit status 1.
     Stopped(String),
+    /// The work was interrupted by a signal; see [`Interruption`](super::Interruption::failure).
+    Interrupted {
+        /// What was done until then.
+        message: String,
+        /// Exit status: 128 and the number of the signal.
+        status: u8,
+    },
 }
 
 impl Failure {
@@ -29,8 +36,9 @@ impl Failure {
         let (message, status) = match self {
             Self::Use(message) => (message, 2),
             Self::Stopped(message) => (message, 1),
+            Self::Interrupted { message, status } => (message, *status),
         };
-        eprintln!("error: {message}");
+        print_error(&format!("error: {message}\n"));
         ExitCode::from(status)
     }
 }
@@ -53,4 +61,9 @@ pub fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Prints to standard error. Where it is full or closed nobody reads it, and the exit status tells.
+pub(super) fn print_error(text: &str) {
+    _ = std::io::stderr().lock().write_all(text.as_bytes());
 }

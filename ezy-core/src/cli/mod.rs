@@ -19,6 +19,7 @@ mod check;
 mod command_line;
 mod examples;
 mod failure;
+mod interruption;
 mod json;
 mod list;
 mod names;
@@ -36,6 +37,7 @@ use std::process::ExitCode;
 pub use clap;
 pub use command_line::CommandLine;
 pub use failure::{Failure, print};
+pub use interruption::Interruption;
 pub use progress::Progress;
 pub use selection::{Selection, find};
 
@@ -46,7 +48,7 @@ type Models<'m> = &'m [&'static ModelInfo];
 
 /// Reads the arguments of the program, does what they ask of `models`, and returns the exit status.
 ///
-/// The status is 0 when the command is done, 1 when it stopped before its end, 2 for wrong use.
+/// The status is 0 when the command is done, 1 when it stopped before its end, 2 for wrong use, 130 or 143 when it was interrupted.
 pub fn main(models: &[&'static ModelInfo]) -> ExitCode {
     CommandLine::new(models).main()
 }

@@ -1,67 +1,67 @@
-//! The file of `--out`, which is touched no earlier than there is something to put into it.
+//! The file of `--out`.
 
-use std::fs::{File, OpenOptions};
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use crate::output::OutputFile;
 use crate::record::{CsvWriter, RecordError, Recorder, Sample};
 
 use super::failure::Failure;
 
-/// A CSV file that is opened before the run and replaced at its first sample.
+/// A CSV file that takes its place when the run has ended.
 ///
-/// A run that is refused leaves what was there: an older file keeps its rows, a file made here is removed.
+/// A run that is refused leaves what was there. One that is killed, or that cannot write a sample, leaves its rows in
+/// `NAME.partial` and the older file as it was.
 pub(super) struct OutFile {
-    path: PathBuf,
-    file: File,
-    is_new: bool,
-    rows: Option<CsvWriter<File>>,
+    rows: CsvWriter<OutputFile>,
+    name: String,
+    /// Where the rows are until then; `None` for a pipe or a device.
+    partial: Option<String>,
+    whole: bool,
 }
 
 impl OutFile {
-    /// Opens `path` for writing and leaves its content alone.
+    /// Opens `path` for writing, leaves its content alone, and keeps other writers out.
     pub(super) fn open(path: &Path) -> Result<Self, Failure> {
-        let made = OpenOptions::new().write(true).create_new(true).open(path);
-        let (opened, is_new) = match made {
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-                (OpenOptions::new().write(true).create(true).truncate(false).open(path), false)
+        match OutputFile::create(path) {
+            Ok(file) => {
+                let partial = file.partial().map(|path| path.display().to_string());
+                Ok(Self { rows: CsvWriter::new(file), name: path.display().to_string(), partial, whole: true })
             }
-            made => (made, true),
-        };
-        match opened {
-            Ok(file) => Ok(Self { path: path.to_owned(), file, is_new, rows: None }),
-            Err(cause) => {
-                let remedy = "give --out a file in a directory that exists and may be written to";
-                Err(Failure::wrong_use(format!("`{}` cannot be written: {cause}; {remedy}", path.display())))
-            }
+            Err(cause) => Err(not_written(path, &cause)),
         }
     }
 
-    /// Empties the file.
-    fn begin(&self) -> Result<CsvWriter<File>, std::io::Error> {
-        // pipes and devices have no length to set
-        if self.file.metadata()?.is_file() {
-            self.file.set_len(0)?;
+    /// Gives the file its name, when all samples were written.
+    ///
+    /// # Errors
+    /// Why it has not got its name, and where the rows are.
+    pub(super) fn complete(self) -> Result<(), String> {
+        let Self { rows, name, partial, whole } = self;
+        let kept = partial.map(|partial| format!("; the rows so far are in `{partial}`"));
+        match (whole, kept) {
+            (true, kept) => {
+                let done = rows.into_inner().complete();
+                done.map_err(|cause| format!("`{name}` cannot be completed: {cause}{}", kept.unwrap_or_default()))
+            }
+            (false, Some(kept)) => Err(format!("`{name}` is not complete{kept}")),
+            (false, None) => Err(format!("`{name}` did not take all rows")),
         }
-        Ok(CsvWriter::new(self.file.try_clone()?))
     }
 }
 
 impl Recorder for OutFile {
     fn record(&mut self, sample: &Sample<'_>) -> Result<(), RecordError> {
-        let rows = match self.rows.take() {
-            Some(rows) => rows,
-            None => self.begin().map_err(|cause| RecordError { t: sample.t, cause })?,
-        };
-        self.rows.insert(rows).record(sample)
+        let done = self.rows.record(sample);
+        self.whole &= done.is_ok();
+        done
     }
 }
 
-impl Drop for OutFile {
-    fn drop(&mut self) {
-        if self.is_new && self.rows.is_none() {
-            // a leftover empty file is no reason to fail
-            _ = std::fs::remove_file(&self.path);
-        }
-    }
+/// Why there is no output at `path`, and what to do.
+fn not_written(path: &Path, cause: &std::io::Error) -> Failure {
+    let remedy = match cause.kind() {
+        std::io::ErrorKind::ResourceBusy => "wait for it, or give --out another file",
+        _ => "give --out a file in a directory that exists and may be written to",
+    };
+    Failure::wrong_use(format!("`{}` cannot be written: {cause}; {remedy}", path.display()))
 }

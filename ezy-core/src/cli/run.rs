@@ -4,11 +4,12 @@ use std::fs::File;
 
 use crate::integrate::{Method, Tolerance};
 use crate::model::{Scene, SceneInfo};
-use crate::simulate::{InputTable, Run, SetupError, Simulation, read_inputs};
+use crate::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
 
 use super::Models;
 use super::arguments::{MethodName, RunArguments};
-use super::failure::{Failure, print};
+use super::failure::{Failure, print, print_error};
+use super::interruption::Interruption;
 use super::json::print_json;
 use super::names::{check_assignments, scene_entry, scene_with};
 use super::out_file::OutFile;
@@ -31,22 +32,28 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     }
     let scene = scene_with(model, entry, &arguments.set)?;
     let method = method(arguments)?;
-    let done = simulate(arguments, scene.as_ref(), method);
+    let interruption = Interruption::listen();
+    let done = simulate(arguments, scene.as_ref(), method, interruption);
     if let (Err(Failure::Stopped(outcome)), true) = (&done, arguments.json) {
         print_json(&run_json(scene.info(), method, None, outcome))?;
     }
-    let run = done?;
+    let (run, written) = done?;
     // it chooses its steps, which a table may not let it
     let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
     if arguments.json {
         print_json(&run_json(scene.info(), method, Some(&run), &run.outcome.to_string()))?;
-        eprint!("{}", remarks(&run, method, radau_runs));
+        print_error(&remarks(&run, method, radau_runs));
     } else {
         print(&run_text(&run, method, radau_runs))?;
     }
-    match run.outcome.reached_end() {
-        true => Ok(()),
-        false => Err(Failure::stopped(format!("the run {}", run.outcome))),
+    let stopped = (!run.outcome.reached_end()).then(|| format!("the run {}", run.outcome));
+    match (stopped, written) {
+        (None, Ok(())) => Ok(()),
+        (Some(why), file) if matches!(run.outcome, Outcome::Interrupted { .. }) => {
+            Err(interruption.failure(file.map_or_else(|file| format!("{why}; {file}"), |()| why.clone())))
+        }
+        (Some(why), Ok(())) | (None, Err(why)) => Err(Failure::stopped(why)),
+        (Some(why), Err(file)) => Err(Failure::stopped(format!("{why}; {file}"))),
     }
 }
 
@@ -98,7 +105,15 @@ fn inputs(arguments: &RunArguments, info: &SceneInfo) -> Result<Vec<(String, Inp
     Ok(all)
 }
 
-fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Result<Run, Failure> {
+/// The run, and whether its file is complete.
+type Simulated = (Run, Result<(), String>);
+
+fn simulate(
+    arguments: &RunArguments,
+    scene: &dyn Scene,
+    method: Method,
+    interruption: Interruption,
+) -> Result<Simulated, Failure> {
     let info = scene.info();
     let until_s = arguments.until.unwrap_or(info.until_s);
     let mut out = arguments.out.as_deref().map(OutFile::open).transpose()?;
@@ -109,6 +124,7 @@ fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Resu
         .project(arguments.project)
         .metric(arguments.metric)
         .work()
+        .interrupted_by(interruption.flag())
         .on_progress(|fraction| progress.tell(fraction));
     if info.n_outputs() > 0 {
         simulation = simulation.outputs();
@@ -136,10 +152,11 @@ fn simulate(arguments: &RunArguments, scene: &dyn Scene, method: Method) -> Resu
         if let Some(every) = arguments.every.or_else(default_every) {
             simulation = simulation.every(every);
         }
-        simulation = simulation.record_to(out);
+        simulation = simulation.stream_to(out);
     }
-    simulation.run().map_err(|error| match error {
+    let run = simulation.run().map_err(|error| match error {
         SetupError::Motion(_) | SetupError::Record(_) => Failure::stopped(error),
         _ => Failure::wrong_use(error),
-    })
+    })?;
+    Ok((run, out.map_or(Ok(()), OutFile::complete)))
 }

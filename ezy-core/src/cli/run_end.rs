@@ -218,6 +218,7 @@ fn outcome_words(outcome: &Outcome) -> String {
         Outcome::ReachedEnd => "reached the end".to_owned(),
         Outcome::ReachedEvent { name, .. } => format!("reached `{name}`"),
         Outcome::Untrusted { .. } => "reached the end, but is not to be trusted,".to_owned(),
+        Outcome::Interrupted { .. } => "interrupted".to_owned(),
         Outcome::Stopped { .. } => "stopped".to_owned(),
     }
 }

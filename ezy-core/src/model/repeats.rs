@@ -1,6 +1,7 @@
 //! Scenes with counts: numbers of a run that say how often bodies, constraints and forces are repeated.
 
 use super::{Equation, RowInfo};
+use crate::memory::readable;
 
 /// A count: a whole number, at least one, that can be changed without compiling again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,6 +87,19 @@ pub enum LayoutFault {
     TooManyMembers {
         /// Members asked for, as far as they were counted.
         n_members: usize,
+    },
+    /// The machine has less memory than bodies and members need.
+    #[error(
+        "the counts ask for {n_members} bodies and repeated items, which need about {}; the machine has {} left: give a \
+         smaller count", readable(*.needed), readable(*.available)
+    )]
+    Memory {
+        /// Members asked for.
+        n_members: usize,
+        /// Bytes that they need in a run.
+        needed: u64,
+        /// Bytes that the machine has left.
+        available: u64,
     },
     /// An item refers to a member that its array does not have.
     #[error(

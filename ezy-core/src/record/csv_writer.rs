@@ -1,40 +1,63 @@
 //! Samples as rows of a CSV file.
 
 use super::{RecordError, Recorder, Sample, columns};
-use std::io::Write;
+use std::fmt::Write as _;
+use std::io::{self, Write};
 
 /// Writes each sample as one row, and hands it to the file before the next is made, so that a run that is cut
 /// short leaves all its rows.
 ///
 /// The first row names the columns with their units, `seat.x [m]`; numbers have 17 significant digits, which
-/// give back the same `f64`.
+/// give back the same `f64`. After an error nothing more is written, so that rows stay in order.
 pub struct CsvWriter<W: Write> {
-    rows: csv::Writer<W>,
+    file: W,
     /// Whether the row of names has been written.
     named: bool,
-    fields: Vec<String>,
+    /// Whether a row could not be written.
+    failed: bool,
+    row: String,
 }
 
 impl<W: Write> CsvWriter<W> {
     /// Writes nothing before the first sample.
     pub fn new(file: W) -> Self {
-        Self { rows: csv::Writer::from_writer(file), named: false, fields: Vec::new() }
+        Self { file, named: false, failed: false, row: String::new() }
     }
 
-    fn write(&mut self, sample: &Sample<'_>) -> Result<(), std::io::Error> {
-        if !self.named {
-            let names = columns(sample.info, sample.wanted).into_iter().map(|c| match c.unit.as_str() {
-                "" => c.name,
-                unit => format!("{} [{unit}]", c.name),
-            });
-            self.rows.write_record(names)?;
-            self.named = true;
-        }
-        self.fields.clear();
-        self.fields.extend(sample.numbers().map(|x| format!("{x:.16e}")));
-        self.rows.write_record(&self.fields)?;
-        self.rows.flush()
+    /// The file, after the last row.
+    pub fn into_inner(self) -> W {
+        self.file
     }
+
+    fn write(&mut self, sample: &Sample<'_>) -> io::Result<()> {
+        if self.failed {
+            return Err(io::Error::other("an earlier row could not be written"));
+        }
+        self.row.clear();
+        if !self.named {
+            self.row += &names(sample)?;
+        }
+        for (i, x) in sample.numbers().enumerate() {
+            // writing to a string cannot fail
+            _ = write!(self.row, "{}{x:.16e}", if i > 0 { "," } else { "" });
+        }
+        self.row.push('\n');
+        let done = self.file.write_all(self.row.as_bytes()).and_then(|()| self.file.flush());
+        (self.named, self.failed) = (true, done.is_err());
+        done
+    }
+}
+
+/// The row of names; those of array members with two indices hold a comma and are quoted.
+fn names(sample: &Sample<'_>) -> io::Result<String> {
+    let names = columns(sample.info, sample.wanted).into_iter().map(|c| match c.unit.as_str() {
+        "" => c.name,
+        unit => format!("{} [{unit}]", c.name),
+    });
+    let mut row = csv::Writer::from_writer(Vec::new());
+    row.write_record(names)?;
+    let row = row.into_inner().map_err(|error| io::Error::other(error.to_string()))?;
+    String::from_utf8(row).map_err(io::Error::other)
 }
 
 impl<W: Write + Send> Recorder for CsvWriter<W> {

@@ -1,6 +1,6 @@
 //! Samples in memory.
 
-use super::{RecordError, Recorder, Sample, UnknownName, Wanted, column_index};
+use super::{RecordError, Recorder, Sample, UnknownName, Wanted, column_index, columns};
 use crate::model::SceneInfo;
 
 /// Samples of one run, one after the other in a single vector.
@@ -21,6 +21,18 @@ impl Record {
     /// Adds a sample.
     pub(crate) fn push(&mut self, sample: &Sample<'_>) {
         self.numbers.extend(sample.numbers());
+    }
+
+    /// Drops all samples but the first.
+    pub(crate) fn keep_first(&mut self) {
+        self.numbers.truncate(self.n_numbers);
+    }
+
+    /// A number of the last sample that is none, with the name of its column.
+    pub(crate) fn no_number_at_end(&self) -> Option<(String, f64)> {
+        let last = self.samples().next_back()?;
+        let (i, value) = last.numbers().enumerate().find(|(_, x)| !x.is_finite())?;
+        Some((columns(self.info, self.wanted).swap_remove(i).name, value))
     }
 
     /// Number of samples.

@@ -2,6 +2,7 @@
 
 mod columns;
 mod csv_writer;
+mod limited_reader;
 mod memory;
 mod names;
 mod sample;
@@ -9,6 +10,7 @@ mod sample;
 pub(crate) use columns::column_index;
 pub use columns::{Column, columns};
 pub use csv_writer::CsvWriter;
+pub(crate) use limited_reader::LimitedReader;
 pub(crate) use memory::Record;
 pub use names::{UnknownName, coordinate_index, find_name, input_index, output_index};
 pub use sample::{EnergyState, Sample};

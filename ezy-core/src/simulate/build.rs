@@ -11,6 +11,7 @@ use super::tolerances::orders::{LARGEST_TOLERANCE, MAX_NUMBERS, MAX_STEPS};
 use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
+use crate::memory;
 use crate::model::{Scene, Start};
 use crate::record::{Recorder, input_index};
 
@@ -51,6 +52,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             limits: self.limits,
             watched: self.watched,
             recorder: self.recorder.map(|recorder| recorder as &mut dyn Recorder),
+            streamed: self.streamed,
+            interrupt: self.interrupt,
             on_progress: self.on_progress,
         }
     }
@@ -63,7 +66,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let schedule = self.schedule(start.t, control.is_idle())?;
         let limits = self.limits.checked()?;
         let events = if self.watched { self.scene.info().events } else { &[] };
-        let plan = Plan { schedule, every_s: self.every_s, wanted: self.wanted, events };
+        let Self { every_s, wanted, streamed, interrupt, .. } = self;
+        let plan = Plan { schedule, every_s, wanted, streamed, interrupt, events };
         let state = system.consistent_start(&start)?;
         let mut stepper = self.stepper_in(system)?;
         stepper.place(&state);
@@ -150,6 +154,12 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             let limit = MAX_NUMBERS / n_numbers;
             if samples > limit {
                 return Err(SetupError::TooManySamples { samples, every_s, limit });
+            }
+            let needed = (samples * n_numbers) as u64 * size_of::<f64>() as u64;
+            if let Some(available) = memory::too_little_for(needed)
+                && !self.streamed
+            {
+                return Err(SetupError::Memory { samples, every_s, needed, available });
             }
         }
         match self.method.tolerance() {

@@ -1,6 +1,7 @@
 //! Errors of a run that cannot start.
 
 use crate::dynamics::{MotionError, StartError, SystemError};
+use crate::memory::readable;
 use crate::model::{SceneInfo, SeriesInfo};
 use crate::record::{RecordError, UnknownName};
 use crate::scalar::legible;
@@ -174,6 +175,21 @@ pub enum SetupError {
         every_s: f64,
         /// The largest number that is accepted.
         limit: f64,
+    },
+    /// The samples need more memory than the machine has left.
+    #[error(
+        "{samples:.1e} samples {} s apart need {}, and the machine has {} left: give a longer interval, or write samples to a file \
+         without keeping them (`stream_to`)", legible(*.every_s), readable(*.needed), readable(*.available)
+    )]
+    Memory {
+        /// Samples that the run would keep.
+        samples: f64,
+        /// The interval, s.
+        every_s: f64,
+        /// Bytes that they need.
+        needed: u64,
+        /// Bytes that the machine has left.
+        available: u64,
     },
     /// The start values do not fit.
     #[error(transparent)]

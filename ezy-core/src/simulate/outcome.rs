@@ -90,6 +90,12 @@ pub enum Outcome {
         /// The energy balance.
         energy: EnergyError,
     },
+    /// Before, because it was asked to end ([`Simulation::interrupted_by`](super::Simulation::interrupted_by)); everything up to
+    /// there is in the run.
+    Interrupted {
+        /// Time of the last state, s.
+        t: f64,
+    },
     /// Before; everything up to the last good state is in the run.
     Stopped {
         /// Time of the last good state, s.
@@ -123,6 +129,7 @@ impl std::fmt::Display for Outcome {
                 EnergyError::LARGEST_OF_FIXED_STEPS,
                 rounded(*step_s, 4)
             ),
+            Self::Interrupted { t } => write!(f, "was interrupted at t = {} s", legible(*t)),
             Self::Stopped { t, reason, strain } => {
                 write!(f, "stopped at t = {} s: {reason}", legible(*t))?;
                 strain.as_ref().map_or(Ok(()), |strain| write!(f, "; {strain}"))
@@ -144,6 +151,16 @@ pub enum StopReason {
     /// A sample could not be written.
     #[error(transparent)]
     Record(#[from] RecordError),
+    /// The end has a number that is none, though positions and velocities are finite: an energy that overflows, or an output.
+    #[error(
+        "`{column}` is {value} there; the run has no result: its magnitudes leave the range of numbers, or an output is undefined"
+    )]
+    NoNumber {
+        /// Name of the column.
+        column: String,
+        /// NaN or an infinity.
+        value: f64,
+    },
 }
 
 impl StopReason {
@@ -153,7 +170,7 @@ impl StopReason {
         match self {
             Self::Motion(error) => matches!(error, NotFinite { .. } | ProjectionStalled { .. } | StepCollapsed { .. }),
             Self::Limit(limit) => !matches!(limit, ExceededLimit::Drift { .. }),
-            Self::Record(_) => false,
+            Self::Record(_) | Self::NoNumber { .. } => false,
         }
     }
 }
@@ -171,4 +188,6 @@ pub struct Cost {
     pub factorizations: u64,
     /// Wall time of the loop, recording included, s.
     pub seconds: f64,
+    /// Time that a processor worked for the loop, s; where the system does not tell it, as on Windows, the wall time.
+    pub processor_seconds: f64,
 }

@@ -4,6 +4,7 @@ use super::control::Control;
 use super::events::{EventDetector, EventFunction, Passage};
 use super::modes::Modes;
 use super::monitor::Watch;
+use super::processor_time;
 use super::rank_watch::RankRecord;
 use super::sampler::Sampler;
 use super::schedule::Schedule;
@@ -14,13 +15,18 @@ use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, not_finite};
 use crate::model::{EventInfo, Scene};
 use crate::record::{Recorder, Wanted};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 /// The checked settings of a run.
-pub(super) struct Plan {
+pub(super) struct Plan<'s> {
     pub schedule: Schedule,
     pub every_s: Option<f64>,
     pub wanted: Wanted,
+    /// Whether samples go to the recorder alone.
+    pub streamed: bool,
+    /// Ends the run when it is true.
+    pub interrupt: Option<&'s AtomicBool>,
     /// Events to locate.
     pub events: &'static [EventInfo],
 }
@@ -28,7 +34,7 @@ pub(super) struct Plan {
 pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     stepper: StepperState<'s, S>,
     control: Control<'s>,
-    plan: Plan,
+    plan: Plan<'s>,
     watch: Watch,
     detector: EventDetector,
     /// Of a scene with modes.
@@ -53,7 +59,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         mut stepper: StepperState<'s, S>,
         mut modes: Option<Box<Modes<'s, S>>>,
         mut control: Control<'s>,
-        plan: Plan,
+        plan: Plan<'s>,
         watch: Watch,
         recorder: Option<&'s mut dyn Recorder>,
         on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
@@ -67,7 +73,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         }
         stepper.check_beginning(plan.schedule.end() - t)?;
         let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&stepper));
-        let mut sampler = Sampler::new(recorded, plan.wanted, recorder);
+        let mut sampler = Sampler::new(recorded, plan.wanted, recorder, plan.streamed);
         let mut between = Snapshot::zero(info, plan.wanted.work);
         if let Some(modes) = &mut modes {
             modes.start(&mut stepper)?;
@@ -99,10 +105,14 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     }
 
     pub(super) fn run(mut self) -> Result<Run, SetupError> {
-        let began = Instant::now();
+        let (began, began_working) = (Instant::now(), processor_time());
         let mut steps = 0;
         let mut outcome = Outcome::ReachedEnd;
         while self.stepper.now.state.t < self.plan.schedule.end() {
+            if self.plan.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+                outcome = Outcome::Interrupted { t: self.stepper.now.state.t };
+                break;
+            }
             match self.step(steps) {
                 Ok(None) => {}
                 Ok(Some(Passage { t, event })) => {
@@ -129,7 +139,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             }
         }
         let (rejected, seconds) = (self.n_rejected(), began.elapsed().as_secs_f64());
-        let mut cost = Cost { steps, rejected, seconds, ..Cost::default() };
+        let processor_seconds = (processor_time() - began_working).as_secs_f64();
+        let mut cost = Cost { steps, rejected, seconds, processor_seconds, ..Cost::default() };
         let (mut events, mut stiff_since_s) = (self.detector.occurred, None);
         let parked = self.modes.iter().flat_map(|modes| modes.parked());
         for stepper in std::iter::once(&self.stepper).chain(parked) {
@@ -151,16 +162,13 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             let [_, step_s] = monitors.steps_s.unwrap_or_default();
             outcome = Outcome::Untrusted { t: now.state.t, step_s, energy };
         }
-        Ok(Run {
-            outcome,
-            cost,
-            monitors,
-            rank: self.rank,
-            stiff_since_s,
-            info,
-            events,
-            record: self.sampler.into_record(),
-        })
+        let record = self.sampler.into_record();
+        if outcome.reached_end()
+            && let Some((column, value)) = record.no_number_at_end()
+        {
+            outcome = Outcome::Stopped { t: now.state.t, reason: StopReason::NoNumber { column, value }, strain: None };
+        }
+        Ok(Run { outcome, cost, monitors, rank: self.rank, stiff_since_s, info, events, record })
     }
 
     /// One step from `now`, which is unchanged when the step fails; returns the event that ends the run.

@@ -10,6 +10,9 @@ pub(super) struct Sampler<'s> {
     info: &'static SceneInfo,
     record: Record,
     recorder: Option<&'s mut dyn Recorder>,
+    /// Whether the record keeps the first and the last sample only.
+    streamed: bool,
+    n_kept: usize,
     /// Kinetic and potential energy of the first sample, J.
     initial_energy: Option<f64>,
     /// Refined accelerations.
@@ -24,11 +27,18 @@ pub(super) struct Sampler<'s> {
 }
 
 impl<'s> Sampler<'s> {
-    pub(super) fn new(info: &'static SceneInfo, wanted: Wanted, recorder: Option<&'s mut dyn Recorder>) -> Self {
+    pub(super) fn new(
+        info: &'static SceneInfo,
+        wanted: Wanted,
+        recorder: Option<&'s mut dyn Recorder>,
+        streamed: bool,
+    ) -> Self {
         Self {
             info,
             record: Record::new(info, wanted),
             recorder,
+            streamed,
+            n_kept: 0,
             initial_energy: None,
             a: vec![0.0; info.n_coordinates()],
             wanted,
@@ -38,8 +48,9 @@ impl<'s> Sampler<'s> {
         }
     }
 
+    /// Samples so far, whether or not they are still in the record.
     pub(super) fn n_kept(&self) -> usize {
-        self.record.len()
+        self.n_kept
     }
 
     /// Time of the last sample, s.
@@ -105,7 +116,11 @@ impl<'s> Sampler<'s> {
             position_residual,
             velocity_residual,
         };
+        if self.streamed {
+            self.record.keep_first();
+        }
         self.record.push(&sample);
+        self.n_kept += 1;
         self.recorder.as_mut().map_or(Ok(()), |recorder| recorder.record(&sample))
     }
 }

@@ -8,6 +8,7 @@ use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::Scene;
 use crate::record::{Recorder, Wanted};
+use std::sync::atomic::AtomicBool;
 
 /// One run of a scene: its settings, then [`Simulation::run`].
 ///
@@ -35,6 +36,8 @@ pub struct Simulation<'s, S: Scene + ?Sized> {
     pub(super) limits: Limits,
     pub(super) watched: bool,
     pub(super) recorder: Option<&'s mut dyn Recorder>,
+    pub(super) streamed: bool,
+    pub(super) interrupt: Option<&'s AtomicBool>,
     pub(super) on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
 }
 
@@ -57,6 +60,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             limits: Limits::default(),
             watched: true,
             recorder: None,
+            streamed: false,
+            interrupt: None,
             on_progress: None,
         }
     }
@@ -219,6 +224,22 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     #[must_use]
     pub fn record_to(mut self, recorder: &'s mut dyn Recorder) -> Self {
         self.recorder = Some(recorder);
+        self
+    }
+
+    /// Hands every sample to `recorder`, as it is made, and keeps only the first and the last: memory does not grow with the
+    /// number of samples.
+    #[must_use]
+    pub fn stream_to(mut self, recorder: &'s mut dyn Recorder) -> Self {
+        self.streamed = true;
+        self.record_to(recorder)
+    }
+
+    /// Ends the run with [`Outcome::Interrupted`](super::Outcome::Interrupted) once `flag` is true, which is read before each step. Another
+    /// thread or a signal handler sets it.
+    #[must_use]
+    pub fn interrupted_by(mut self, flag: &'s AtomicBool) -> Self {
+        self.interrupt = Some(flag);
         self
     }
 

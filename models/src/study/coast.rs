@@ -10,6 +10,7 @@ use super::motion::Motion;
 use super::output::{Output, Plate};
 use super::parts::largest;
 use crate::ezy_roller::Coast;
+use std::sync::atomic::AtomicBool;
 
 const STEP_S: f64 = 1e-3;
 const EVERY_S: f64 = 5e-3;
@@ -34,9 +35,9 @@ pub struct Coasting {
 
 impl Coasting {
     /// Runs, and puts figure and numbers on the page.
-    pub fn study(page: &mut Page, output: &Output) -> Result<Self, StudyError> {
+    pub fn study(page: &mut Page, output: &Output, interrupt: &AtomicBool) -> Result<Self, StudyError> {
         let scene = Coast::default();
-        let motion = Motion::new(&scene, STEP_S, scene.info().until_s, EVERY_S)?;
+        let motion = Motion::new(&scene, STEP_S, scene.info().until_s, EVERY_S, interrupt)?;
         let (first, last) = (motion.run.first(), motion.run.last());
         let names = scene.info().coordinates.iter().map(|c| c.velocity_name);
         let found = Self {

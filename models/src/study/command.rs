@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use ezy_core::cli::clap::{Arg, ArgMatches, Command, value_parser};
-use ezy_core::cli::{Failure, Progress, print};
+use ezy_core::cli::{Failure, Interruption, Progress, print};
 
 use super::StudyError;
 
@@ -20,7 +20,7 @@ pub fn command() -> Command {
         .long_about(
             "Does the EzyRoller study: equations, figures, numbers and a page\n\n\
              Writes index.html, which needs nothing else, each figure as SVG and PNG, and the numbers behind it as CSV. \
-             Every number that the page states is measured in this run.",
+             Every number that the page states is measured in this run. Ctrl-C ends the study with the parts that are done.",
         )
         .arg(out)
 }
@@ -28,17 +28,20 @@ pub fn command() -> Command {
 /// Does the study and prints its key numbers.
 ///
 /// # Errors
-/// [`Failure::Use`] when a file cannot be written, [`Failure::Stopped`] when a run stops.
+/// [`Failure::Use`] when a file cannot be written, [`Failure::Stopped`] when a run stops, [`Failure::Interrupted`] after
+/// a signal.
 pub fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     let directory: &PathBuf = arguments.get_one("out").ok_or_else(|| Failure::wrong_use("give --out a directory"))?;
     let progress = Progress::new();
-    let done = super::study(directory, |fraction, part| {
+    let interruption = Interruption::listen();
+    let done = super::study(directory, interruption.flag(), |fraction, part| {
         progress.tell(fraction);
         progress.tell_part(part);
     });
     drop(progress);
     match done {
         Ok(study) => print(&format!("{}\nThe page: {}\n", study.summary, study.page.display())),
+        Err(error @ StudyError::Interrupted { .. }) => Err(interruption.failure(error)),
         Err(error @ StudyError::Write { .. }) => Err(Failure::wrong_use(error)),
         Err(error) => Err(Failure::stopped(error)),
     }

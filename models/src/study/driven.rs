@@ -11,6 +11,7 @@ use super::motion::{Motion, Path};
 use super::output::{Output, Plate};
 use super::parts::largest;
 use crate::ezy_roller::Driven;
+use std::sync::atomic::AtomicBool;
 
 const STEP_S: f64 = 1e-3;
 const EVERY_S: f64 = 0.02;
@@ -45,8 +46,8 @@ pub struct Drive {
 
 impl Drive {
     /// Runs for as long as the scene says.
-    pub fn measure(scene: &'static Driven) -> Result<Self, StudyError> {
-        let motion = Motion::new(scene, STEP_S, scene.info().until_s, EVERY_S)?;
+    pub fn measure(scene: &'static Driven, interrupt: &AtomicBool) -> Result<Self, StudyError> {
+        let motion = Motion::new(scene, STEP_S, scene.info().until_s, EVERY_S, interrupt)?;
         let (t, rate, torque) = (motion.column("t")?, motion.seat_less_bar("omega")?, motion.force("seat.phi")?);
         let last = motion.run.last();
         let (first_end, last_begin) = (STRETCH_S, scene.info().until_s - STRETCH_S);

@@ -21,6 +21,12 @@ pub enum StudyError {
         /// How it ended.
         outcome: String,
     },
+    /// It was asked to end.
+    #[error("the study was interrupted{}", page.as_ref().map_or(String::new(), |page| format!("; the parts so far: {}", page.display())))]
+    Interrupted {
+        /// The page with the parts that were done, when it is written.
+        page: Option<PathBuf>,
+    },
     /// A name that the study uses is not in the model.
     #[error(transparent)]
     UnknownName(#[from] UnknownName),

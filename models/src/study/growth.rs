@@ -10,6 +10,7 @@ use super::motion::Motion;
 use super::output::{Output, Plate};
 use super::parts::{half_swing, largest};
 use crate::ezy_roller::{Driven, DrivenOnTarmac};
+use std::sync::atomic::AtomicBool;
 
 /// Ten minutes, with a step that leaves the energy balance at rounding.
 const TEN_MINUTES_S: f64 = 600.0;
@@ -62,9 +63,9 @@ pub struct Growth {
 
 impl Growth {
     /// Runs for ten and for a hundred minutes, and with rolling resistance for ten.
-    pub fn measure(scene: &Driven) -> Result<Self, StudyError> {
-        let fine = Motion::new(scene, FINE_STEP_S, TEN_MINUTES_S, EVERY_S)?;
-        let long = Motion::new(scene, LONG_STEP_S, LONG_S, EVERY_S)?;
+    pub fn measure(scene: &Driven, interrupt: &AtomicBool) -> Result<Self, StudyError> {
+        let fine = Motion::new(scene, FINE_STEP_S, TEN_MINUTES_S, EVERY_S, interrupt)?;
+        let long = Motion::new(scene, LONG_STEP_S, LONG_S, EVERY_S, interrupt)?;
         let (t, v, energy) = (long.column("t")?, long.forward_speed()?, long.column("kinetic")?);
         let hinge = long.seat_less_bar("phi")?;
         let index = |time: f64| (time / EVERY_S).round() as usize;
@@ -79,7 +80,7 @@ impl Growth {
         let law = Averaged::of(scene)?;
         let start = instant(TIMES_S[0]);
         let tarmac = DrivenOnTarmac::default();
-        let resisted = Motion::new(&tarmac, LONG_STEP_S, TEN_MINUTES_S, EVERY_S)?.forward_speed()?;
+        let resisted = Motion::new(&tarmac, LONG_STEP_S, TEN_MINUTES_S, EVERY_S, interrupt)?.forward_speed()?;
         let last_period = |time: f64| mean(&resisted[index(time) - SAMPLES_A_PERIOD..index(time)]);
         Ok(Self {
             speed: fine.forward_speed()?.last().copied().unwrap_or(f64::NAN),

@@ -19,6 +19,7 @@ mod steps;
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
+use std::sync::atomic::AtomicBool;
 
 use ezy_core::report::page::Page;
 use ezy_core::report::table::Table;
@@ -39,43 +40,66 @@ pub struct Study {
 }
 
 /// Parts that are told to `progress`.
-const PARTS: [&str; 6] = ["coasting", "driven", "smaller and smaller steps", "long runs", "figures", "page"];
+const PARTS: [&str; 5] = ["coasting", "driven", "smaller and smaller steps", "long runs", "page"];
 
 static DRIVEN: LazyLock<Driven> = LazyLock::new(Driven::default);
 
 /// Runs everything and writes page, figures and numbers into `directory`; calls `progress` with the fraction done
-/// and the part that comes next.
+/// and the part that comes next. Once `interrupt` is true it ends with a page of the parts that are done.
 ///
 /// # Errors
-/// [`StudyError`] when a run stops or a file cannot be written.
-pub fn study(directory: &Path, mut progress: impl FnMut(f64, &str)) -> Result<Study, StudyError> {
+/// [`StudyError`] when a run stops, a file cannot be written, or the study is interrupted.
+pub fn study(
+    directory: &Path,
+    interrupt: &AtomicBool,
+    mut progress: impl FnMut(f64, &str),
+) -> Result<Study, StudyError> {
     let mut tell = |part: usize| progress(part as f64 / PARTS.len() as f64, PARTS[part]);
     let output = Output::new(directory)?;
-    let driven = &*DRIVEN;
     let mut page = Page::new("The EzyRoller: equations, motion and energy");
+    let summary = write_parts(&mut page, &output, interrupt, &mut tell);
+    if let Err(StudyError::Interrupted { .. }) = summary {
+        page.section("interrupted", "Interrupted");
+        page.paragraph("The study was interrupted here. The parts that follow are missing, and their files are those of an earlier study.");
+    }
+    write_versions(&mut page);
+    match summary {
+        Ok(summary) => Ok(Study { page: output.write("index.html", &page.finish())?, summary }),
+        Err(StudyError::Interrupted { .. }) => {
+            Err(StudyError::Interrupted { page: Some(output.write("index.html", &page.finish())?) })
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// Writes each part as soon as it is measured, and returns the key numbers.
+fn write_parts(
+    page: &mut Page,
+    output: &Output,
+    interrupt: &AtomicBool,
+    tell: &mut dyn FnMut(usize),
+) -> Result<Table, StudyError> {
+    let driven = &*DRIVEN;
     tell(0);
     let projections = projection::Projections::measure()?;
-    equations_part::write(&mut page, driven);
-    projections.write(&mut page);
-    let coasting = coast::Coasting::study(&mut page, &output)?;
+    equations_part::write(page, driven);
+    projections.write(page);
+    let coasting = coast::Coasting::study(page, output, interrupt)?;
     tell(1);
-    let drive = driven::Drive::measure(driven)?;
+    let drive = driven::Drive::measure(driven, interrupt)?;
+    drive.write(page, output)?;
     tell(2);
-    let steps = steps::Steps::measure(driven)?;
+    let steps = steps::Steps::measure(driven, interrupt)?;
+    steps.write_work(page, output, &drive)?;
     tell(3);
-    let growth = growth::Growth::measure(driven)?;
-    tell(4);
-    drive.write(&mut page, &output)?;
-    steps.write_work(&mut page, &output, &drive)?;
-    growth.write(&mut page, &output)?;
-    steps.write_order(&mut page, &output)?;
+    let growth = growth::Growth::measure(driven, interrupt)?;
+    growth.write(page, output)?;
+    steps.write_order(page, output)?;
     let found =
         Findings { projections: &projections, coasting: &coasting, drive: &drive, steps: &steps, growth: &growth };
-    tell(5);
-    claims::write(&mut page, &found, driven)?;
-    write_versions(&mut page);
-    let summary = summary(&found);
-    Ok(Study { page: output.write("index.html", &page.finish())?, summary })
+    tell(4);
+    claims::write(page, &found, driven)?;
+    Ok(summary(&found))
 }
 
 fn write_versions(page: &mut Page) {

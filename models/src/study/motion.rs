@@ -5,9 +5,10 @@ use ezy_core::integrate::Method;
 use ezy_core::linalg::Backend;
 use ezy_core::model::Scene;
 use ezy_core::record::{Sample, coordinate_index, find_name};
-use ezy_core::simulate::{Run, Simulation};
+use ezy_core::simulate::{Outcome, Run, Simulation};
 
 use super::error::StudyError;
+use std::sync::atomic::AtomicBool;
 
 /// A run to its end.
 pub struct Motion<'s> {
@@ -22,13 +23,22 @@ pub type Path = (Vec<f64>, Vec<f64>);
 
 impl<'s> Motion<'s> {
     /// Runs `scene` by RK4 with both projections, with a sample every `every_s`.
-    pub fn new(scene: &'s dyn Scene, step_s: f64, until_s: f64, every_s: f64) -> Result<Self, StudyError> {
-        let run = Simulation::new(scene).method(Method::rk4(step_s)).until(until_s).every(every_s).work().run()?;
-        Self::finished(scene, run)
+    pub fn new(
+        scene: &'s dyn Scene,
+        step_s: f64,
+        until_s: f64,
+        every_s: f64,
+        interrupt: &AtomicBool,
+    ) -> Result<Self, StudyError> {
+        let simulation = Simulation::new(scene).method(Method::rk4(step_s)).until(until_s).every(every_s).work();
+        Self::finished(scene, simulation.interrupted_by(interrupt).run()?)
     }
 
     /// Takes a run that was made elsewhere.
     pub fn finished(scene: &'s dyn Scene, run: Run) -> Result<Self, StudyError> {
+        if matches!(run.outcome, Outcome::Interrupted { .. }) {
+            return Err(StudyError::Interrupted { page: None });
+        }
         if !run.outcome.reached_end() {
             return Err(StudyError::Stopped { scene: scene.info().name, outcome: run.outcome.to_string() });
         }

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+use ezy_core::output::{self, OutputFolder};
 use ezy_core::report::figure::Figure;
 use ezy_core::report::page::Page;
 
@@ -10,7 +11,7 @@ use super::error::StudyError;
 
 /// A directory for figures, numbers and the page.
 pub struct Output {
-    directory: PathBuf,
+    folder: OutputFolder,
 }
 
 /// A figure with the numbers behind it and the words around it.
@@ -28,18 +29,17 @@ pub struct Plate<'a> {
 }
 
 impl Output {
-    /// Makes the directory.
+    /// Makes the directory and keeps other writers out.
     pub fn new(directory: &Path) -> Result<Self, StudyError> {
-        let directory = directory.to_owned();
-        match std::fs::create_dir_all(&directory) {
-            Ok(()) => Ok(Self { directory }),
-            Err(cause) => Err(StudyError::Write { path: directory, cause }),
+        match OutputFolder::create(directory) {
+            Ok(folder) => Ok(Self { folder }),
+            Err(cause) => Err(StudyError::Write { path: directory.to_owned(), cause }),
         }
     }
 
     /// Saves a figure as SVG, PNG and CSV, and puts it on the page.
     pub fn plate(&self, page: &mut Page, plate: Plate<'_>) -> Result<(), StudyError> {
-        let svg = plate.figure.save(&self.directory, plate.name)?;
+        let svg = plate.figure.save(self.folder.path(), plate.name)?;
         self.write(&format!("{}.csv", plate.name), &csv(&plate.columns))?;
         let files = ["svg", "png", "csv"].map(|extension| format!("{}.{extension}", plate.name));
         page.figure(&svg, &plate.caption, &plate.alternative, &[&files[0], &files[1], &files[2]]);
@@ -48,8 +48,8 @@ impl Output {
 
     /// Writes a text file and returns where it is.
     pub fn write(&self, name: &str, text: &str) -> Result<PathBuf, StudyError> {
-        let path = self.directory.join(name);
-        match std::fs::write(&path, text) {
+        let path = self.folder.path().join(name);
+        match output::write(&path, text) {
             Ok(()) => Ok(path),
             Err(cause) => Err(StudyError::Write { path, cause }),
         }

@@ -16,6 +16,7 @@ use super::motion::Motion;
 use super::output::{Output, Plate};
 use super::parts::{geometric, largest, log_slope};
 use crate::ezy_roller::{Coast, Driven};
+use std::sync::atomic::AtomicBool;
 
 /// Steps, s: halved from 0.04.
 const LARGEST_STEP_S: f64 = 0.04;
@@ -43,14 +44,14 @@ pub struct Steps {
 
 impl Steps {
     /// Runs both scenes with every step.
-    pub fn measure(driven: &Driven) -> Result<Self, StudyError> {
+    pub fn measure(driven: &Driven, interrupt: &AtomicBool) -> Result<Self, StudyError> {
         let steps = geometric(LARGEST_STEP_S, 0.5, N_STEPS);
         let coast = Coast::default();
         let (mut sum_gap, mut state_gap, mut drift) = (Vec::new(), Vec::new(), Vec::new());
         let (mut driven_ends, mut coast_ends) = (Vec::new(), Vec::new());
         let mut coarse_sum = None;
         for &h in &steps {
-            let motion = Motion::new(driven, h, driven.info().until_s, h)?;
+            let motion = Motion::new(driven, h, driven.info().until_s, h, interrupt)?;
             let last = motion.run.last();
             let sum = right_endpoint_sum(&motion)?;
             sum_gap.push((last.energy.kinetic - sum.last().copied().unwrap_or(f64::NAN)).abs());
@@ -58,7 +59,7 @@ impl Steps {
             driven_ends.push(last.coordinates.to_vec());
             coarse_sum.get_or_insert((motion.column("t")?, sum));
             let until = coast.info().until_s;
-            coast_ends.push(Motion::new(&coast, h, until, until)?.run.last().coordinates.to_vec());
+            coast_ends.push(Motion::new(&coast, h, until, until, interrupt)?.run.last().coordinates.to_vec());
             let free = Simulation::new(driven).method(Method::rk4(h)).project(Projection::None).every(1.0).run()?;
             let free = Motion::finished(driven, free)?;
             drift.push(largest(free.run.samples().map(|s| s.position_residual)));

@@ -1,6 +1,7 @@
 //! Arguments and files that nobody means: the program does what it is asked with sound numbers, or says why not.
 
 use crate::directory;
+use crate::run::random;
 use std::ffi::OsString;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
@@ -171,14 +172,6 @@ fn invariant_arguments_that_are_no_text_are_wrong_use() {
         assert_eq!(judge(&[OsString::from(command), with("")]), 2, "{command}");
     }
     assert_ne!(judge(&[of(&RUN), vec![with("--inputs=")]].concat()), 0);
-}
-
-/// SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
-fn random(state: &mut u64) -> usize {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    ((z ^ (z >> 31)) >> 33) as usize
 }
 
 #[test]

@@ -1,8 +1,11 @@
 //! The `ezy` program, run as its users run it. What depends on time, `accuracy`, is a program of its own, beside which nothing runs.
 
 mod cli;
+mod faults;
 mod hostile;
 mod run;
+#[cfg(unix)]
+mod signals;
 mod study;
 
 use run::{assert_wrong_use, directory, ezy, text};

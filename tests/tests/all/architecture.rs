@@ -23,10 +23,14 @@ const CORE: &[(&str, &[&str])] = &[
     ("linalg", &["linalg", "model"]),
     ("dynamics", &["dynamics", "linalg", "model", "scalar"]),
     ("integrate", &["integrate", "dynamics", "linalg", "model", "scalar"]),
+    ("output", &["output"]),
     ("record", &["record", "model"]),
     ("simulate", &["simulate", "integrate", "dynamics", "linalg", "record", "model", "scalar"]),
-    ("report", &["report", "record", "model"]),
-    ("accuracy", &["accuracy", "simulate", "integrate", "dynamics", "linalg", "record", "report", "model", "scalar"]),
+    ("report", &["report", "output", "record", "model"]),
+    (
+        "accuracy",
+        &["accuracy", "simulate", "integrate", "dynamics", "linalg", "output", "record", "report", "model", "scalar"],
+    ),
     (
         "cli",
         &[
@@ -39,6 +43,7 @@ const CORE: &[(&str, &[&str])] = &[
             "linalg",
             "record",
             "report",
+            "output",
             "model",
             "scalar",
         ],

@@ -191,7 +191,7 @@ impl Figure {
         let (svg, png) = (draw::svg(self)?, draw::png(self)?);
         for (extension, bytes) in [("svg", svg.as_bytes()), ("png", &png)] {
             let path = directory.join(name).with_extension(extension);
-            std::fs::write(&path, bytes).map_err(|cause| FigureError::Write { path, cause })?;
+            crate::output::write(&path, bytes).map_err(|cause| FigureError::Write { path, cause })?;
         }
         Ok(svg)
     }

@@ -111,7 +111,7 @@ model! {
 #[test]
 fn analytic_parallel_cranks_swing_like_a_pendulum() {
     for (method, bound) in [
-        (Method::rk4(1e-3), MOTION),
+        (Method::rk4(1e-2), 1e-6),
         (Method::dop853(1e-11), MOTION),
         (Method::taylor(1e-11), MOTION),
         (Method::radau(1e-7), 1e-5),

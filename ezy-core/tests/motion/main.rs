@@ -4,8 +4,12 @@
 mod accelerations;
 mod energy;
 mod events;
+mod lanes;
+mod laws;
 mod methods;
 mod projection;
 mod redundant;
+mod runs;
+mod singular;
 mod skates;
 mod stops;

@@ -95,3 +95,8 @@ pub mod prelude {
     pub use crate::simulate::{Ensemble, InputTable, Outcome, Run, Sensitivities, Simulation, Stepper, read_inputs};
     pub use crate::testing::{check_model, check_scene};
 }
+
+/// The program of the README, run as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub mod readme {}

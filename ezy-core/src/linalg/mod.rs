@@ -23,6 +23,8 @@ mod rank;
 mod singular;
 mod sparse;
 mod sparse_lu;
+#[cfg(test)]
+mod tests;
 mod tolerances;
 
 pub(crate) use conditioning::{ConditionEstimator, Conditioning};

@@ -1,6 +1,6 @@
 //! Scenes: one start, one end, and the effects that are called for.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::case::camel_case;
 use super::constant::constant;
@@ -57,15 +57,17 @@ impl Context<'_> {
         released.into_iter().map(|(row, _)| row).collect()
     }
 
-    /// A row cannot be replaced by two laws at once.
+    /// A row cannot be replaced by two laws at once. An effect that releases what another one releases is reported once.
     pub fn check_releases(&mut self, scenes: &[Scene], effects: &[Effect], rows: &[&Ident]) {
+        let mut reported = BTreeSet::new();
         for scene in scenes {
-            for (i, second) in scene.effects.iter().enumerate() {
-                for first in &scene.effects[..i] {
-                    let (first, second) = (&effects[first.0], &effects[second.0]);
-                    for row in second.releases.iter().filter(|row| first.releases.contains(row)) {
-                        let error = scenes::released_by_two(&scene.name, rows[row.0], &first.name, &second.name);
-                        self.diag.error(error);
+            let mut released: BTreeMap<RowId, EffectId> = BTreeMap::new();
+            for &second in &scene.effects {
+                for &row in &effects[second.0].releases {
+                    let first = *released.entry(row).or_insert(second);
+                    if first != second && reported.insert((second, row)) {
+                        let [first, second] = [first, second].map(|effect| &effects[effect.0].name);
+                        self.diag.error(scenes::released_by_two(&scene.name, rows[row.0], first, second));
                     }
                 }
             }
@@ -143,7 +145,8 @@ impl Context<'_> {
         }
     }
 
-    /// A skate with a limit or a stop gives a scene several modes: it has one of them at most, and bodies of its own.
+    /// A skate with a limit or a stop gives a scene several modes: it has one of them at most, and bodies of its own. One that is
+    /// too many is reported once, for the first scene that has it.
     pub fn check_modes(&mut self, model: &Model) {
         if model.is_repeated() {
             let limited = model.rows.iter().filter(|row| row.limit().is_some());
@@ -151,11 +154,15 @@ impl Context<'_> {
             model.stops.iter().for_each(|stop| self.diag.error(scenes::stop_with_counts(&stop.name)));
             return;
         }
+        let mut reported: Vec<&Ident> = Vec::new();
         for scene in &model.scenes {
             let limited = model.rows_of(scene).filter(|(_, row)| row.limit().is_some());
             let skates = limited.map(|(_, row)| (&row.name, "skate"));
             let changing: Vec<_> = skates.chain(model.stops_of(scene).map(|stop| (&stop.name, "stop"))).collect();
-            if let [first, second, ..] = changing[..] {
+            if let [first, second, ..] = changing[..]
+                && !reported.iter().any(|name| std::ptr::eq(*name, second.0))
+            {
+                reported.push(second.0);
                 self.diag.error(scenes::two_changing(&scene.name, first, second));
             }
         }

@@ -49,29 +49,59 @@ fn menagerie(a: &mut Algebra) -> Vec<SumId> {
     all
 }
 
+/// Compares the derivative by symbol 1 with differences, at the sample with this offset.
+fn assert_derivative(a: &mut Algebra, f: SumId, offset: f64) {
+    struct Shifted(f64, f64);
+    impl Point for Shifted {
+        fn symbol(&self, symbol: Symbol) -> f64 {
+            Sample(self.0).symbol(symbol) + if symbol == Symbol(1) { self.1 } else { 0.0 }
+        }
+        fn parameter(&self, index: usize) -> f64 {
+            Sample(self.0).parameter(index)
+        }
+    }
+    let slope = a.diff(f, Symbol(1));
+    let high = a.evaluate(f, &Shifted(offset, DIFFERENCE_STEP));
+    let low = a.evaluate(f, &Shifted(offset, -DIFFERENCE_STEP));
+    let difference = (high - low) / (2.0 * DIFFERENCE_STEP);
+    let exact = a.evaluate(slope, &Sample(offset));
+    assert!(
+        (difference - exact).abs() < DIFFERENCE_TOLERANCE * (1.0 + exact.abs()),
+        "{:?} at {offset}: {exact} {difference}",
+        a.terms(f)
+    );
+}
+
 #[test]
 fn fd_derivatives_of_every_function_match_differences() {
     let mut a = Algebra::new();
     for f in menagerie(&mut a) {
-        let slope = a.diff(f, Symbol(1));
-        struct Shifted(f64);
-        impl Point for Shifted {
-            fn symbol(&self, symbol: Symbol) -> f64 {
-                Sample(0.0).symbol(symbol) + if symbol == Symbol(1) { self.0 } else { 0.0 }
-            }
-            fn parameter(&self, index: usize) -> f64 {
-                Sample(0.0).parameter(index)
+        assert_derivative(&mut a, f, 0.0);
+    }
+}
+
+/// Arguments of either sign, and the first or the second of two as the smaller one.
+#[test]
+fn fd_derivatives_match_differences_on_both_sides_of_a_discontinuity() {
+    let mut a = Algebra::new();
+    let (x, y) = (a.symbol(Symbol(1)), a.symbol(Symbol(2)));
+    let p = a.coefficients.parameter(0);
+    let p = a.constant(p);
+    let (px, sum) = (a.mul(p, x), a.add(x, y));
+    let square = a.mul(x, x);
+    for offset in [0.0, -4.0] {
+        for function in [Function::Abs, Function::Sign, Function::Tanh] {
+            for argument in [sum, px, square] {
+                let f = a.call(function, vec![argument]);
+                assert_derivative(&mut a, f, offset);
             }
         }
-        let high = a.evaluate(f, &Shifted(DIFFERENCE_STEP));
-        let low = a.evaluate(f, &Shifted(-DIFFERENCE_STEP));
-        let difference = (high - low) / (2.0 * DIFFERENCE_STEP);
-        let exact = a.evaluate(slope, &Sample(0.0));
-        assert!(
-            (difference - exact).abs() < DIFFERENCE_TOLERANCE * (1.0 + exact.abs()),
-            "{:?}: {exact} {difference}",
-            a.terms(f)
-        );
+        for function in [Function::Min, Function::Max, Function::Atan2] {
+            for arguments in [[px, sum], [sum, px], [square, sum]] {
+                let f = a.call(function, arguments.to_vec());
+                assert_derivative(&mut a, f, offset);
+            }
+        }
     }
 }
 

@@ -30,6 +30,7 @@ mod monitors;
 mod order;
 mod other_mechanisms;
 mod outputs;
+mod packages;
 mod parallel_cranks;
 mod precise;
 mod projection;

@@ -3,6 +3,7 @@
 //! A case of a golden file is a remark, the text (behind `>`), and its messages as `line:column text`; a blank
 //! line ends it. `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the files anew.
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use super::resolve;
@@ -79,14 +80,50 @@ fn with_messages(case: &str, model: impl Fn(&str) -> String) -> String {
     kept.chain(messages).collect::<Vec<_>>().join("\n")
 }
 
-/// Effect k stands in scenes k to 40: each but the first repeats the parameter of another one.
-#[test]
-fn invariant_a_shared_parameter_is_reported_once_for_each_effect() {
-    let effects: String = (0..40).map(|k| format!("effect e{k} {{ param p = 1; torque seat: p * t; }} ")).collect();
+/// The messages for forty effects, of which scene k calls for the first k + 1.
+fn messages_of_forty(effect: impl Fn(usize) -> String) -> Vec<String> {
+    let effects: String = (0..40).map(effect).collect();
     let with = |k: usize| (0..=k).map(|i| format!("e{i}")).collect::<Vec<_>>().join(", ");
     let scenes: String =
         (0..40).map(|k| format!("scene s{k} {{ start begin; until 1 s; with {}; }} ", with(k))).collect();
+    resolve(&format!("{BEFORE}{effects}{scenes}{BEHIND}")).1
+}
+
+fn assert_reports(messages: &[String], n: usize, text: &str) {
+    let found = messages.iter().filter(|message| message.contains(text)).count();
+    assert_eq!((found, messages.len()), (n, n), "{messages:#?}");
+}
+
+#[test]
+fn invariant_a_shared_parameter_is_reported_once_for_each_effect() {
+    let messages = messages_of_forty(|k| format!("effect e{k} {{ param p = 1; torque seat: p * t; }} "));
+    assert_reports(&messages, 39, "which both declare `p`");
+}
+
+#[test]
+fn invariant_a_row_that_effects_release_is_reported_once_for_each_effect() {
+    let messages = messages_of_forty(|k| format!("effect e{k} {{ release rear; }} "));
+    assert_reports(&messages, 39, "which both release `rear`");
+}
+
+#[test]
+fn invariant_a_second_skate_with_a_limit_is_reported_once_for_all_scenes() {
+    let messages = messages_of_forty(|k| {
+        let skates = "skate s1: at A along seat(1, 0) limit 3; skate s2: at bar(0, 0) along bar(1, 0) limit 3; ";
+        if k == 0 { format!("{skates}effect e0 {{ }} ") } else { format!("effect e{k} {{ }} ") }
+    });
+    // the message and its second place
+    assert_eq!(messages.len(), 2, "{messages:#?}");
+    assert!(messages[0].contains("two skates with a limit, `s1` and `s2`"), "{messages:#?}");
+}
+
+/// A message for each declaration but the first, and the first place behind it, which rustc prints once.
+#[test]
+fn invariant_effects_of_one_name_are_reported_once_for_each_declaration() {
+    let effects = "effect same { param p = 1; torque seat: p * t; } ".repeat(40);
+    let scenes: String = (0..40).map(|k| format!("scene s{k} {{ start begin; until 1 s; with same; }} ")).collect();
     let (_, messages) = resolve(&format!("{BEFORE}{effects}{scenes}{BEHIND}"));
-    let of_p = messages.iter().filter(|message| message.contains("which both declare `p`")).count();
-    assert_eq!((of_p, messages.len()), (39, 39), "{messages:#?}");
+    let of = |text: &str| messages.iter().filter(|message| message.contains(text)).cloned().collect::<BTreeSet<_>>();
+    let (twice, first) = (of("`same` is declared twice"), of("`same` is first declared here"));
+    assert_eq!((twice.len(), first.len(), messages.len()), (39, 1, 78), "{messages:#?}");
 }

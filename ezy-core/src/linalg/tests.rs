@@ -1,0 +1,317 @@
+//! Each solver on random systems, put into the equations that it solves, and solutions that are known.
+
+use super::damped::{weights, write_diagonal};
+use super::equation_residual::EquationResidual;
+use super::*;
+use crate::model::SparsityPattern;
+use nalgebra::{Complex, ComplexField};
+
+const ALL: Independent<'static> = Independent::Above(INDEPENDENT);
+
+/// A few tens of operations on numbers of one, with pivots of a hundredth at least.
+const ROUNDING: f64 = 1e-11;
+
+/// Numbers between -1 and 1 that repeat (Knuth, MMIX).
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    /// Away from zero, of either sign.
+    fn entry(&mut self) -> f64 {
+        let x = self.next();
+        x.signum() * (0.2 + x.abs())
+    }
+
+    fn vector(&mut self, n: usize) -> Vec<f64> {
+        (0..n).map(|_| self.next()).collect()
+    }
+}
+
+/// Rows that touch the given columns.
+fn pattern(rows: &[&[usize]]) -> SparsityPattern {
+    let mut starts = vec![0];
+    rows.iter().for_each(|row| starts.push(starts[starts.len() - 1] + row.len()));
+    SparsityPattern { starts: starts.leak(), columns: rows.concat().leak() }
+}
+
+/// `[r; s] − [M Gᵀ; G −Δ] [x; y]`, the largest entry.
+fn left(pattern: &SparsityPattern, mass: &[f64], jacobian: &[f64], damping: &[f64], right: &[f64], x: &[f64]) -> f64 {
+    let n_q = mass.len();
+    let mut left = right.to_vec();
+    mass.iter().enumerate().for_each(|(i, m)| left[i] -= m * x[i]);
+    damping.iter().enumerate().for_each(|(i, d)| left[n_q + i] += d * x[n_q + i]);
+    for (k, row, column) in pattern.entries() {
+        left[column] -= jacobian[k] * x[n_q + row];
+        left[n_q + row] -= jacobian[k] * x[column];
+    }
+    left.iter().fold(0.0, |largest, x| x.abs().max(largest))
+}
+
+/// Chains, stars and loops of bodies on a line.
+fn systems() -> Vec<SparsityPattern> {
+    vec![
+        pattern(&[&[0]]),
+        pattern(&[&[0, 1], &[1, 2], &[2, 3]]),
+        pattern(&[&[0, 1], &[0, 2], &[0, 3], &[0, 4]]),
+        pattern(&[&[3, 0], &[1, 3], &[2, 0, 4], &[4, 1, 5]]),
+        pattern(&[&[0, 1, 2], &[3, 4, 5], &[0, 3, 6], &[1, 4, 6], &[2, 5]]),
+    ]
+}
+
+#[test]
+fn invariant_sparse_solutions_fulfil_their_equations() {
+    let mut numbers = Numbers(1);
+    for pattern in systems() {
+        let (n_q, n_rows) = (7, pattern.n_rows());
+        let mut kkt = SparseKkt::new(n_q, &pattern, n_rows).unwrap();
+        for _ in 0..20 {
+            let mass: Vec<f64> = numbers.vector(n_q).iter().map(|x| 1.5 + x).collect();
+            let jacobian: Vec<f64> = (0..pattern.n_nonzeros()).map(|_| numbers.entry()).collect();
+            let right = numbers.vector(n_q + n_rows);
+            kkt.factor(&mass, &jacobian).unwrap();
+            let mut x = right.clone();
+            kkt.solve(&mut x);
+            let found = left(&pattern, &mass, &jacobian, &[], &right, &x);
+            assert!(found <= ROUNDING, "{pattern:?}: {found:e}");
+            let damping: Vec<f64> = numbers.vector(n_rows).iter().map(|x| 1.1 + x).collect();
+            kkt.factor_damped(&mass, &jacobian, &damping).unwrap();
+            let mut x = right.clone();
+            kkt.solve(&mut x);
+            let found = left(&pattern, &mass, &jacobian, &damping, &right, &x);
+            assert!(found <= ROUNDING, "{pattern:?}, damped: {found:e}");
+        }
+    }
+}
+
+/// Rows [1 0] and [cos sin]: what the first leaves of the second is sin², whatever the masses are.
+#[test]
+fn analytic_smallest_pivot_of_two_rows_is_the_square_of_the_sine() {
+    let pattern = pattern(&[&[0, 1], &[0, 1]]);
+    let mut kkt = SparseKkt::new(2, &pattern, 2).unwrap();
+    for angle in [0.1_f64, 0.7, 1.5] {
+        kkt.factor(&[4.0, 4.0], &[1.0, 0.0, angle.cos(), angle.sin()]).unwrap();
+        let expected = angle.sin().powi(2);
+        assert!((kkt.smallest_pivot() - expected).abs() <= 1e-14, "{} {expected}", kkt.smallest_pivot());
+    }
+    let vanished = kkt.factor(&[1.0, 1.0], &[1.0, 2.0, 2.0, 4.0]).expect_err("the second row is twice the first");
+    assert!(vanished.row.is_some() && vanished.relative.abs() <= 1e-14, "{vanished:?}");
+}
+
+/// A body in 200 rows: taken after them, so that the factors grow as the number of rows, and still the solution.
+#[test]
+fn invariant_a_hub_comes_after_its_rows() {
+    let n = 200;
+    let rows: Vec<[usize; 2]> = (1..=n).map(|i| [0, i]).collect();
+    let rows: Vec<&[usize]> = rows.iter().map(|row| &row[..]).collect();
+    let pattern = pattern(&rows);
+    let mut numbers = Numbers(7);
+    let mut kkt = SparseKkt::new(n + 1, &pattern, n).unwrap();
+    assert!(kkt.n_factor_entries() <= 8 * n, "{} entries", kkt.n_factor_entries());
+    let jacobian: Vec<f64> = (0..2 * n).map(|_| numbers.entry()).collect();
+    let (mass, right) = (vec![2.0; n + 1], numbers.vector(2 * n + 1));
+    kkt.factor(&mass, &jacobian).unwrap();
+    let mut x = right.clone();
+    kkt.solve(&mut x);
+    let found = left(&pattern, &mass, &jacobian, &[], &right, &x);
+    assert!(found <= ROUNDING, "{found:e}");
+    // a row on the hub alone has no other coordinate to stand on: it comes behind it
+    let mut rows = rows;
+    rows.push(&[0]);
+    let pattern = self::pattern(&rows);
+    let mut kkt = SparseKkt::new(n + 1, &pattern, n + 1).unwrap();
+    assert!(kkt.n_factor_entries() <= 9 * n, "{} entries", kkt.n_factor_entries());
+    let jacobian: Vec<f64> = (0..2 * n + 1).map(|_| numbers.entry()).collect();
+    let right = numbers.vector(2 * n + 2);
+    kkt.factor(&mass, &jacobian).unwrap();
+    let mut x = right.clone();
+    kkt.solve(&mut x);
+    let found = left(&pattern, &mass, &jacobian, &[], &right, &x);
+    assert!(found <= ROUNDING, "{found:e}");
+}
+
+/// Angles of levers of a tenth and of ten, masses from 1e-3 to 1e3.
+#[test]
+fn invariant_null_space_solutions_fulfil_their_equations_in_any_units() {
+    let mut numbers = Numbers(3);
+    for pattern in systems() {
+        let (n_q, n_rows) = (7, pattern.n_rows());
+        for unit in [[1.0; 7], [1.0, 0.1, 10.0, 1.0, 0.1, 10.0, 1.0]] {
+            let mut kkt = NullSpaceKkt::new(&unit, &pattern, n_rows);
+            for _ in 0..10 {
+                let mass: Vec<f64> = numbers.vector(n_q).iter().map(|x| 10_f64.powf(3.0 * x)).collect();
+                let jacobian: Vec<f64> = (0..pattern.n_nonzeros()).map(|_| numbers.entry()).collect();
+                let right = numbers.vector(n_q + n_rows);
+                kkt.factor(&mass, &jacobian, ALL).unwrap();
+                let mut x = right.clone();
+                kkt.solve(&mut x);
+                let mut equations = EquationResidual::new(n_q, n_rows, &pattern);
+                equations.write(&mass, &jacobian, &right, &x);
+                assert!(equations.share() <= 1e-14, "{pattern:?} {unit:?}: {:e}", equations.share());
+                // without refinement as well, to the rounding of its factors
+                let [mut once, mut damped] = [right.clone(), right.clone()];
+                let mut sparse = SparseKkt::new(n_q, &pattern, n_rows).unwrap();
+                sparse.factor(&mass, &jacobian).unwrap();
+                sparse.solve(&mut once);
+                let mut of_rows = DampedKkt::new(&mass, &pattern);
+                of_rows.factor(&mut sparse, &pattern, &mass, &jacobian).unwrap();
+                of_rows.solve(&mut sparse, &mass, &jacobian, &unit, &mut damped);
+                for ((x, once), damped) in x.iter().zip(&once).zip(&damped) {
+                    let bound = 1e-8 * (1.0 + x.abs());
+                    assert!((x - once).abs() <= bound && (x - damped).abs() <= bound, "{x} {once} {damped}");
+                }
+            }
+        }
+    }
+}
+
+/// Rows 1 to 3 are independent, row 4 is row 1 + row 2 − 2 row 3: with n = (1, 1, −2, −1) all y + c n belong to one x. The smallest one, each
+/// multiplier in units of its row scaled to one, fulfils Σ n y / s² = 0 with s = 1/max |g|.
+#[test]
+fn analytic_multipliers_of_redundant_rows_are_the_smallest() {
+    let pattern = pattern(&[&[0, 1, 2, 3], &[0, 1, 2, 3], &[0, 1, 2, 3], &[0, 1, 2, 3]]);
+    let rows = [[1.0, 0.5, 0.0, 0.2], [0.0, 2.0, 0.3, 0.0], [0.4, 0.0, 1.5, 0.1]];
+    let last: [f64; 4] = std::array::from_fn(|i| rows[0][i] + rows[1][i] - 2.0 * rows[2][i]);
+    let jacobian = [rows[0], rows[1], rows[2], last].concat();
+    let mut kkt = NullSpaceKkt::new(&[1.0; 4], &pattern, 4);
+    let mass = [1.0, 2.0, 3.0, 4.0];
+    kkt.factor(&mass, &jacobian, ALL).unwrap();
+    assert_eq!((kkt.rank().rank(), kkt.rank().n_redundant()), (3, 1));
+    let right = [1.0, -2.0, 0.5, 3.0, 0.0, 0.0, 0.0, 0.0];
+    let mut x = right;
+    let told = kkt.solve(&mut x);
+    assert!(told.rows <= 1e-14 && left(&pattern, &mass, &jacobian, &[], &right, &x) <= 1e-13, "{x:?}");
+    let size = |row: usize| jacobian[4 * row..4 * row + 4].iter().fold(0.0, |m: f64, g| m.max(g.abs()));
+    let along: f64 = [1.0, 1.0, -2.0, -1.0].iter().enumerate().map(|(i, n)| n * x[4 + i] * size(i).powi(2)).sum();
+    assert!(along.abs() <= 1e-12, "{along:e}: {x:?}");
+}
+
+/// What rounding leaves of multipliers that rows share: ε over the share of their diagonal that is added, 1e-9, times forces of 6.
+const SHARED: f64 = 2e-6;
+
+/// Of two rows g and 2 g the smallest Σ D y², with D = g²/m of each, has y₁ = c/2 and y₂ = c/4.
+#[test]
+fn analytic_damped_rows_share_a_force_by_their_diagonal() {
+    let pattern = pattern(&[&[0], &[0]]);
+    for m in [0.25, 9.0] {
+        let (mass, jacobian) = ([m, 1.0], [1.0, 2.0]);
+        let mut kkt = SparseKkt::new(2, &pattern, 2).unwrap();
+        let mut damped = DampedKkt::new(&mass, &pattern);
+        damped.factor(&mut kkt, &pattern, &mass, &jacobian).unwrap();
+        let mut x = [6.0, 5.0, 0.0, 0.0];
+        let told = damped.solve(&mut kkt, &mass, &jacobian, &[1.0, 1.0], &mut x);
+        for (x, expected) in x.iter().zip([0.0, 5.0, 3.0, 1.5]) {
+            assert!((x - expected).abs() <= SHARED, "m = {m}: {x} {expected}");
+        }
+        assert!(told.rows <= SHARED, "{told:?}");
+    }
+}
+
+#[test]
+fn analytic_substitutes_of_masses_are_the_least_of_their_kind() {
+    assert_eq!(weights(&[0.0, 2.0, 0.0, 4.0, 0.0, 7.0, 3.0, 5.0, 9.0]), [2.0, 2.0, 7.0, 4.0, 2.0, 7.0, 3.0, 5.0, 9.0]);
+    assert_eq!(weights(&[0.0, 0.0, 3.0]), [1.0, 1.0, 3.0]);
+    assert_eq!(weights(&[2.0, 0.0, 0.0]), [2.0, 2.0, 1.0]);
+    let mut diagonal = [7.0; 3];
+    let pattern = pattern(&[&[0, 1], &[], &[1]]);
+    write_diagonal(pattern.entries(), &[4.0, 0.5], &[3.0, 1.0, 2.0], &mut diagonal);
+    assert_eq!(diagonal, [9.0 / 4.0 + 2.0, 1.0, 8.0]);
+}
+
+/// By hand: rows scaled by their largest entry in units of the levers, and with them what is left of the equations.
+#[test]
+fn analytic_what_is_left_of_rows_is_scaled_by_their_entries() {
+    let pattern = pattern(&[&[0, 1], &[]]);
+    let mut equations = EquationResidual::new(2, 2, &pattern);
+    let (mass, jacobian, unit) = ([2.0, 0.0], [4.0, 3.0], [1.0, 0.5]);
+    // the first row has the entries 4 and 3/0.5 = 6; the second one none
+    let (right, solution) = ([3.0, 0.0, 1.0, 0.25], [0.25, 0.5, 0.0, 0.0]);
+    equations.write(&mass, &jacobian, &right, &solution);
+    assert_eq!(equations.left, [3.0 - 0.5, 0.0, 1.0 - 1.0 - 1.5, 0.25]);
+    assert_eq!(equations.size, [3.5, 0.0, 1.0 + 1.0 + 1.5, 0.25]);
+    let left = equations.rows_left(&mass, &jacobian, &unit, &right, &solution, |_| true);
+    // rows: 1.5/6 and 0.25; scale: 3.5/6, and the free acceleration 3/2
+    assert_eq!((left.rows, left.scale), (0.25, 1.5));
+    let counted = equations.rows_left(&mass, &jacobian, &unit, &right, &[0.25, 9.0, 0.0, 0.0], |row| row == 1);
+    assert_eq!((counted.rows, counted.scale), (0.25, 4.5), "an angle of 9 on a lever of 0.5");
+    // a massless coordinate has no free acceleration
+    let still = equations.rows_left(&mass, &jacobian, &unit, &[0.0, 8.0, 0.0, 0.0], &[0.0; 4], |_| false);
+    assert_eq!((still.rows, still.scale), (0.0, 3.5 / 6.0));
+}
+
+/// A x of a dense matrix.
+fn times<T: ComplexField<RealField = f64> + Copy>(rows: &[Vec<T>], x: &[T]) -> Vec<T> {
+    rows.iter().map(|row| row.iter().zip(x).fold(T::zero(), |sum, (a, x)| sum + *a * *x)).collect()
+}
+
+fn assert_lu_solves<T: ComplexField<RealField = f64> + Copy>(mut number: impl FnMut() -> T) {
+    for n in 1..=8 {
+        let rows: Vec<Vec<T>> = (0..n).map(|_| (0..n).map(|_| number()).collect()).collect();
+        let expected: Vec<T> = (0..n).map(|_| number()).collect();
+        let mut lu = Lu::new(n);
+        for (i, row) in rows.iter().enumerate() {
+            row.iter().enumerate().for_each(|(j, a)| lu.matrix_mut()[(i, j)] = *a);
+        }
+        assert!(lu.factor());
+        let mut x = times(&rows, &expected);
+        lu.solve(&mut x);
+        assert!(x.iter().zip(&expected).all(|(x, y)| (*x - *y).modulus() <= 1e-9), "{n}: {x:?}");
+    }
+}
+
+#[test]
+fn invariant_dense_factors_solve() {
+    let mut numbers = Numbers(5);
+    assert_lu_solves(|| numbers.next());
+    let mut numbers = Numbers(6);
+    assert_lu_solves(|| Complex::new(numbers.next(), numbers.next()));
+    for entry in [0.0, f64::NAN, f64::INFINITY] {
+        let mut lu = Lu::new(2);
+        lu.matrix_mut().fill(entry);
+        assert!(!lu.factor(), "{entry}");
+    }
+    let mut lu = Lu::<f64>::new(2);
+    lu.matrix_mut().fill(1.0);
+    assert!(!lu.factor(), "two equal rows");
+}
+
+fn assert_sparse_lu_solves<T>(mut number: impl FnMut() -> T)
+where
+    T: ComplexField<RealField = f64> + Copy + faer::traits::ComplexField,
+{
+    // a band, a full first row, and zeros on the diagonal, so that pivots are sought
+    let n = 9;
+    let columns = |i: usize| -> Vec<usize> {
+        (0..n).filter(|&j| i == 0 || j + 1 == i || j == i + 1 || (j == i && i.is_multiple_of(2))).collect()
+    };
+    let (mut starts, mut all) = (vec![0], Vec::new());
+    for i in 0..n {
+        all.extend(columns(i));
+        starts.push(all.len());
+    }
+    let mut lu = SparseLu::new(&starts, &all).unwrap();
+    for _ in 0..5 {
+        let values: Vec<T> = all.iter().map(|_| number()).collect();
+        let mut rows = vec![vec![T::zero(); n]; n];
+        for i in 0..n {
+            (starts[i]..starts[i + 1]).for_each(|k| rows[i][all[k]] = values[k]);
+        }
+        let expected: Vec<T> = (0..n).map(|_| number()).collect();
+        lu.values_mut().copy_from_slice(&values);
+        assert!(lu.factor());
+        let mut x = times(&rows, &expected);
+        lu.solve(&mut x);
+        assert!(x.iter().zip(&expected).all(|(x, y)| (*x - *y).modulus() <= 1e-9), "{x:?} {expected:?}");
+    }
+}
+
+#[test]
+fn invariant_sparse_factors_solve() {
+    let mut numbers = Numbers(8);
+    assert_sparse_lu_solves(|| numbers.entry());
+    let mut numbers = Numbers(9);
+    assert_sparse_lu_solves(|| Complex::new(numbers.entry(), numbers.entry()));
+}

@@ -1,0 +1,88 @@
+//! Laws that are not smooth, and works of forces.
+
+use ezy_core::prelude::*;
+
+model! {
+    /// A ball that flies against a spring, which pushes and does not pull.
+    pub model Buffer {
+        param k: N/m = 16;
+        body ball { mass: 1, inertia: 1 }
+        effect wall { force at ball(0, 0): (-k * max(ball.x, 0), 0); }
+        start near { ball at (-1, 0) angle 0 velocity (1, 0) rate 0; }
+        scene bounces { start near; until 2.5 s; with wall; }
+    }
+}
+
+/// To the spring in 1 s, half a swing of it, √(m/k) π s, and back.
+fn exact(t: f64) -> f64 {
+    let half = std::f64::consts::PI / 4.0;
+    match t {
+        t if t <= 1.0 => t - 1.0,
+        t if t <= 1.0 + half => 0.25 * (4.0 * (t - 1.0)).sin(),
+        t => 1.0 + half - t,
+    }
+}
+
+fn largest_error(method: Method) -> f64 {
+    let run = Simulation::new(&buffer::Bounces::default()).method(method).every(0.05).run().unwrap();
+    assert!(run.events().is_empty(), "a discontinuity is no event");
+    run.samples().map(|sample| (sample.coordinates[0] - exact(sample.t)).abs()).fold(0.0, f64::max)
+}
+
+/// Steps end where the law changes, so that each method keeps its order and its tolerance.
+#[test]
+fn order_is_kept_across_a_discontinuity() {
+    let [coarse, fine] = [0.04, 0.02].map(|h| largest_error(Method::rk4(h)));
+    assert!((coarse / fine).log2() >= 3.5, "{coarse:.1e} {fine:.1e}");
+    for (method, bound) in [(Method::dop853(1e-10), 1e-8), (Method::radau(1e-9), 1e-7)] {
+        let error = largest_error(method);
+        assert!(error <= bound, "{method:?}: {error:.1e}");
+    }
+    let error = Simulation::new(&buffer::Bounces::default()).method(Method::taylor(1e-9)).run().expect_err("`max`");
+    assert!(error.to_string().contains("max"), "{error}");
+}
+
+model! {
+    /// A ball that is driven along a line by a force of the time.
+    pub model Shaken {
+        body ball { mass: 2, inertia: 1 }
+        effect shaker { force at ball(0, 0): (4 * cos(3 * t), 0); }
+        effect drag { force at ball(0, 0): (-0.5 * ball.vx, 0); }
+        start rest { ball at (0, 0) angle 0 velocity (0.5, 0) rate 0; }
+        scene alone { start rest; until 2 s; with shaker; }
+        scene dragged { start rest; until 2 s; with shaker, drag; }
+    }
+}
+
+/// v = 0.5 + (2/3) sin 3t, and the force has worked ½ m (v² − 0.25).
+#[test]
+fn analytic_work_of_a_force_is_the_energy_that_it_gives() {
+    let alone = shaken::Alone::default();
+    for (method, bound) in [
+        (Method::rk4(2e-3), 1e-10),
+        (Method::dop853(1e-10), 1e-8),
+        (Method::taylor(1e-10), 1e-9),
+        (Method::radau(1e-9), 1e-7),
+    ] {
+        let run = Simulation::new(&alone).method(method).every(0.1).work().run().unwrap();
+        for sample in run.samples() {
+            let v = 0.5 + 2.0 / 3.0 * (3.0 * sample.t).sin();
+            let work = sample.get("work.shaker").unwrap();
+            assert!((sample.velocities[0] - v).abs() <= bound, "{method:?} at {}", sample.t);
+            assert!((work - (v * v - 0.25)).abs() <= bound, "{method:?} at {}: {work} {}", sample.t, v * v - 0.25);
+            assert!(
+                (sample.energy.work - work).abs() <= 1e-15 && sample.energy.balance.abs() <= bound,
+                "{:?}",
+                sample.energy
+            );
+        }
+        // what one effect gives and another takes
+        let run = Simulation::new(&shaken::Dragged::default()).method(method).work().run().unwrap();
+        let last = run.last();
+        let [given, taken] = ["work.shaker", "work.drag"].map(|name| last.get(name).unwrap());
+        assert!(
+            taken < -0.1 && (given + taken - last.energy.kinetic + 0.25).abs() <= bound,
+            "{method:?}: {given} {taken}"
+        );
+    }
+}

@@ -1,0 +1,193 @@
+//! Every method against a motion that is known: its order, its tolerance, its number of steps.
+
+use ezy_core::integrate::PreciseMotion;
+use ezy_core::prelude::*;
+use ezy_core::scalar::Scalar as _;
+use ezy_core::testing::{GivenSteps, StepsBy};
+
+model! {
+    /// A body that swings on a spring while a force drives it and a damper holds it back; in `held` a stiff one.
+    pub model Driven {
+        param k: N/m = 9;
+        param c: N*s/m = 0.6;
+        body block { mass: 1, inertia: 1 }
+        slider rail: ground(0, 0) ~ block(0, 0) along ground(1, 0);
+        spring ground(0, 0) ~ block(0, 0): stiffness k, damping c;
+        effect shaker { force at block(0, 0): (2 * cos(2 * t), 0); }
+        start steady { block at (x0, 0) angle 0 velocity (v0, 0); }
+        let x0 = 2 * (k - 4) / ((k - 4)^2 + 4 * c^2);
+        let v0 = 8 * c / ((k - 4)^2 + 4 * c^2);
+        scene shaken { start steady; until 5 s; with shaker; }
+    }
+}
+
+/// The steady motion x = a cos 2t + b sin 2t of m x'' + c x' + k x = 2 cos 2t.
+fn exact(scene: &driven::Shaken, t: f64) -> [f64; 2] {
+    let (k, c) = (scene.k - 4.0, 2.0 * scene.c);
+    let (a, b) = (2.0 * k / (k * k + c * c), 2.0 * c / (k * k + c * c));
+    let (sin, cos) = (2.0 * t).sin_cos();
+    [a * cos + b * sin, 2.0 * (b * cos - a * sin)]
+}
+
+fn error(scene: &driven::Shaken, state: &State) -> f64 {
+    let [x, v] = exact(scene, state.t);
+    (state.q[0] - x).abs().max((state.v[0] - v).abs())
+}
+
+fn start(scene: &driven::Shaken) -> State {
+    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let start = system.scene_start();
+    system.consistent_start(&start).unwrap()
+}
+
+/// Error after `n` steps over 1 s, and the largest error in the middle of them.
+fn errors(scene: &driven::Shaken, by: StepsBy, n: u32) -> [f64; 2] {
+    let system = System::new(scene, Backend::Auto).unwrap();
+    let mut steps = GivenSteps::new(system, start(scene), by).unwrap();
+    let (mut last, mut middle) = (0.0, 0.0_f64);
+    for _ in 0..n {
+        let end = steps.step(1.0 / f64::from(n)).unwrap().expect("the iteration converges");
+        last = error(scene, end);
+        middle = middle.max(error(scene, &steps.middle().unwrap()));
+    }
+    [last, middle]
+}
+
+/// Steps, half as long: errors fall by 2 to the order, of steps and of the interpolation between their ends.
+#[test]
+fn order_of_each_method_and_of_its_interpolation() {
+    let scene = driven::Shaken::default();
+    for (by, n, order, between) in [
+        (StepsBy::Rk4, 20, 4.0, 3.0),
+        (StepsBy::Dop853, 4, 8.0, 7.0),
+        (StepsBy::Radau, 8, 5.0, 3.0),
+        (StepsBy::Taylor(6), 8, 6.0, 6.0),
+        (StepsBy::Taylor(10), 3, 10.0, 10.0),
+    ] {
+        let (coarse, fine) = (errors(&scene, by, n), errors(&scene, by, 2 * n));
+        let [found, found_between] = [0, 1].map(|i| (coarse[i] / fine[i]).log2());
+        assert!((found - order).abs() <= 0.5, "{by:?}: order {found:.2}, {coarse:?} {fine:?}");
+        assert!(found_between >= between - 0.5, "{by:?}: order {found_between:.2} between, {coarse:?} {fine:?}");
+        assert!(coarse[0] <= 1e-4 && coarse[1] <= 1e-3, "{by:?}: {coarse:?}");
+    }
+}
+
+/// Errors at the end over the tolerance: each of some ten steps adds one at most, and the damper lets them fade.
+const AT_THE_END: f64 = 10.0;
+
+/// Errors of samples over the tolerance: between the ends of a step DOP853 interpolates by order 7, and controls order 8 at the ends alone.
+const BETWEEN: [(&str, f64); 3] = [("dop853", 100.0), ("taylor", 10.0), ("radau", 10.0)];
+
+/// Numbers of steps are those of today, within a half of them.
+#[test]
+fn analytic_tolerances_are_kept_with_steps_of_the_length_that_they_allow() {
+    let scene = driven::Shaken::default();
+    for (method, steps) in [
+        (Method::dop853(1e-6), 11.0),
+        (Method::dop853(1e-9), 24.0),
+        (Method::dop853(1e-12), 52.0),
+        (Method::taylor(1e-6), 7.0),
+        (Method::taylor(1e-9), 7.0),
+        (Method::taylor(1e-12), 6.0),
+        (Method::radau(1e-5), 24.0),
+        (Method::radau(1e-8), 82.0),
+    ] {
+        let run = Simulation::new(&scene).method(method).every(0.05).run().unwrap();
+        let tolerance = method.tolerance().unwrap().relative;
+        let between = BETWEEN.iter().find(|(name, _)| *name == method.name()).unwrap().1;
+        for sample in run.samples() {
+            let [x, v] = exact(&scene, sample.t);
+            let error = (sample.coordinates[0] - x).abs().max((sample.velocities[0] - v).abs());
+            let bound = if sample.t == scene.info().until_s { AT_THE_END } else { between };
+            assert!(error <= bound * tolerance, "{method:?}: {error:.1e} at {}", sample.t);
+        }
+        let found = run.cost.steps as f64;
+        assert!(found >= steps / 1.5 && found <= 1.5 * steps, "{method:?}: {found} steps, {steps} before");
+        assert!(run.cost.rejected <= 2, "{method:?}: {} rejected", run.cost.rejected);
+    }
+}
+
+/// A damper of 1e4 N s/m: the motion is slow, and an implicit method follows it in steps of its own length, from a start that is on it.
+#[test]
+fn analytic_stiff_damper_costs_radau_nothing() {
+    let scene = driven::Shaken { k: 1e4, c: 1e4 };
+    let run = Simulation::new(&scene).method(Method::radau(1e-8)).run().unwrap();
+    let last = run.last();
+    let [x, v] = exact(&scene, last.t);
+    assert!(
+        (last.coordinates[0] - x).abs() <= 1e-8 && (last.velocities[0] - v).abs() <= 1e-7,
+        "{} {x}, {} {v}",
+        last.coordinates[0],
+        last.velocities[0]
+    );
+    assert!(run.cost.steps <= 200, "{} steps", run.cost.steps);
+}
+
+/// A start beside the slow motion is drawn on to it within microseconds: steps begin short and become long.
+#[test]
+fn analytic_radau_leaves_a_layer_behind() {
+    let scene = driven::Shaken { k: 1e4, c: 1e3 };
+    let run = Simulation::new(&scene).method(Method::radau(1e-8)).give("block.vx", 1.0).run().unwrap();
+    let last = run.last();
+    let [x, v] = exact(&scene, last.t);
+    assert!(
+        (last.coordinates[0] - x).abs() <= 1e-7 && (last.velocities[0] - v).abs() <= 1e-6,
+        "{:?}",
+        last.coordinates
+    );
+    let [shortest, longest] = run.monitors.steps_s.unwrap();
+    assert!(shortest <= 1e-3 && longest >= 1e-2, "steps from {shortest} s to {longest} s");
+}
+
+/// A pendulum in double-double keeps its energy to 28 digits and its hinge to 30.
+#[test]
+fn invariant_precise_motion_keeps_energy_and_hinge() {
+    let scene = pendulum::Swing::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let begin = system.scene_start();
+    let begin = system.consistent_start(&begin).unwrap();
+    let mut motion = PreciseMotion::new(&scene, &begin).unwrap();
+    motion.advance_to(2.0).unwrap();
+    let (q, v) = (motion.q(), motion.v());
+    let half = ezy_core::scalar::DoubleDouble::from(0.5);
+    let hinge = [q[0] - half * q[2].cos(), q[1] - half * q[2].sin()];
+    assert!(hinge.iter().all(|c| c.magnitude() <= 1e-30), "{hinge:?}");
+    // ½ (1/12 + 1/4) ω² + 9.81/2 sin φ = 0 for 1 kg and 1 m
+    let twelfth = ezy_core::scalar::DoubleDouble::from(1.0) / ezy_core::scalar::DoubleDouble::from(3.0);
+    let gravity = ezy_core::scalar::DoubleDouble::from(9.81);
+    let balance = half * twelfth * v[2] * v[2] + gravity * half * q[2].sin();
+    assert!(balance.magnitude() <= 1e-26, "{:.1e}", balance.magnitude());
+}
+
+model! {
+    /// A rod of 1 kg and 1 m that falls from level.
+    pub model Pendulum {
+        body rod { mass: 1, inertia: 1/12 }
+        hinge pivot: ground(0, 0) ~ rod(-1/2, 0);
+        gravity (0, -9.81);
+        start level { rod angle 0; at rest; }
+        scene swing { start level; until 2 s; }
+    }
+}
+
+/// Time from level to the lowest position: √(2 l/(3 g)) K(1/√2), with K(1/√2) = 1.854 074 677 301 371 9; four of them are a period.
+#[test]
+fn analytic_pendulum_returns_after_its_period() {
+    let period = 4.0 * (2.0_f64 / (3.0 * 9.81)).sqrt() * 1.854_074_677_301_371_9;
+    for (method, bound) in [
+        (Method::rk4(1e-3), 1e-9),
+        (Method::dop853(1e-11), 1e-9),
+        (Method::taylor(1e-11), 1e-9),
+        (Method::radau(1e-10), 1e-8),
+    ] {
+        for projection in [Projection::Both, Projection::Velocities, Projection::None] {
+            let scene = pendulum::Swing::default();
+            let run = Simulation::new(&scene).method(method).project(projection).until(period).run().unwrap();
+            let last = run.last();
+            let angle = last.get("rod.phi").unwrap();
+            // at the turning point the angle moves with the square of an error of time
+            let rate = last.get("rod.omega").unwrap();
+            assert!(angle.abs() <= bound && rate.abs() <= 100.0 * bound, "{method:?} {projection:?}: {angle} {rate}");
+        }
+    }
+}

@@ -39,13 +39,17 @@ impl Known {
             fill(&mut counted);
         }
         let fault = counted.fault.or_else(|| memory_fault(counted.n_members));
+        let is_short_of_memory = matches!(fault, Some(LayoutFault::Memory { .. }));
         let mut layout = Layout { fault, ..Layout::default() };
         if layout.fault.is_none() {
             fill(&mut layout);
         }
         let values = counts.to_vec().leak();
         let info: &'static SceneInfo = Box::leak(Box::new(layout.finish(fixed, values)));
-        known.push((values.to_vec(), info));
+        // memory may be there the next time
+        if !is_short_of_memory {
+            known.push((values.to_vec(), info));
+        }
         info
     }
 }

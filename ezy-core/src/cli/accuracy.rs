@@ -36,10 +36,10 @@ pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Res
         .out
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("out/accuracy-{}-{}", typed(model.name), entry.name)));
+    let interruption = Interruption::listen();
     // a directory that cannot be written is found before the work, not after it
     let written = OutputFolder::create(&directory);
     let folder = written.map_err(|cause| AccuracyError::Write { path: directory.clone(), cause })?;
-    let interruption = Interruption::listen();
     let progress = Progress::new();
     let measured = order.interrupted_by(interruption.flag()).measure(|fraction, part| {
         progress.tell(fraction);

@@ -34,7 +34,8 @@ const SIGNALLED: i32 = 128;
 pub struct Interruption(());
 
 impl Interruption {
-    /// Takes both signals from here on, to the end of the program.
+    /// Takes both signals from here on, to the end of the program, also where a shell had SIGINT ignored for a job in the background:
+    /// `setsid` keeps such a job from Ctrl-C.
     pub fn listen() -> Self {
         LISTENING.call_once(|| {
             for signal in [SIGINT, SIGTERM] {
@@ -53,11 +54,6 @@ impl Interruption {
     /// True once a signal has come.
     pub fn flag(&self) -> &'static AtomicBool {
         &ASKED
-    }
-
-    /// Whether a signal has come.
-    pub fn is_asked(&self) -> bool {
-        ASKED.load(Ordering::Relaxed)
     }
 
     /// The failure of a command that was interrupted: exit status 130 after SIGINT, 143 after SIGTERM.

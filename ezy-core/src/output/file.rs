@@ -150,7 +150,16 @@ fn opened(path: &Path) -> io::Result<Option<File>> {
 /// Opens and locks a file, and tells whether it was made here.
 fn locked(partial: &Path) -> io::Result<(File, bool)> {
     loop {
-        let is_new = !partial.exists();
+        let is_new = match fs::symlink_metadata(partial) {
+            Ok(there) if there.is_file() => false,
+            // a link would lead the writer elsewhere, a pipe would hold it
+            Ok(_) => {
+                let what =
+                    format!("`{}` is in the way and no file: remove it, or give another name", partial.display());
+                return Err(io::Error::new(ErrorKind::AlreadyExists, what));
+            }
+            Err(_) => true,
+        };
         let file = OpenOptions::new().write(true).create(true).truncate(false).open(partial)?;
         match file.try_lock() {
             Ok(()) if is_at(&file, partial)? => return Ok((file, is_new)),
@@ -171,7 +180,7 @@ fn locked(partial: &Path) -> io::Result<(File, bool)> {
 fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     use std::os::unix::fs::MetadataExt as _;
     let here = file.metadata()?;
-    Ok(fs::metadata(path).is_ok_and(|there| (there.dev(), there.ino()) == (here.dev(), here.ino())))
+    Ok(fs::symlink_metadata(path).is_ok_and(|there| (there.dev(), there.ino()) == (here.dev(), here.ino())))
 }
 
 /// Whether `file`, which is locked here, is the one at `path`: then another handle cannot lock it.
@@ -207,9 +216,9 @@ mod tests {
         fs::write(&path, "old").unwrap();
         fs::write(&partial, "left by a program that was killed").unwrap();
         let mut file = OutputFile::create(&path).unwrap();
-        assert_eq!(read(&partial), "left by a program that was killed");
+        assert_eq!(fs::metadata(&partial).unwrap().len(), 33);
         file.write_all(b"new").unwrap();
-        assert_eq!((read(&path), read(&partial)), ("old".into(), "new".into()));
+        assert_eq!((read(&path), fs::metadata(&partial).unwrap().len()), ("old".into(), 3));
         file.complete().unwrap();
         assert_eq!((read(&path), partial.exists()), ("new".into(), false));
         fs::remove_dir_all(folder).unwrap();
@@ -283,6 +292,19 @@ mod tests {
         write(&link, "new").unwrap();
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!((read(&target), fs::metadata(&target).unwrap().permissions().mode() & 0o777), ("new".into(), 0o640));
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn invariant_link_in_place_of_the_partial_file_is_not_followed() {
+        let folder = folder("partial_link");
+        let other = folder.join("other.txt");
+        fs::write(&other, "of somebody else").unwrap();
+        std::os::unix::fs::symlink("other.txt", folder.join("a.csv.partial")).unwrap();
+        let refused = write(&folder.join("a.csv"), "new").unwrap_err();
+        assert!(refused.to_string().contains("a.csv.partial` is in the way"), "{refused}");
+        assert_eq!((read(&other), folder.join("a.csv").exists()), ("of somebody else".into(), false));
         fs::remove_dir_all(folder).unwrap();
     }
 

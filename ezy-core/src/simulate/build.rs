@@ -151,7 +151,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             let samples = (until_s - start_s) / every_s;
             let info = self.scene.info();
             let n_numbers = (3 * info.n_coordinates() + info.n_rows()).max(1) as f64;
-            let limit = MAX_NUMBERS / n_numbers;
+            // what is streamed is limited as steps are
+            let limit = if self.streamed { MAX_STEPS } else { MAX_NUMBERS / n_numbers };
             if samples > limit {
                 return Err(SetupError::TooManySamples { samples, every_s, limit });
             }

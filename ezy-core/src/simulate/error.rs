@@ -163,9 +163,9 @@ pub enum SetupError {
         /// The interval, s.
         every_s: f64,
     },
-    /// More samples than memory holds.
+    /// More samples than are kept or streamed.
     #[error(
-        "{samples:.1e} samples {} s apart lie between the start and the end; at most {limit:.0e} are kept: give a longer interval",
+        "{samples:.1e} samples {} s apart lie between the start and the end; at most {limit:.0e} are possible: give a longer interval",
         legible(*.every_s)
     )]
     TooManySamples {

@@ -151,7 +151,7 @@ pub enum StopReason {
     /// A sample could not be written.
     #[error(transparent)]
     Record(#[from] RecordError),
-    /// The end has a number that is none, though positions and velocities are finite: an energy that overflows, or an output.
+    /// The last sample has a value that is not finite, though positions and velocities are: an energy that overflows, or an output.
     #[error(
         "`{column}` is {value} there; the run has no result: its magnitudes leave the range of numbers, or an output is undefined"
     )]

@@ -2,12 +2,13 @@
 
 use crate::run::{random, start};
 use crate::{assert_wrong_use, directory, ezy, text};
+use ezy_core::output::OutputFile;
 use ezy_core::record::CsvWriter;
 use ezy_core::simulate::{Outcome, SetupError, Simulation, StopReason};
 use ezy_models::ezy_roller::Coast;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Takes so many bytes and no more, as a disk that becomes full.
 struct Full {
@@ -76,9 +77,7 @@ fn long_run(out: &Path) -> Vec<&str> {
 /// new one.
 fn kill_runs(place: &str, n_kills: usize) {
     let out = directory(place).join("motion.csv");
-    let begin = Instant::now();
     assert_eq!(ezy(&long_run(&out)).status.code(), Some(0));
-    let duration = begin.elapsed();
     let new = std::fs::read(&out).unwrap();
     let old = b"rows of an earlier run\n".to_vec();
     let mut state = 11;
@@ -86,8 +85,12 @@ fn kill_runs(place: &str, n_kills: usize) {
     for i in 0..n_kills {
         std::fs::write(&out, &old).unwrap();
         let mut run = start(&long_run(&out));
-        // from before the program has begun to after it has ended
-        std::thread::sleep(duration.mul_f64(1.3 * (random(&mut state) % 1000) as f64 / 1000.0));
+        // a part of the rows, from before the program has begun to after it has ended
+        let part = 1.2 * (random(&mut state) % 1000) as f64 / 1000.0 - 0.1;
+        let written = || std::fs::metadata(partial(&out)).map_or(0, |file| file.len()) as f64;
+        while part >= 0.0 && written() < part * new.len() as f64 && run.try_wait().unwrap().is_none() {
+            std::thread::sleep(Duration::from_micros(200));
+        }
         run.kill().unwrap();
         run.wait().unwrap();
         let found = std::fs::read(&out).unwrap();
@@ -117,26 +120,18 @@ fn invariant_killed_run_leaves_the_older_file_or_the_new_one_two_hundred_times()
     kill_runs("killed_often", 200);
 }
 
-/// Waits until something is there.
-fn wait_for(what: impl Fn() -> bool) {
-    let begin = Instant::now();
-    while !what() {
-        assert!(begin.elapsed() < Duration::from_secs(100), "waits for nothing");
-        std::thread::sleep(Duration::from_millis(1));
-    }
-}
-
 #[test]
 fn invariant_second_run_into_one_file_is_refused_and_the_first_is_whole() {
     let out = directory("two_writers").join("motion.csv");
     let out_name = out.to_str().unwrap();
     let arguments = ["run", "ezyroller/driven", "--until", "4", "--out", out_name];
-    let mut first = start(&arguments);
-    wait_for(|| partial(&out).exists());
+    let mut first = OutputFile::create(&out).unwrap();
+    first.write_all(b"rows of the first").unwrap();
     assert_wrong_use(&arguments, "motion.csv.partial`; wait for it, or give --out another file");
-    assert_eq!(first.wait().unwrap().code(), Some(0));
-    let whole = std::fs::read_to_string(&out).unwrap();
-    assert_eq!(whole.lines().count(), 1 + 1001);
+    first.complete().unwrap();
+    assert_eq!(std::fs::read_to_string(&out).unwrap(), "rows of the first");
+    assert_eq!(ezy(&arguments).status.code(), Some(0));
+    assert_eq!(std::fs::read_to_string(&out).unwrap().lines().count(), 1 + 1001);
     assert!(!partial(&out).exists());
 }
 

@@ -61,7 +61,7 @@ fn invariant_published_packages_hold_licences_and_a_readme() {
 fn invariant_published_packages_say_what_they_are() {
     for package in PUBLISHED {
         let of = table(&read(Path::new(package).join("Cargo.toml")), "package");
-        for key in ["description", "readme", "documentation", "keywords", "categories"] {
+        for key in ["description", "readme", "keywords", "categories"] {
             assert!(value(&of, key).is_some(), "{package} has no {key}");
         }
         for key in ["version", "edition", "rust-version", "license"] {

@@ -14,8 +14,8 @@ pub(super) const SHORTEN: f64 = 0.5;
 const SLOWEST: f64 = 0.99;
 /// Exponent of the previous rate in the estimate for the first iteration.
 const FORGET: f64 = 0.8;
-/// What a pass leaves of the error at most where changes are small and residuals are not. A stiff force that levels off makes such
-/// passes: each takes its Jacobian for the whole law, and little of the residual is gone.
+/// The stages are also taken as solved when a pass has left at most this part of the residual. A stiff force that levels off makes
+/// passes with small changes that leave nearly all of it.
 const TRUSTED: f64 = 0.1;
 /// Rate of convergence that is assumed when one iteration sufficed.
 const AT_ONCE: f64 = 1e-3;

@@ -1,7 +1,7 @@
 //! DOP853 with its step control.
 
 use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
+use super::tolerances::steps::{APPROACH, LARGEST_DENSE_ERROR, LEFT, MAX_DISCONTINUITIES};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Node, StepControl, StiffnessWatch, Tolerance};
 use crate::scalar::Scalar;
@@ -17,8 +17,19 @@ pub(super) struct Adaptive<T = f64> {
     last_s: Option<f64>,
     watch: StiffnessWatch,
     rejected: u64,
-    /// Whether the interpolant of the last step is prepared.
-    dense: bool,
+    /// How values of the last step are found; none before the first.
+    between: Option<Between>,
+    /// For steps to values between the ends of a step.
+    part: Option<Box<Dop853<T>>>,
+}
+
+/// How values between the ends of a step are found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Between {
+    /// By the polynomial.
+    Polynomial,
+    /// By a step of their own from the start of the step: the polynomial is off by more than the tolerance.
+    Steps,
 }
 
 impl<T: Scalar> Adaptive<T> {
@@ -31,7 +42,8 @@ impl<T: Scalar> Adaptive<T> {
             last_s: None,
             watch: StiffnessWatch::default(),
             rejected: 0,
-            dense: false,
+            between: None,
+            part: None,
         }
     }
 
@@ -61,6 +73,9 @@ impl<T: Scalar> Adaptive<T> {
     }
 
     /// The state at `t` between the ends of the last step, not projected; its time is left alone.
+    ///
+    /// # Cost
+    /// Three evaluations of the accelerations for all values of a step, or eleven each where the polynomial is not good enough.
     pub(super) fn between(
         &mut self,
         system: &mut impl Dynamics<T>,
@@ -69,11 +84,30 @@ impl<T: Scalar> Adaptive<T> {
         t: f64,
         out: &mut State<T>,
     ) -> Result<(), MotionError> {
-        if !self.dense {
-            self.method.prepare_dense(system, from, to)?;
-            self.dense = true;
+        let between = match self.between {
+            Some(between) => between,
+            None => {
+                self.method.prepare_dense(system, from, to)?;
+                let is_right = self.method.dense_error(self.tolerance) <= LARGEST_DENSE_ERROR;
+                if is_right { Between::Polynomial } else { Between::Steps }
+            }
+        };
+        self.between = Some(between);
+        let length = t - from.state.t;
+        match between {
+            Between::Polynomial => self.method.dense_at(length / (to.state.t - from.state.t), out),
+            Between::Steps => {
+                let time = out.t;
+                self.part.get_or_insert_with(|| Box::new(self.method.another())).attempt(
+                    system,
+                    from,
+                    length,
+                    self.tolerance,
+                    out,
+                )?;
+                out.t = time;
+            }
         }
-        self.method.dense_at((t - from.state.t) / (to.state.t - from.state.t), out);
         Ok(())
     }
 
@@ -87,7 +121,7 @@ impl<T: Scalar> Adaptive<T> {
         to: &mut State<T>,
         mut up_to: impl FnMut(&mut D, &State<T>) -> Option<f64>,
     ) -> Result<(), MotionError> {
-        self.dense = false;
+        self.between = None;
         let t = from.state.t;
         let left = end - t;
         if let Some(last_s) = self.last_s

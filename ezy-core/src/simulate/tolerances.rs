@@ -24,6 +24,12 @@ pub(crate) mod steps {
     /// Test: `analytic_springs_that_meet_are_followed_as_well_as_one`.
     pub(crate) const LEFT: f64 = 1.0 / 16.0;
 
+    /// Values between the ends of a step of DOP853 come from its polynomial while the estimate of its error is at most this many tolerances;
+    /// the estimate is three to ten times the error, so that samples are as good as ends of steps.
+    /// Unit: tolerances.
+    /// Test: `cross_dop853_samples_between_steps_keep_to_the_tolerance`.
+    pub(crate) const LARGEST_DENSE_ERROR: f64 = 10.0;
+
     /// A sample within this fraction of a step of a step's end is that end.
     /// Unit: share of a step.
     /// Test: `invariant_sample_on_the_end_of_a_step_costs_nothing`.

@@ -3,7 +3,7 @@
 use crate::scenes::{distance, stepped};
 use ezy_core::prelude::*;
 use ezy_core::testing::StepsBy;
-use ezy_models::ezy_roller;
+use ezy_models::{ezy_roller, skateboard};
 use ezy_tests::reference::load;
 
 /// Steps for the order: above them the motion is not resolved, below them rounding is met.
@@ -46,4 +46,43 @@ fn analytic_steps_grow_where_nothing_happens() {
     let straight = Simulation::new(&still).method(Method::dop853(1e-9)).until(60.0).run().unwrap();
     assert!(straight.cost.steps < 20, "{} steps at rest", straight.cost.steps);
     assert!(at_rest.run().unwrap().cost.steps > 100);
+}
+
+/// Samples in five seconds, so that many lie in one step.
+const N_SAMPLES: f64 = 97.0;
+
+/// What samples may be off by, in tolerances: errors of steps add up.
+const SAMPLES_TOLERANCE: f64 = 10.0;
+
+/// Evaluations that samples between steps may add, over those of the steps.
+const ADDED: f64 = 1.2;
+
+/// A wheel that slips, or rolls on soft trucks, settles fast: the polynomial between the ends of a long step is off by a thousand
+/// tolerances while the ends are right.
+#[test]
+fn cross_dop853_samples_between_steps_keep_to_the_tolerance() {
+    let scenes: [&dyn Scene; 2] = [&ezy_roller::Drift::default(), &skateboard::Ridden::default()];
+    for scene in scenes {
+        let sampled = |tolerance: f64, n_samples: f64| {
+            let order = Simulation::new(scene).method(Method::dop853(tolerance)).until(5.0);
+            order.every(5.0 / n_samples).run().unwrap()
+        };
+        let exact = sampled(1e-13, N_SAMPLES);
+        for tolerance in [1e-6, 1e-9] {
+            let run = sampled(tolerance, N_SAMPLES);
+            let error = run.samples().zip(exact.samples()).fold(0.0, |error: f64, (found, exact)| {
+                let pairs = found
+                    .coordinates
+                    .iter()
+                    .chain(found.velocities)
+                    .zip(exact.coordinates.iter().chain(exact.velocities));
+                pairs.fold(error, |error, (found, exact)| error.max((found - exact).abs() / (1.0 + exact.abs())))
+            });
+            let name = scene.info().model;
+            assert!(error <= SAMPLES_TOLERANCE * tolerance, "{name}: {error:.1e} at {tolerance:.0e}");
+            let alone = sampled(tolerance, 1.0).cost.evaluations as f64;
+            let added = run.cost.evaluations as f64 / alone - 1.0;
+            assert!(added <= ADDED, "{name} at {tolerance:.0e}: {added:.2} more evaluations");
+        }
+    }
 }

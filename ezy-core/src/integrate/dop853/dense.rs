@@ -2,13 +2,16 @@
 
 use super::sums::WIDTH;
 use super::tableau::{DENSE, N_STAGES, N_STAGES_OF_DENSE_OUTPUT};
-use super::{Dop853, read, write};
+use super::{Dop853, read, scale, write};
 use crate::dynamics::{Dynamics, MotionError, State};
-use crate::integrate::Node;
+use crate::integrate::{Node, Tolerance};
 use crate::scalar::Scalar;
 
 /// Coefficients of the polynomial of degree 7, without the state at the start.
 pub(super) const N_COEFFICIENTS: usize = 7;
+
+/// Of s⁴ (1 − s)⁴, the first polynomial that is missing, between 0 and 1.
+const LARGEST_BASIS: f64 = 1.0 / 256.0;
 
 impl<T: Scalar> Dop853<T> {
     /// Prepares values between `from` and `to`, the ends of the step that was tried last; `to` may be projected.
@@ -46,6 +49,21 @@ impl<T: Scalar> Dop853<T> {
             }
         }
         Ok(())
+    }
+
+    /// Largest error of values between the ends of the step, over the tolerance, by the last two terms of the polynomial: the first
+    /// that is missing is as much smaller than the last as that is than the one before.
+    pub(crate) fn dense_error(&self, tolerance: Tolerance) -> f64 {
+        let (n, n_numbers) = (WIDTH * self.n, 2 * self.n_q);
+        let dense = self.dense.as_flattened();
+        let ends = self.start.as_flattened().iter().zip(self.stage.as_flattened());
+        let (mut last, mut before) = (0.0_f64, 0.0_f64);
+        for (i, (start, end)) in ends.take(n_numbers).enumerate() {
+            let scale = scale(tolerance, start.abs().max(end.abs()));
+            last = last.max((dense[(N_COEFFICIENTS - 1) * n + i] / scale).magnitude());
+            before = before.max((dense[(N_COEFFICIENTS - 2) * n + i] / scale).magnitude());
+        }
+        LARGEST_BASIS * last * (last / before.max(f64::MIN_POSITIVE)).min(1.0)
     }
 
     /// The state at the part `s` of the step, between 0 and 1, not projected. The time is left alone.

@@ -67,6 +67,11 @@ impl<T: Scalar> Dop853<T> {
         }
     }
 
+    /// Storage for other steps of the same scene.
+    pub(crate) fn another(&self) -> Self {
+        Self::new(self.n_q, self.lambda.len(), self.n_works)
+    }
+
     /// Forgets the rounding errors of the sums, before another run.
     pub(crate) fn restart(&mut self) {
         self.rest.fill([T::from_f64(0.0); WIDTH]);

@@ -122,6 +122,13 @@ pub(super) struct RunArguments {
     /// second run into the same file is refused.
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
+    /// Estimate the error of positions, velocities and multipliers, by a second and a third run on other cores
+    ///
+    /// The second run keeps to a hundredth of the tolerance, or takes half the step; the difference is the error. The third one,
+    /// from a start that is moved a little, shows how much the motion amplifies errors. The motion itself is the same. FILE.csv
+    /// begins with a line `# estimated error …`.
+    #[arg(long)]
+    pub estimate_error: bool,
     /// Print one JSON object with 17 significant digits
     #[arg(long)]
     pub json: bool,

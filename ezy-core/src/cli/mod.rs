@@ -27,6 +27,7 @@ mod out_file;
 mod progress;
 mod run;
 mod run_end;
+mod run_error;
 mod run_monitors;
 mod selection;
 mod show;

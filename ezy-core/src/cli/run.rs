@@ -19,6 +19,9 @@ use super::run_end::{remarks, run_json, run_text};
 /// Rows of `--out` when `--every` is not given, besides the first.
 const N_ROWS: f64 = 1000.0;
 
+/// Times at which runs are compared where there are no rows.
+const N_COMPARED: f64 = 200.0;
+
 pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
     check_assignments(model, entry, &arguments.start, &arguments.input)?;
@@ -116,7 +119,7 @@ fn simulate(
 ) -> Result<Simulated, Failure> {
     let info = scene.info();
     let until_s = arguments.until.unwrap_or(info.until_s);
-    let mut out = arguments.out.as_deref().map(OutFile::open).transpose()?;
+    let mut out = arguments.out.as_deref().map(|path| OutFile::open(path, arguments.estimate_error)).transpose()?;
     let progress = Progress::new();
     let mut simulation = Simulation::new(scene)
         .method(method)
@@ -147,6 +150,12 @@ fn simulate(
     if arguments.project_start {
         simulation = simulation.project_start();
     }
+    if arguments.estimate_error {
+        simulation = simulation.estimate_error();
+        if until_s > 0.0 && out.is_none() {
+            simulation = simulation.every(until_s / N_COMPARED);
+        }
+    }
     if let Some(out) = &mut out {
         let default_every = || (until_s > 0.0).then_some(until_s / N_ROWS);
         if let Some(every) = arguments.every.or_else(default_every) {
@@ -158,5 +167,6 @@ fn simulate(
         SetupError::Motion(_) | SetupError::Record(_) => Failure::stopped(error),
         _ => Failure::wrong_use(error),
     })?;
-    Ok((run, out.map_or(Ok(()), OutFile::complete)))
+    let written = out.map_or(Ok(()), |out| out.complete(run.error_estimate.as_ref()));
+    Ok((run, written))
 }

@@ -12,6 +12,7 @@ use crate::simulate::{
     EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, SingularityCrossed, StopReason,
 };
 
+use super::run_error::{error_json, error_remark, error_text};
 use super::run_monitors::{monitors_json, monitors_text};
 
 /// The end as JSON. A run that could not start has the same keys with `null`.
@@ -65,6 +66,9 @@ pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Ru
         "seconds": cost.map(|cost| cost.seconds),
     });
     end["outcome"] = json!(outcome);
+    if let Some(estimate) = run.and_then(|run| run.error_estimate.as_ref()) {
+        end["error_estimate"] = error_json(estimate);
+    }
     if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.intervals.is_empty()) {
         end["rank"] = rank.intervals.iter().map(interval_json).collect();
     }
@@ -128,6 +132,7 @@ pub(super) fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
         cost.evaluations,
         cost.seconds
     );
+    text += &error_text(run);
     text += &run.rank.to_string();
     text + &remarks(run, method, radau_runs)
 }
@@ -147,7 +152,7 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
         None => String::new(),
     };
     let names_radau = !stiff.is_empty();
-    stiff + &remark(run, method, radau_runs && !names_radau)
+    stiff + &remark(run, method, radau_runs && !names_radau) + &error_remark(run)
 }
 
 /// Advice when stiffness limits the steps of an explicit method.

@@ -1,7 +1,7 @@
 //! One file.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// A file that replaces an older one when it is complete.
@@ -53,6 +53,16 @@ impl OutputFile {
         let partial = path.with_file_name(partial_name);
         let (file, is_new) = locked(&partial)?;
         Ok(Self { path, partial, file, state: State::Unwritten { is_new } })
+    }
+
+    /// Writes `bytes` over the first ones of the file; later writes go on behind its last. Not for a pipe or a device.
+    ///
+    /// # Errors
+    /// The error of the system.
+    pub(crate) fn write_over_start(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.file.rewind()?;
+        self.file.write_all(bytes)?;
+        self.file.seek(SeekFrom::End(0)).map(|_| ())
     }
 
     /// Gives the file its name. A file to which nothing was written becomes an empty one.

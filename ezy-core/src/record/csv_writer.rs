@@ -16,12 +16,21 @@ pub struct CsvWriter<W: Write> {
     /// Whether a row could not be written.
     failed: bool,
     row: String,
+    /// A line before the names.
+    comment: String,
 }
 
 impl<W: Write> CsvWriter<W> {
     /// Writes nothing before the first sample.
     pub fn new(file: W) -> Self {
-        Self { file, named: false, failed: false, row: String::new() }
+        Self { file, named: false, failed: false, row: String::new(), comment: String::new() }
+    }
+
+    /// Writes a line `# comment` before the row of names.
+    #[must_use]
+    pub fn with_comment(mut self, comment: &str) -> Self {
+        self.comment = format!("# {comment}\n");
+        self
     }
 
     /// The file, after the last row.
@@ -35,6 +44,7 @@ impl<W: Write> CsvWriter<W> {
         }
         self.row.clear();
         if !self.named {
+            self.row += &self.comment;
             self.row += &names(sample)?;
         }
         for (i, x) in sample.numbers().enumerate() {

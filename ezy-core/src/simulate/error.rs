@@ -51,6 +51,12 @@ pub enum SetupError {
         /// Name of the method.
         method: &'static str,
     },
+    /// The other runs that an estimate of the error takes cannot call a law that may keep a state of its own.
+    #[error(
+        "the error cannot be estimated of a run with a control law: other runs cannot call it; compare runs with two steps, or record \
+         the inputs and give them as a table"
+    )]
+    ControlledOnce,
     /// Runs that step together have one time.
     #[error(
         "the runs start at t = {} s and t = {} s; runs that step together start at one time", legible(*.first), legible(*.other)

@@ -65,12 +65,13 @@ struct Heading<'f> {
 /// one for each input, with straight lines between rows; two rows at one time are a jump.
 ///
 /// Of a file that a run wrote, the columns of inputs are read, and each value holds until the next row, as it did there.
-/// Files of up to 512 MiB are read, and rows of up to 16 MiB.
+/// Lines that begin with `#` are left out. Files of up to 512 MiB are read, and rows of up to 16 MiB.
 ///
 /// # Errors
 /// [`InputFileError`] naming column and row.
 pub fn read_inputs(file: impl Read, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, InputFileError> {
-    let mut rows = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(LimitedReader::new(file));
+    let mut rows =
+        csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(LimitedReader::new(file));
     let names = rows.headers()?.clone();
     let time = names.iter().position(|name| parts(name).0 == "t").ok_or(InputFileError::NoTime)?;
     let of_a_run = names.iter().any(|name| name.starts_with(PREFIX));

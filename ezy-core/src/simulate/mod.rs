@@ -6,6 +6,7 @@ mod control;
 mod discontinuities;
 mod ensemble;
 mod error;
+mod error_estimate;
 mod events;
 mod given;
 mod implicit;
@@ -35,6 +36,7 @@ mod trajectory;
 
 pub use ensemble::Ensemble;
 pub use error::SetupError;
+pub use error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};
 pub use events::Occurrence;
 pub use input_file::{InputFileError, read_inputs};
 pub use input_table::{InputTable, TableError};

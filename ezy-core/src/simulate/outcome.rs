@@ -1,6 +1,6 @@
 //! The result of a run.
 
-use super::{EnergyError, ExceededLimit, Monitors, Occurrence, RankRecord};
+use super::{EnergyError, ErrorEstimate, ExceededLimit, Monitors, NoErrorEstimate, Occurrence, RankRecord};
 use crate::dynamics::{MotionError, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
@@ -20,6 +20,8 @@ pub struct Run {
     pub stiff_since_s: Option<f64>,
     /// Where constraints depended on each other.
     pub rank: RankRecord,
+    /// Its error, when [`Simulation::estimate_error`](super::Simulation::estimate_error) asked for it.
+    pub error_estimate: Option<Result<ErrorEstimate, NoErrorEstimate>>,
     pub(super) info: &'static SceneInfo,
     pub(super) events: Vec<Occurrence>,
     /// Holds the start at least.
@@ -111,6 +113,11 @@ impl Outcome {
     /// Whether the run is complete, at its time or at an event that ends it, and nothing speaks against its result.
     pub fn reached_end(&self) -> bool {
         matches!(self, Self::ReachedEnd | Self::ReachedEvent { .. })
+    }
+
+    /// Whether it came to the time that was asked for or to an event that ends it, whatever the result is worth.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.reached_end() || matches!(self, Self::Untrusted { .. })
     }
 }
 

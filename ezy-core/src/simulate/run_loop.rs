@@ -25,8 +25,8 @@ pub(super) struct Plan<'s> {
     pub wanted: Wanted,
     /// Whether samples go to the recorder alone.
     pub streamed: bool,
-    /// Ends the run when it is true.
-    pub interrupt: Option<&'s AtomicBool>,
+    /// One that is true ends the run.
+    pub interrupts: Vec<&'s AtomicBool>,
     /// Events to locate.
     pub events: &'static [EventInfo],
 }
@@ -109,7 +109,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         let mut steps = 0;
         let mut outcome = Outcome::ReachedEnd;
         while self.stepper.now.state.t < self.plan.schedule.end() {
-            if self.plan.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            if self.plan.interrupts.iter().any(|flag| flag.load(Ordering::Relaxed)) {
                 outcome = Outcome::Interrupted { t: self.stepper.now.state.t };
                 break;
             }
@@ -168,7 +168,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         {
             outcome = Outcome::Stopped { t: now.state.t, reason: StopReason::NoNumber { column, value }, strain: None };
         }
-        Ok(Run { outcome, cost, monitors, rank: self.rank, stiff_since_s, info, events, record })
+        Ok(Run { outcome, cost, monitors, rank: self.rank, stiff_since_s, error_estimate: None, info, events, record })
     }
 
     /// One step from `now`, which is unchanged when the step fails; returns the event that ends the run.

@@ -22,30 +22,45 @@ use std::sync::atomic::AtomicBool;
 /// ```
 pub struct Simulation<'s, S: Scene + ?Sized> {
     pub(super) scene: &'s S,
-    pub(super) method: Method,
-    pub(super) until_s: f64,
-    pub(super) every_s: Option<f64>,
-    pub(super) projection: Projection,
-    pub(super) metric: Metric,
-    pub(super) backend: Backend,
-    pub(super) given: Vec<(String, f64)>,
-    pub(super) start_gives_way: bool,
-    pub(super) inputs: Vec<(String, InputTable)>,
-    pub(super) law: Option<Law<'s>>,
-    pub(super) wanted: Wanted,
-    pub(super) limits: Limits,
-    pub(super) watched: bool,
-    pub(super) recorder: Option<&'s mut dyn Recorder>,
-    pub(super) streamed: bool,
-    pub(super) interrupt: Option<&'s AtomicBool>,
-    pub(super) on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
+    pub(super) settings: Settings,
+    pub(super) hooks: Hooks<'s>,
+}
+
+/// What a run is asked for.
+#[derive(Debug, Clone)]
+pub(super) struct Settings {
+    pub method: Method,
+    pub until_s: f64,
+    pub every_s: Option<f64>,
+    pub projection: Projection,
+    pub metric: Metric,
+    pub backend: Backend,
+    pub given: Vec<(String, f64)>,
+    pub start_gives_way: bool,
+    pub inputs: Vec<(String, InputTable)>,
+    pub wanted: Wanted,
+    pub limits: Limits,
+    pub watched: bool,
+    pub streamed: bool,
+    /// Whether other runs estimate the error of this one.
+    pub estimated: bool,
+    /// What the start is moved by, of the sizes of its numbers.
+    pub moved: f64,
+}
+
+/// What takes part in one run alone.
+#[derive(Default)]
+pub(super) struct Hooks<'s> {
+    pub law: Option<Law<'s>>,
+    pub recorder: Option<&'s mut dyn Recorder>,
+    pub interrupts: Vec<&'s AtomicBool>,
+    pub on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
 }
 
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// The scene with its own end, RK4 at 1 ms, both projections, keeping the start and the end.
     pub fn new(scene: &'s S) -> Self {
-        Self {
-            scene,
+        let settings = Settings {
             method: Method::default(),
             until_s: scene.info().until_s,
             every_s: None,
@@ -55,28 +70,27 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             given: Vec::new(),
             start_gives_way: false,
             inputs: Vec::new(),
-            law: None,
             wanted: Wanted::default(),
             limits: Limits::default(),
             watched: true,
-            recorder: None,
             streamed: false,
-            interrupt: None,
-            on_progress: None,
-        }
+            estimated: false,
+            moved: 0.0,
+        };
+        Self { scene, settings, hooks: Hooks::default() }
     }
 
     /// Integration method and its step.
     #[must_use]
     pub fn method(mut self, method: Method) -> Self {
-        self.method = method;
+        self.settings.method = method;
         self
     }
 
     /// End of the run, s.
     #[must_use]
     pub fn until(mut self, until_s: f64) -> Self {
-        self.until_s = until_s;
+        self.settings.until_s = until_s;
         self
     }
 
@@ -87,28 +101,28 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// the interpolated state.
     #[must_use]
     pub fn every(mut self, every_s: f64) -> Self {
-        self.every_s = Some(every_s);
+        self.settings.every_s = Some(every_s);
         self
     }
 
     /// What is projected after each step.
     #[must_use]
     pub fn project(mut self, projection: Projection) -> Self {
-        self.projection = projection;
+        self.settings.projection = projection;
         self
     }
 
     /// Metric of the projection.
     #[must_use]
     pub fn metric(mut self, metric: Metric) -> Self {
-        self.metric = metric;
+        self.settings.metric = metric;
         self
     }
 
     /// Solver of the equations of motion.
     #[must_use]
     pub fn backend(mut self, backend: Backend) -> Self {
-        self.backend = backend;
+        self.settings.backend = backend;
         self
     }
 
@@ -116,7 +130,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// own; what neither gives is assembled from the constraints.
     #[must_use]
     pub fn give(mut self, name: impl Into<String>, value: f64) -> Self {
-        self.given.push((name.into(), value));
+        self.settings.given.push((name.into(), value));
         self
     }
 
@@ -128,7 +142,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// are never added; coordinates without mass follow at no cost.
     #[must_use]
     pub fn project_start(mut self) -> Self {
-        self.start_gives_way = true;
+        self.settings.start_gives_way = true;
         self
     }
 
@@ -136,7 +150,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// settings of one input the later counts.
     #[must_use]
     pub fn input(mut self, name: impl Into<String>, value: impl Into<InputTable>) -> Self {
-        self.inputs.push((name.into(), value.into()));
+        self.settings.inputs.push((name.into(), value.into()));
         self
     }
 
@@ -170,7 +184,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// ```
     #[must_use]
     pub fn control(mut self, law: impl FnMut(f64, &State, &mut [f64]) + Send + 's) -> Self {
-        self.law = Some(Box::new(law));
+        self.hooks.law = Some(Box::new(law));
         self
     }
 
@@ -178,14 +192,14 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// is the same to the last bit without.
     #[must_use]
     pub fn work(mut self) -> Self {
-        self.wanted.work = true;
+        self.settings.wanted.work = true;
         self
     }
 
     /// Samples hold the outputs of the scene, too.
     #[must_use]
     pub fn outputs(mut self) -> Self {
-        self.wanted.outputs = true;
+        self.settings.wanted.outputs = true;
         self
     }
 
@@ -193,7 +207,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// level, m/s or rad/s. Where both are projected a run keeps to 1e-12 by itself; without projection rows drift.
     #[must_use]
     pub fn max_drift(mut self, residual: f64) -> Self {
-        self.limits.drift = residual;
+        self.settings.limits.drift = residual;
         self
     }
 
@@ -201,7 +215,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// ([`EnergyError::relative`](super::EnergyError::relative)). Integrates works, as [`Simulation::work`].
     #[must_use]
     pub fn max_energy_error(mut self, relative: f64) -> Self {
-        self.limits.energy_error = relative;
+        self.settings.limits.energy_error = relative;
         self.work()
     }
 
@@ -209,21 +223,50 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// most.
     #[must_use]
     pub fn max_steps(mut self, steps: u64) -> Self {
-        self.limits.steps = Some(steps);
+        self.settings.limits.steps = Some(steps);
+        self
+    }
+
+    /// Estimates the error that the run reaches, by a second and a third run beside it on other cores ([`Run::error_estimate`]). Then
+    /// samples are kept also where they are streamed.
+    ///
+    /// The second run keeps to a hundredth of the tolerance or takes half the step: the difference is the error. The third one shows by
+    /// a start that is moved a little how much the motion amplifies errors. The run itself is the same to the last bit.
+    ///
+    /// ```
+    /// # use ezy_core::prelude::*;
+    /// # fn of(scene: &dyn Scene) -> Result<(), Box<dyn std::error::Error>> {
+    /// let run = Simulation::new(scene).method(Method::dop853(1e-6)).every(0.1).estimate_error().run()?;
+    /// if let Some(Ok(estimate)) = &run.error_estimate {
+    ///     for error in &estimate.errors {
+    ///         println!("{} {:.1e} {}", error.quantity, error.largest, error.unit);
+    ///     }
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`SetupError::ControlledOnce`](super::SetupError::ControlledOnce) from [`Simulation::run`] when a control law is set.
+    ///
+    /// [`Run::error_estimate`]: super::Run::error_estimate
+    #[must_use]
+    pub fn estimate_error(mut self) -> Self {
+        self.settings.estimated = true;
         self
     }
 
     /// Locates no events: the run continues through conditions that would end it.
     #[must_use]
     pub fn without_events(mut self) -> Self {
-        self.watched = false;
+        self.settings.watched = false;
         self
     }
 
     /// Also hands every sample to `recorder`, as it is made.
     #[must_use]
     pub fn record_to(mut self, recorder: &'s mut dyn Recorder) -> Self {
-        self.recorder = Some(recorder);
+        self.hooks.recorder = Some(recorder);
         self
     }
 
@@ -231,22 +274,22 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// number of samples.
     #[must_use]
     pub fn stream_to(mut self, recorder: &'s mut dyn Recorder) -> Self {
-        self.streamed = true;
+        self.settings.streamed = true;
         self.record_to(recorder)
     }
 
     /// Ends the run with [`Outcome::Interrupted`](super::Outcome::Interrupted) once `flag` is true, which is read before each step. Another
-    /// thread or a signal handler sets it.
+    /// thread or a signal handler sets it. Of several flags each one ends the run.
     #[must_use]
     pub fn interrupted_by(mut self, flag: &'s AtomicBool) -> Self {
-        self.interrupt = Some(flag);
+        self.hooks.interrupts.push(flag);
         self
     }
 
     /// Calls `progress` with the fraction done, about a hundred times.
     #[must_use]
     pub fn on_progress(mut self, progress: impl FnMut(f64) + Send + 's) -> Self {
-        self.on_progress = Some(Box::new(progress));
+        self.hooks.on_progress = Some(Box::new(progress));
         self
     }
 }

@@ -263,6 +263,42 @@ pub(crate) mod monitors {
     pub(crate) const MAX_INTERVALS: usize = 16;
 }
 
+/// The runs that estimate an error.
+pub(crate) mod error_estimate {
+    /// Tolerance of the second run over that of the first. A method follows its tolerance roughly: at a tenth, the errors of the second run
+    /// are now and then as large as those of the first; at a thousandth it takes two to five times the time.
+    /// Unit: 1.
+    /// Test: `cross_estimates_are_within_a_factor_of_five_of_the_error`.
+    pub(crate) const TIGHTER: f64 = 1e-2;
+
+    /// Below this tolerance errors are rounding, which a hundredth of the tolerance does not change.
+    /// Unit: 1.
+    /// Test: `cross_estimates_are_within_a_factor_of_five_of_the_error`.
+    pub(crate) const ROUNDING: f64 = 1e-13;
+
+    /// The same for Radau, whose iteration leaves more of it.
+    /// Unit: 1.
+    /// Test: `cross_estimates_are_within_a_factor_of_five_of_the_error`.
+    pub(crate) const ROUNDING_OF_RADAU: f64 = 1e-11;
+
+    /// Tolerance of a second run over that of the first, where none with a smaller one comes to its end.
+    /// Unit: 1.
+    /// Test: `invariant_estimate_without_a_tighter_run_is_too_large`.
+    pub(crate) const LOOSER: f64 = 10.0;
+
+    /// What the start of the third run is moved by, over the tolerance of that run: a motion that makes its errors a thousand times as large
+    /// as their tolerance makes the move as much larger.
+    /// Unit: 1.
+    /// Test: `cross_amplification_is_that_of_the_motion_with_every_method`,
+    /// and `analytic_amplification_is_that_of_the_linear_motion`.
+    pub(crate) const MOVED: f64 = 1e3;
+
+    /// What it is moved by at least: a thousand times the rounding of a run.
+    /// Unit: share of a number and its unit.
+    /// Test: `analytic_amplification_is_that_of_the_linear_motion`.
+    pub(crate) const SMALLEST_MOVE: f64 = 1e-9;
+}
+
 /// What may be ordered.
 pub(crate) mod orders {
     /// A quarter of an hour at 100 ns a step; more is a typing error.

@@ -488,3 +488,63 @@ fn invariant_stops_and_limits_are_told_by_run_and_show() {
 
     assert_wrong_use(&["accuracy", "ezyroller/skid"], "rear_on_ice");
 }
+
+#[test]
+fn invariant_estimated_error_is_told_everywhere_alike() {
+    let folder = directory("estimated");
+    let file = folder.join("motion.csv").display().to_string();
+    let run = ["run", "ezyroller/driven", "--until", "2", "--method", "dop853", "--rtol", "1e-6", "--estimate-error"];
+    let end = json(&[&run[..], &["--json", "--every", "0.01", "--out", &file]].concat());
+    let told = &end["error_estimate"];
+    assert_eq!(told["second"], serde_json::json!({ "method": "dop853", "setting": "--rtol 1e-8" }));
+    let errors = told["errors"].as_array().expect("a list");
+    let units: Vec<&str> = errors.iter().map(|error| error["unit"].as_str().expect("a unit")).collect();
+    assert_eq!(units, ["m", "rad", "m/s", "rad/s", "N"]);
+    let csv = std::fs::read_to_string(&file).unwrap();
+    let mut lines = csv.lines();
+    let line = lines.next().unwrap();
+    assert!(
+        line.starts_with("# estimated error at the end and at most: positions ") && line.contains("; amplification "),
+        "{line}"
+    );
+    for error in errors {
+        let figure = format!("{:.1e} {}", error["largest"].as_f64().unwrap(), error["unit"].as_str().unwrap());
+        assert!(line.contains(&figure), "{figure} in {line}");
+    }
+    assert!(lines.next().unwrap().starts_with("t [s],seat.x [m],") && lines.count() == 201);
+    // the rows are those of a run without an estimate
+    let alone = folder.join("alone.csv").display().to_string();
+    json(&[&run[..run.len() - 1], &["--json", "--every", "0.01", "--out", &alone]].concat());
+    assert_eq!(csv.split_once('\n').unwrap().1, std::fs::read_to_string(&alone).unwrap());
+    // and a summary without rows has the same table
+    let text = output(&run);
+    let table = text.split("estimated error").nth(1).expect("a table");
+    assert!(table.contains("positions") && table.contains("from a second run with --rtol 1e-8"), "{table}");
+}
+
+#[test]
+fn invariant_error_that_is_not_known_says_why_in_the_file_too() {
+    let file = directory("not_estimated").join("motion.csv").display().to_string();
+    let done = ezy(&["run", "ezyroller/driven", "--max-steps", "5", "--estimate-error", "--json", "--out", &file]);
+    assert_eq!(done.status.code(), Some(1));
+    let end: Value = serde_json::from_slice(&done.stdout).expect("output is JSON");
+    let why = "the run did not come to its end";
+    assert_eq!(end["error_estimate"], serde_json::json!({ "unknown": why }));
+    assert!(std::fs::read_to_string(file).unwrap().starts_with(&format!("# estimated error: not known: {why} ")));
+}
+
+#[test]
+#[cfg(unix)]
+fn invariant_estimated_error_ends_the_rows_of_a_pipe() {
+    let run = "run pendulum/swing --until 1 --method dop853 --every 0.5 --estimate-error --out /dev/stdout";
+    let text = output(&run.split(' ').collect::<Vec<_>>());
+    let comment = text.lines().position(|line| line.starts_with("# estimated error at the end")).expect("a comment");
+    assert!(text.lines().next().unwrap().starts_with("t [s],") && comment == 4, "{text}");
+}
+
+#[test]
+fn invariant_motion_that_amplifies_errors_is_remarked_on() {
+    let run = ["run", "doublependulum/swing", "--method", "taylor", "--estimate-error"];
+    assert!(output(&run).contains("remark: the motion makes a small change of its start "));
+    assert!(!output(&[&run[..], &["--until", "1"]].concat()).contains("remark: the motion makes"));
+}

@@ -14,6 +14,7 @@ mod discontinuities;
 mod dop853;
 mod drives;
 mod ensemble;
+mod error_estimate;
 mod events;
 mod exact_start;
 mod fuzz;

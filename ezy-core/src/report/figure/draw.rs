@@ -13,6 +13,7 @@ const PNG_DPI: u32 = 220;
 const FONT_PT: f32 = 13.0;
 const MARKER_PT: f32 = 7.0;
 const RING_PT: f32 = 6.0;
+const CLOUD_PT: f32 = 4.0;
 /// Share of the span left free around the data.
 const MARGIN: f64 = 0.04;
 /// Height over width that a figure with equal axes has at least and at most: flat paths keep room for texts.
@@ -86,9 +87,11 @@ fn add_curve(plot: Plot, curve: &Curve, axes: Axes) -> Plot {
     }
     let color = Color::from_rgb(look.color[0], look.color[1], look.color[2]);
     if look.width_pt == 0.0 {
-        let rings = plot.scatter(&x, &y).color(color).marker(MarkerStyle::Circle).marker_size(RING_PT);
-        let rings = rings.edge_color(Color::from_rgb(0, 0, 0)).edge_width(1.4);
-        return if curve.name.is_empty() { rings.into() } else { rings.label(curve.name.as_str()).into() };
+        let (size, edge) = if look.is_ring { (RING_PT, 1.4) } else { (CLOUD_PT, 0.2) };
+        let marker = marker_style(look.marker).unwrap_or(MarkerStyle::Circle);
+        let markers = plot.scatter(&x, &y).color(color).marker(marker).marker_size(size);
+        let markers = markers.edge_color(Color::from_rgb(0, 0, 0)).edge_width(edge);
+        return if curve.name.is_empty() { markers.into() } else { markers.label(curve.name.as_str()).into() };
     }
     let style = if look.dash.is_empty() { LineStyle::Solid } else { LineStyle::Custom(look.dash.to_vec()) };
     let mut line = plot.line(&x, &y).color(color).line_width(look.width_pt).line_style(style);

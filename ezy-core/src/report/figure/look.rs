@@ -20,6 +20,8 @@ pub(super) struct Look {
     /// Width in points; 0: markers only.
     pub width_pt: f32,
     pub marker: Marker,
+    /// Whether markers alone have an edge.
+    pub is_ring: bool,
 }
 
 /// Navy, vermilion, sky blue, green: lightness 20, 52, 70, 40 of 100.
@@ -32,31 +34,35 @@ const LIGHTEST_BODY: f64 = 130.0;
 impl Look {
     pub(super) fn line(index: usize) -> Self {
         let k = index % LINE_COLORS.len();
-        Self { color: LINE_COLORS[k], dash: LINE_DASHES[k], width_pt: 1.8, marker: Marker::None }
+        Self { color: LINE_COLORS[k], dash: LINE_DASHES[k], width_pt: 1.8, marker: Marker::None, is_ring: false }
     }
 
     pub(super) fn with_marker(self, index: usize) -> Self {
         Self { marker: LINE_MARKERS[index % LINE_MARKERS.len()], ..self }
     }
 
+    pub(super) fn without_line(self) -> Self {
+        Self { width_pt: 0.0, ..self }
+    }
+
     pub(super) fn band() -> Self {
-        Self { color: [170, 205, 235], dash: &[], width_pt: 6.0, marker: Marker::None }
+        Self { color: [170, 205, 235], dash: &[], width_pt: 6.0, marker: Marker::None, is_ring: false }
     }
 
     pub(super) fn guide() -> Self {
-        Self { color: [110, 110, 110], dash: &[1.5, 3.0], width_pt: 1.4, marker: Marker::None }
+        Self { color: [110, 110, 110], dash: &[1.5, 3.0], width_pt: 1.4, marker: Marker::None, is_ring: false }
     }
 
     pub(super) fn body(shade: f64) -> Self {
-        Self { color: grey(shade), dash: &[], width_pt: 2.4, marker: Marker::None }
+        Self { color: grey(shade), dash: &[], width_pt: 2.4, marker: Marker::None, is_ring: false }
     }
 
     pub(super) fn wheel(shade: f64) -> Self {
-        Self { color: grey(shade), dash: &[], width_pt: 5.0, marker: Marker::None }
+        Self { color: grey(shade), dash: &[], width_pt: 5.0, marker: Marker::None, is_ring: false }
     }
 
     pub(super) fn hinge() -> Self {
-        Self { color: [255, 255, 255], dash: &[], width_pt: 0.0, marker: Marker::Circle }
+        Self { color: [255, 255, 255], dash: &[], width_pt: 0.0, marker: Marker::Circle, is_ring: true }
     }
 }
 

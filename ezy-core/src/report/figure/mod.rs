@@ -135,6 +135,13 @@ impl Figure {
         self.next_line(name, x, y, look)
     }
 
+    /// Markers alone, in the next look: for values that do not follow each other.
+    #[must_use]
+    pub fn cloud(self, name: &str, x: Vec<f64>, y: Vec<f64>) -> Self {
+        let look = Look::line(self.n_lines).with_marker(self.n_lines).without_line();
+        self.next_line(name, x, y, look)
+    }
+
     fn next_line(mut self, name: &str, x: Vec<f64>, y: Vec<f64>, look: Look) -> Self {
         self.n_lines += 1;
         self.push(name, x, y, look)

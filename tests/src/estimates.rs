@@ -1,0 +1,144 @@
+//! Estimates of the error of a run beside its true error.
+
+use crate::garage::worse;
+use ezy_core::integrate::PreciseMotion;
+use ezy_core::prelude::*;
+use ezy_core::simulate::QuantityError;
+
+/// Intervals between samples.
+const N_INTERVALS: f64 = 100.0;
+
+/// Tolerances of the reference where the scene has no Taylor series or the motion is singular on the way.
+const TIGHTEST: [f64; 3] = [1e-15, 1e-14, 1e-13];
+
+/// Smaller errors, of one and the largest number with their unit, are rounding: both runs may round alike.
+const ROUNDING: f64 = 512.0 * f64::EPSILON;
+
+/// An error that passes through zero at the end is smaller than this part of the largest one; its estimate is of the size of the error of the second
+/// run.
+const PASSES_ZERO: f64 = 0.04;
+
+/// Samples of a motion: time, positions, velocities, multipliers.
+type Motion = Vec<(f64, [Vec<f64>; 3])>;
+
+/// An estimate and the true error.
+#[derive(Debug, Clone)]
+pub struct Judged {
+    /// `positions`, `velocities` or `multipliers`.
+    pub quantity: &'static str,
+    /// Their unit.
+    pub unit: String,
+    /// At the end, or the largest of all samples.
+    pub is_at_end: bool,
+    /// What the run says.
+    pub estimate: f64,
+    /// What it is off by.
+    pub error: f64,
+}
+
+impl Judged {
+    /// The estimate over the error.
+    pub fn ratio(&self) -> f64 {
+        self.estimate / self.error
+    }
+}
+
+/// A motion to be judged against, as exact as there is one.
+pub struct Reference {
+    motion: Motion,
+    /// How far it is known, of the sizes of numbers.
+    known: f64,
+}
+
+/// The run that is judged.
+fn order(scene: &dyn Scene, method: Method) -> Simulation<'_, dyn Scene + '_> {
+    let until_s = scene.info().until_s;
+    Simulation::new(scene).method(method).until(until_s).every(until_s / N_INTERVALS).without_events()
+}
+
+fn motion(run: &Run) -> Motion {
+    let of = |sample: Sample<'_>| {
+        (sample.t, [sample.coordinates, sample.velocities, sample.multipliers].map(<[f64]>::to_vec))
+    };
+    run.samples().map(of).collect()
+}
+
+impl Reference {
+    /// In double-double where that is possible, otherwise by DOP853 with the smallest tolerance that comes to the end.
+    pub fn of(scene: &dyn Scene) -> Option<Self> {
+        let ran =
+            |tolerance: f64| order(scene, Method::dop853(tolerance)).run().ok().filter(|run| run.outcome.reached_end());
+        if let Some(motion) = precise(scene) {
+            return Some(Self { motion, known: 0.0 });
+        }
+        let mut runs = TIGHTEST.into_iter().filter_map(ran);
+        let (best, next) = (motion(&runs.next()?), motion(&runs.next()?));
+        let known =
+            differences(scene, &best, &next).into_iter().map(|(.., size, [_, most])| most / size).fold(0.0, worse);
+        Some(Self { motion: best, known })
+    }
+
+    /// The estimates of a run, and what it is off by; of errors that are known.
+    pub fn judge(&self, scene: &dyn Scene, method: Method) -> Result<(Vec<Judged>, Option<f64>), String> {
+        let run = order(scene, method).estimate_error().run().map_err(|error| error.to_string())?;
+        let estimate = run.error_estimate.as_ref().expect("asked for");
+        let estimate = estimate.as_ref().map_err(ToString::to_string)?;
+        let mut judged = Vec::new();
+        for (quantity, unit, size, errors) in differences(scene, &motion(&run), &self.motion) {
+            let theirs = |of: &&QuantityError| of.quantity == quantity && of.unit == unit;
+            let QuantityError { at_end, largest, .. } = estimate.errors.iter().find(theirs).expect("an estimate");
+            for (is_at_end, estimate, error) in [(true, *at_end, errors[0]), (false, *largest, errors[1])] {
+                if error > (ROUNDING + 10.0 * self.known) * (1.0 + size) && error > PASSES_ZERO * errors[1] {
+                    judged.push(Judged { quantity, unit: unit.clone(), is_at_end, estimate, error });
+                }
+            }
+        }
+        Ok((judged, estimate.amplification))
+    }
+}
+
+fn precise(scene: &dyn Scene) -> Option<Motion> {
+    if !scene.modes().is_empty() {
+        return None;
+    }
+    let run = order(scene, Method::taylor(1e-6)).run().ok().filter(|run| run.outcome.reached_end())?;
+    let first = run.first();
+    let start = State { t: first.t, q: first.coordinates.to_vec(), v: first.velocities.to_vec(), work: Vec::new() };
+    let mut precise = PreciseMotion::new(scene, &start).ok()?;
+    let mut motion = Motion::new();
+    for sample in run.samples() {
+        precise.advance_to(sample.t).ok()?;
+        let numbers = [precise.q(), precise.v(), precise.lambda()];
+        motion.push((sample.t, numbers.map(|numbers| numbers.iter().map(|x| x.high()).collect())));
+    }
+    Some(motion)
+}
+
+/// Quantity, unit, largest number, and the largest differences at the end and of all samples.
+fn differences(scene: &dyn Scene, one: &Motion, other: &Motion) -> Vec<(&'static str, String, f64, [f64; 2])> {
+    let info = scene.info();
+    let units: [(&str, Vec<String>); 3] = [
+        ("positions", info.coordinates.iter().map(|c| c.unit.to_owned()).collect()),
+        ("velocities", info.coordinates.iter().map(|c| format!("{}/s", c.unit)).collect()),
+        ("multipliers", info.rows.iter().map(|row| row.multiplier_unit.to_owned()).collect()),
+    ];
+    let mut found = Vec::new();
+    for (level, (quantity, units)) in units.into_iter().enumerate() {
+        let mut distinct = units.clone();
+        distinct.sort();
+        distinct.dedup();
+        for unit in distinct {
+            let (mut size, mut most, mut last) = (0.0, 0.0, 0.0);
+            for ((_, a), (_, b)) in one.iter().zip(other) {
+                last = 0.0;
+                for i in (0..units.len()).filter(|&i| units[i] == unit) {
+                    last = worse(last, a[level][i] - b[level][i]);
+                    size = worse(size, b[level][i]);
+                }
+                most = worse(most, last);
+            }
+            found.push((quantity, unit, size, [last, most]));
+        }
+    }
+    found
+}

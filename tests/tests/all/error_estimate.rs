@@ -1,0 +1,151 @@
+//! The error that a run says it has.
+
+use ezy_core::prelude::*;
+use ezy_core::simulate::{ErrorEstimate, SetupError};
+use ezy_models::{double_pendulum, ezy_roller, pendulum, skateboard, tractor_trailers, wheeled_snake};
+use ezy_tests::estimates::Reference;
+use std::sync::atomic::AtomicBool;
+
+model! {
+    /// A cart that a force drives away from its place: x'' = k² x.
+    pub model Balance {
+        param k: s^-1 = 4.0;
+        param m: kg = 1.0;
+        body cart { mass: m, inertia: 1 }
+        force at cart(0, 0): (m*k^2*cart.x, 0);
+        start still { cart at (0, 0) angle 0; at rest; }
+        scene lost { start still; until 3 s; }
+    }
+}
+
+/// An estimate is within this factor of the error.
+const FACTOR: f64 = 5.0;
+
+fn estimate(run: &Run) -> &ErrorEstimate {
+    run.error_estimate.as_ref().expect("asked for").as_ref().expect("an estimate")
+}
+
+#[test]
+fn cross_estimates_are_within_a_factor_of_five_of_the_error() {
+    let scenes: [(&str, Box<dyn Scene>, &[Method]); 5] = [
+        (
+            "ezyroller/drift",
+            Box::new(ezy_roller::Drift::default()),
+            &[Method::dop853(1e-6), Method::taylor(1e-9), Method::radau(1e-7), Method::rk4(1e-2)],
+        ),
+        (
+            "doublependulum/swing",
+            Box::new(double_pendulum::Swing::default()),
+            &[Method::taylor(1e-6), Method::dop853(1e-8)],
+        ),
+        ("skateboard/carved", Box::new(skateboard::Carved::default()), &[Method::taylor(1e-14), Method::dop853(1e-12)]),
+        ("tractortrailers/towed", Box::new(tractor_trailers::Towed::default()), &[Method::radau(1e-12)]),
+        ("wheeledsnake/floating", Box::new(wheeled_snake::Floating::default()), &[Method::taylor(1e-6)]),
+    ];
+    for (name, scene, methods) in scenes {
+        let reference = Reference::of(&*scene).expect("a reference");
+        for &method in methods {
+            let (judged, amplification) = reference.judge(&*scene, method).expect("a run");
+            assert!(!judged.is_empty() && amplification.is_some(), "{name} {method:?}");
+            for judged in judged {
+                let ratio = judged.ratio();
+                // at the level of rounding it may be larger: the second run rounds, too
+                let most = if method.tolerance().is_some_and(|t| t.relative < 1e-13) { f64::INFINITY } else { FACTOR };
+                assert!((1.0 / FACTOR..=most).contains(&ratio), "{name} {method:?}: {ratio} {judged:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn analytic_amplification_is_that_of_the_linear_motion() {
+    for method in [Method::rk4(1e-3), Method::dop853(1e-6), Method::taylor(1e-12), Method::radau(1e-8)] {
+        let scene = balance::Lost::default();
+        let run = Simulation::new(&scene).method(method).every(0.1).estimate_error().run().unwrap();
+        let found = estimate(&run).amplification.unwrap();
+        // x and x' grow by k cosh(kt) at most; the start is moved in both, by up to the same amount
+        let (k, t) = (scene.k, 3.0);
+        let most = f64::cosh(k * t) * (k + 1.0);
+        assert!((0.05 * most..=most).contains(&found), "{method:?}: {found:e} of {most:e}");
+        // the cart itself stays where it is
+        assert_eq!(run.last().get("cart.x").unwrap(), 0.0);
+    }
+    let tame = pendulum::Swing::default();
+    let run = Simulation::new(&tame).method(Method::dop853(1e-9)).every(0.1).estimate_error().run().unwrap();
+    assert!(estimate(&run).amplification.unwrap() < 100.0);
+}
+
+/// The same growth, from other directions of the move and by runs with errors of their own.
+const SAME_GROWTH: f64 = 3.0;
+
+#[test]
+fn cross_amplification_is_that_of_the_motion_with_every_method() {
+    let scene = double_pendulum::Swing::default();
+    let of = |method: Method| {
+        let run = Simulation::new(&scene).method(method).until(8.0).every(0.02).estimate_error().run().unwrap();
+        estimate(&run).amplification.unwrap()
+    };
+    let exact = of(Method::taylor(1e-11));
+    assert!(exact > 1e3, "{exact:e}");
+    for method in [Method::dop853(1e-5), Method::radau(1e-5), Method::dop853(1e-12), Method::rk4(1e-3)] {
+        let found = of(method);
+        assert!((exact / SAME_GROWTH..=exact * SAME_GROWTH).contains(&found), "{method:?}: {found:e} for {exact:e}");
+    }
+}
+
+#[test]
+fn invariant_estimate_without_a_tighter_run_is_too_large() {
+    // not analytic, so that no other method takes over at the level of rounding
+    let scene = skateboard::Ridden::default();
+    let order = || Simulation::new(&scene).method(Method::dop853(2e-14)).until(0.5).every(0.1);
+    let run = order().estimate_error().run().unwrap();
+    assert_eq!(estimate(&run).second, Method::dop853(2e-13));
+    let looser = order().method(Method::dop853(2e-13)).run().unwrap();
+    let apart = run
+        .samples()
+        .zip(looser.samples())
+        .map(|(a, b)| a.coordinates.iter().zip(b.coordinates).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())));
+    let apart = apart.fold(0.0, f64::max);
+    let said = estimate(&run).errors.iter().filter(|error| error.quantity == "positions");
+    assert_eq!(said.map(|error| error.largest).fold(0.0, f64::max), apart);
+}
+
+#[test]
+fn invariant_estimate_leaves_the_run_as_it_is() {
+    let scene = ezy_roller::Driven::default();
+    for method in [Method::rk4(1e-2), Method::dop853(1e-6), Method::taylor(1e-8), Method::radau(1e-6)] {
+        let order = || Simulation::new(&scene).method(method).until(2.0).every(0.25).work();
+        let (alone, estimated) = (order().run().unwrap(), order().estimate_error().run().unwrap());
+        assert_eq!((alone.cost.steps, alone.cost.evaluations), (estimated.cost.steps, estimated.cost.evaluations));
+        assert_eq!(alone.samples().len(), estimated.samples().len());
+        for (a, b) in alone.samples().zip(estimated.samples()) {
+            assert!(a.numbers().zip(b.numbers()).all(|(a, b)| a.to_bits() == b.to_bits()));
+        }
+        assert!(alone.error_estimate.is_none());
+    }
+}
+
+#[test]
+fn invariant_end_by_an_event_has_an_error_of_its_time() {
+    let scene = pendulum::Quarter::default();
+    let run = Simulation::new(&scene).method(Method::dop853(1e-6)).every(0.1).estimate_error().run().unwrap();
+    let Outcome::ReachedEvent { t, .. } = run.outcome else { panic!("{}", run.outcome) };
+    let exact = Simulation::new(&scene).method(Method::dop853(1e-13)).run().unwrap();
+    let error = (t - exact.last().t).abs();
+    let end = estimate(&run).errors.last().unwrap();
+    assert_eq!((end.quantity, end.unit.as_str()), ("end", "s"));
+    assert!((error / FACTOR..=error * FACTOR).contains(&end.at_end), "{} for {error}", end.at_end);
+}
+
+#[test]
+fn invariant_run_whose_error_is_not_known_says_why() {
+    let scene = ezy_roller::Driven::default();
+    let order = || Simulation::new(&scene).method(Method::dop853(1e-9)).until(5.0).every(0.5).estimate_error();
+    let law = order().method(Method::rk4(1e-3)).control(|_, _, _| {});
+    assert!(matches!(law.run(), Err(SetupError::ControlledOnce)));
+    let short = order().max_steps(3).run().unwrap();
+    assert_eq!(short.error_estimate.unwrap().unwrap_err().to_string(), "the run did not come to its end");
+    let flag = AtomicBool::new(true);
+    let interrupted = order().interrupted_by(&flag).run().unwrap();
+    assert!(matches!(interrupted.outcome, Outcome::Interrupted { .. }) && interrupted.error_estimate.unwrap().is_err());
+}

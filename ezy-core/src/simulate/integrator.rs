@@ -40,7 +40,7 @@ impl<'s> Integrator<'s> {
         match self {
             Self::Rk4(rk4) => rk4.restart(),
             Self::Dop853(adaptive) => adaptive.restart(),
-            Self::Taylor(series) => series.taylor.restart(),
+            Self::Taylor(series) => series.restart(),
             Self::Radau(implicit) => implicit.restart(),
         }
     }
@@ -63,7 +63,8 @@ impl<'s> Integrator<'s> {
     /// Rejected steps.
     pub(super) fn n_rejected(&self) -> u64 {
         match self {
-            Self::Rk4(_) | Self::Taylor(_) => 0,
+            Self::Rk4(_) => 0,
+            Self::Taylor(series) => series.n_rejected(),
             Self::Dop853(adaptive) => adaptive.n_rejected(),
             Self::Radau(implicit) => implicit.n_rejected(),
         }

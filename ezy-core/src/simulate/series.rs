@@ -1,6 +1,7 @@
 //! Taylor's method with its step control.
 
 use super::step_limit::{StepLimit, is_too_short, limited_step};
+use super::tolerances::steps::{DEFECT_OF_ROUNDING, LARGEST_DEFECT};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Node, Taylor, Tolerance};
 use crate::model::Scene;
@@ -9,11 +10,25 @@ use crate::model::Scene;
 pub(super) struct AlongSeries<'s> {
     pub taylor: Taylor<'s>,
     tolerance: Tolerance,
+    /// Longest step after one that was taken again, s; infinite once coefficients choose shorter ones.
+    at_most_s: f64,
+    rejected: u64,
 }
 
 impl<'s> AlongSeries<'s> {
     pub(super) fn new(taylor: Taylor<'s>, tolerance: Tolerance) -> Self {
-        Self { taylor, tolerance }
+        Self { taylor, tolerance, at_most_s: f64::INFINITY, rejected: 0 }
+    }
+
+    /// Forgets the steps taken so far.
+    pub(super) fn restart(&mut self) {
+        self.taylor.restart();
+        self.at_most_s = f64::INFINITY;
+    }
+
+    /// Steps taken again.
+    pub(super) fn n_rejected(&self) -> u64 {
+        self.rejected
     }
 
     /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
@@ -24,13 +39,31 @@ impl<'s> AlongSeries<'s> {
         end: f64,
         to: &mut State,
     ) -> Result<(), MotionError> {
-        let (t, length) = (from.state.t, self.taylor.longest_step(self.tolerance));
+        let (t, mut length) = (from.state.t, self.taylor.longest_step(self.tolerance));
         if is_too_short(t, length) && length < end - t {
             return Err(MotionError::StepCollapsed { t, step_s: length });
+        }
+        if length > self.at_most_s {
+            length = self.at_most_s;
+        } else {
+            self.at_most_s = f64::INFINITY;
         }
         let StepLimit { step_s, t_next } = limited_step(t, end, length);
         self.taylor.advance(system, from.state, step_s, to);
         to.t = t_next;
         Ok(())
+    }
+
+    /// Whether the step from `from` to `to`, both evaluated, is to be taken again, half as long: its series is not the motion.
+    pub(super) fn shortens(&mut self, from: Node<'_>, to: Node<'_>) -> bool {
+        let (t, h) = (from.state.t, to.state.t - from.state.t);
+        let shortens = !is_too_short(t, 0.5 * h) && !self.taylor.follows(h, to.a, LARGEST_DEFECT, DEFECT_OF_ROUNDING);
+        if shortens {
+            self.at_most_s = 0.5 * h;
+            self.rejected += 1;
+        } else {
+            self.at_most_s *= 2.0;
+        }
+        shortens
     }
 }

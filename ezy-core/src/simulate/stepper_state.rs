@@ -38,6 +38,8 @@ pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     pub projected: Projected,
     pub now: Snapshot,
     pub next: Snapshot,
+    /// Whether `next` was evaluated when the step was taken.
+    is_next_evaluated: bool,
 }
 
 impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
@@ -70,6 +72,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             projected: Projected::default(),
             now,
             next,
+            is_next_evaluated: false,
         })
     }
 
@@ -101,6 +104,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
     /// that chooses its steps may stop before `t_next`, and every method stops at a discontinuity.
     pub(super) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+        self.is_next_evaluated = false;
         let Snapshot { state: State { t, q, .. }, solved, .. } = &self.now;
         self.system.hold_rows(*t, q, solved.is_rank_deficient);
         let outcome = match self.advance_across_singularity(t_next) {
@@ -216,7 +220,25 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
         self.integrator.step(system, now.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
-        self.project_next()
+        self.project_next()?;
+        if matches!(self.integrator, Integrator::Taylor(_)) { self.follow_motion(t_next) } else { Ok(()) }
+    }
+
+    /// A series does not see what is farther away than its terms tell, such as a steep law of friction. Where the equations at the end of the
+    /// step disagree with it, the step is taken again shorter.
+    fn follow_motion(&mut self, t_next: f64) -> Result<(), MotionError> {
+        loop {
+            // an error here comes again when the end is evaluated
+            self.is_next_evaluated = self.integrator.evaluate(&mut self.system, &mut self.next).is_ok();
+            let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
+            let Integrator::Taylor(series) = &mut self.integrator else { return Ok(()) };
+            if !self.is_next_evaluated || !series.shortens(now.node(), next.node()) {
+                return Ok(());
+            }
+            series.step(system, now.node(), t_next, &mut next.state)?;
+            check_finite(system, now.state.t, &next.state)?;
+            self.project_next()?;
+        }
     }
 
     #[inline]
@@ -349,6 +371,9 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     }
 
     pub(super) fn evaluate_next(&mut self) -> Result<(), MotionError> {
+        if self.is_next_evaluated {
+            return Ok(());
+        }
         self.integrator.evaluate(&mut self.system, &mut self.next)
     }
 

@@ -1,4 +1,5 @@
-//! The same motion by every method that has a tolerance: what tolerance and the motion's own amplification do not explain is a fault.
+//! The same motion by every method: what tolerance and the motion's own amplification do not explain is a fault; for RK4, what half the
+//! step does not tell.
 
 use ezy_core::model::SceneEntry;
 use ezy_core::prelude::*;
@@ -9,12 +10,15 @@ use super::parameters::{Scenes, change};
 use crate::garage::worse;
 
 /// Tolerances that methods are judged at.
-const TOLERANCES: [f64; 2] = [1e-6, 1e-9];
+const TOLERANCES: [f64; 4] = [1e-4, 1e-6, 1e-8, 1e-10];
+
+/// Steps of RK4 over a run.
+const RK4_STEPS: [f64; 2] = [1e3, 1e4];
 
 /// Tolerance of the two references.
 const REFERENCE: f64 = 1e-12;
 
-/// What an error may be, in tolerances times amplification: steps add up.
+/// What an error may be, in tolerances times amplification, since steps add up; for RK4, in differences to half the step.
 const MARGIN: f64 = 100.0;
 
 /// Share of a scene's time that is run, as powers of ten.
@@ -71,7 +75,7 @@ pub enum Judgement {
 pub struct Fault {
     case: Case,
     method: Method,
-    /// Error in tolerances times amplification.
+    /// Error in tolerances times amplification, or in differences to half the step.
     excess: f64,
     amplification: f64,
 }
@@ -164,7 +168,7 @@ impl Case {
             tell(explicit, Judgement::NoReference);
             return Vec::new();
         };
-        let amplification = moved.iter().map(|moved| amplification(moved, &reference, &scale)).fold(1.0, f64::max);
+        let amplification = moved.iter().map(|moved| amplification(moved, &reference, &scale)).fold(1.0, worse);
         if amplification > LARGEST_AMPLIFICATION {
             tell(explicit, Judgement::Amplifies);
             return Vec::new();
@@ -189,6 +193,16 @@ impl Case {
             for method in [Method::dop853(tolerance), Method::taylor(tolerance), Method::radau(tolerance)] {
                 judge(method, self.run(scene, method), tolerance);
             }
+        }
+        for n in RK4_STEPS {
+            let [method, finer] = [n, 2.0 * n].map(|n| Method::rk4(self.until_s / n));
+            let (samples, finer) = (self.run(scene, method), self.run(scene, finer));
+            let difference = match (&samples, &finer) {
+                (Ok(samples), Ok(finer)) => distance(samples, finer, &scale).max(REFERENCE * amplification),
+                // without a second run nothing is said
+                _ => f64::INFINITY,
+            };
+            judge(method, samples, difference / amplification);
         }
         faults
     }
@@ -223,15 +237,19 @@ impl Fault {
 impl std::fmt::Display for Fault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { case: Case { model, entry, changed, given, until_s, .. }, method, excess, amplification } = self;
-        let (name, tolerance) = (method.name(), method.tolerance().map_or(0.0, |tolerance| tolerance.relative));
-        writeln!(
-            f,
-            "{name} at {tolerance:e} is off by {excess:.1e} times tolerance and amplification ({amplification:.1e})"
-        )?;
+        let name = method.name();
+        let (setting, of) = match (method, method.tolerance()) {
+            (Method::Rk4 { step_s }, _) => (format!("--step {step_s:e}"), "its difference to half the step"),
+            (_, tolerance) => {
+                let relative = tolerance.map_or(f64::NAN, |tolerance| tolerance.relative);
+                (format!("--rtol {relative:e}"), "tolerance and amplification")
+            }
+        };
+        writeln!(f, "{name} with {setting} is off by {excess:.1e} times {of} (amplification {amplification:.1e})")?;
         let id = |name: &str| name.chars().filter(|c| *c != '_').collect::<String>().to_lowercase();
         write!(
             f,
-            "  ezy run {}/{} --project-start --until {until_s} --method {name} --rtol {tolerance:e}",
+            "  ezy run {}/{} --project-start --until {until_s} --method {name} {setting}",
             id(model.name),
             entry.name
         )?;
@@ -267,11 +285,11 @@ fn distance(a: &[Vec<f64>], b: &[Vec<f64>], scale: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |m: f64, (a, b)| worse(m, apart(a, b, scale)))
 }
 
-/// How much a difference grows from any sample to any later one.
+/// How much a difference grows, from the move of the start, and from any sample to any later one.
 fn amplification(moved: &[Vec<f64>], reference: &[Vec<f64>], scale: &[f64]) -> f64 {
     let differences = moved.iter().zip(reference).map(|(a, b)| apart(a, b, scale).max(REFERENCE));
     let grown = |(least, most): (f64, f64), difference: f64| {
         (least.min(difference), most.max(difference / least.min(difference)))
     };
-    differences.fold((f64::INFINITY, 1.0), grown).1
+    differences.fold((MOVED, 1.0), grown).1
 }

@@ -4,8 +4,8 @@ use crate::scenes::{distance, set, stepped};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_core::testing::StepsBy;
-use ezy_models::ezy_roller;
 use ezy_models::registry::MODELS;
+use ezy_models::{andrews, double_pendulum, ezy_roller, roller_racer};
 use ezy_tests::crank::Crank;
 use ezy_tests::hand_roller::HandRoller;
 use ezy_tests::reference::load;
@@ -171,4 +171,44 @@ fn analytic_law_without_a_series_is_named() {
 fn analytic_scene_without_a_series_is_refused() {
     let outcome = Simulation::new(&Crank::default()).method(Method::taylor(1e-9)).run();
     assert!(matches!(outcome, Err(SetupError::NoSeries { scene: "turn", .. })));
+}
+
+/// A force that turns round within 0.1 mm/s adds two steps of the tolerance to an error that the motion makes up to ten times as large.
+const OVER_A_LAYER: f64 = 100.0;
+
+#[test]
+fn cross_taylor_steps_do_not_pass_over_a_friction_layer() {
+    let scene = roller_racer::RowedOnTarmac {
+        a: 0.126,
+        h: 0.774,
+        i1: 8.71e-3,
+        m0: -2.568,
+        knee: 5.44e-5,
+        ..roller_racer::RowedOnTarmac::default()
+    };
+    let run = |method: Method| Simulation::new(&scene).method(method).until(4.3).run().unwrap();
+    let reference = run(Method::dop853(1e-12));
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+        let taylor = run(Method::taylor(tolerance));
+        let error = distance(taylor.last().coordinates, reference.last().coordinates);
+        assert!(error <= OVER_A_LAYER * tolerance, "{error:.1e} at {tolerance:.0e}");
+        assert!(taylor.cost.rejected < 20, "{:?}", taylor.cost);
+    }
+}
+
+#[test]
+fn invariant_taylor_takes_few_steps_again_where_forces_are_smooth() {
+    let cost = |scene: &dyn Scene, tolerance: f64| {
+        let run = Simulation::new(scene).method(Method::taylor(tolerance)).run().unwrap();
+        assert!(run.outcome.reached_end());
+        run.cost
+    };
+    for tolerance in [1e-4, 1e-8, 1e-12, 1e-15] {
+        for scene in [&ezy_roller::Driven::default() as &dyn Scene, &double_pendulum::Swing::default()] {
+            let cost = cost(scene, tolerance);
+            assert!(20 * cost.rejected <= cost.steps, "{cost:?} at {tolerance:.0e}");
+        }
+    }
+    // accelerations of 1e6 rad/s², whose rounding is many tolerances
+    assert_eq!(cost(&andrews::Squeeze::default(), 1e-15).rejected, 0);
 }

@@ -107,6 +107,20 @@ impl<'s> Taylor<'s> {
         length::longest_step(&self.now, self.order, &self.weights)
     }
 
+    /// Whether the series is the motion: whether its accelerations at the end of a step, `h` after its start, are those of the equations
+    /// there, `a` (`n_q`), to `most` tolerances of a velocity for each order over `h`, and `rounding` of the largest. Before
+    /// [`Taylor::accept`].
+    pub(crate) fn follows(&self, h: f64, a: &[f64], most: f64, rounding: f64) -> bool {
+        let n_q = self.n_q;
+        let size = a.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
+        let most = most * (self.order + 1) as f64 / h;
+        a.iter().zip(&self.weights[n_q..]).enumerate().all(|(i, (a, weight))| {
+            let terms = (2..=self.order + 1).rev().map(|k| (k * (k - 1)) as f64 * self.now.q[k * n_q + i]);
+            let of_series = terms.fold(0.0, |sum, term| h.mul_add(sum, term));
+            (a - of_series).abs() <= most / weight + rounding * size
+        })
+    }
+
     /// A step of length `h` from `from`; writes `to`, not yet projected.
     pub(crate) fn advance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, h: f64, to: &mut State) {
         self.advance_motion(from, h, to);

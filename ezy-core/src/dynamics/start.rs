@@ -44,7 +44,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// Coordinates without mass follow the others at no cost and, where these leave a choice, move as little as possible.
     ///
     /// # Errors
-    /// [`StartError`] when a value or a row is not finite, or when the rows cannot be met with the given values held.
+    /// [`StartError`] when a value or a row is not finite, when the rows cannot be met with the given values held, or when they are met in
+    /// another assembly mode than near values ask for.
     /// # Cost
     /// A dense singular value decomposition a pass; beyond 150 coordinates a sparse factorisation.
     pub fn consistent_start(&mut self, start: &Start) -> Result<State, StartError> {
@@ -56,11 +57,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let free = start.without_near();
         if let Err(error) = self.assemble_positions(start, &mut state.q) {
             let Some(free) = &free else { return Err(error) };
+            let guess = state.q.clone();
             // from the best that could be done while they were held; centres give way before angles
             let mut angles = start.clone();
             (0..angles.q.len()).filter(|&i| !is_angle(i)).for_each(|i| angles.q_given[i] = free.q_given[i]);
             if self.assemble_positions(&angles, &mut state.q).is_err() {
                 self.assemble_positions(free, &mut state.q)?;
+                self.check_mode(start, &guess, &state)?;
             }
         }
         self.assemble_velocities(start, &state.q, &mut state.v).or_else(|error| match &free {

@@ -67,8 +67,9 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let limits = self.limits.checked()?;
         let events = if self.watched { self.scene.info().events } else { &[] };
         let Self { every_s, wanted, streamed, interrupt, .. } = self;
-        let plan = Plan { schedule, every_s, wanted, streamed, interrupt, events };
         let state = system.consistent_start(&start)?;
+        let moved = system.moved_values(&start, &state);
+        let plan = Plan { schedule, every_s, wanted, streamed, interrupt, moved, events };
         let mut stepper = self.stepper_in(system)?;
         stepper.place(&state);
         let watch = Watch::new(&mut stepper.system, &state, limits, self.projection, self.wanted.work);

@@ -1,7 +1,7 @@
 //! The result of a run.
 
 use super::{EnergyError, ExceededLimit, Monitors, Occurrence, RankRecord};
-use crate::dynamics::{MotionError, Strain};
+use crate::dynamics::{MotionError, MovedValue, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
 use crate::scalar::{legible, rounded};
@@ -20,6 +20,9 @@ pub struct Run {
     pub stiff_since_s: Option<f64>,
     /// Where constraints depended on each other.
     pub rank: RankRecord,
+    /// Start values that were near, or let give way ([`Simulation::project_start`](super::Simulation::project_start)), and changed by more
+    /// than their last digits.
+    pub moved: Vec<MovedValue>,
     pub(super) info: &'static SceneInfo,
     pub(super) events: Vec<Occurrence>,
     /// Holds the start at least.

@@ -1,0 +1,77 @@
+//! Start values that gave way to the constraints.
+
+use super::tolerances::start::LAST_DIGITS;
+use super::{State, System};
+use crate::model::coordinate::is_angle;
+use crate::model::{CoordinateInfo, Scene, Start};
+use crate::scalar::rounded;
+
+/// A start value that was given, but may change ([`Start::near_position`], [`Start::give_way`]), and did.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovedValue {
+    /// Name of the coordinate or velocity.
+    pub name: &'static str,
+    /// `m`, `rad`, `m/s` or `rad/s`.
+    pub unit: &'static str,
+    /// The value that was given.
+    pub given: f64,
+    /// The value with which the constraints are met.
+    pub got: f64,
+}
+
+impl MovedValue {
+    /// Coordinate `i` of a start, and of what was assembled from it.
+    pub(super) fn of_coordinate(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
+        Self { name: coordinate.name, unit: coordinate.unit, given, got }
+    }
+
+    fn of_velocity(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
+        let unit = if coordinate.unit == "rad" { "rad/s" } else { "m/s" };
+        Self { name: coordinate.velocity_name, unit, given, got }
+    }
+
+    /// `rod.phi near 1.2 rad`
+    pub(super) fn asked(&self) -> String {
+        format!("{} near {} {}", self.name, told(self.given), self.unit)
+    }
+
+    /// `rod.phi = -1.2 rad`
+    pub(super) fn reached(&self) -> String {
+        format!("{} = {} {}", self.name, told(self.got), self.unit)
+    }
+}
+
+/// With so many digits that a value which is given again only gets its last ones.
+fn told(x: f64) -> String {
+    rounded(x, 8)
+}
+
+/// `rod.phi from 1.2 rad to -1.2 rad`
+impl std::fmt::Display for MovedValue {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { name, unit, given, got } = self;
+        write!(f, "{name} from {} {unit} to {} {unit}", told(*given), told(*got))
+    }
+}
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// The given values of `start` that changed when `state` was assembled from it, coordinates first. Those that only got their last
+    /// digits (1e-6 rad, or as much of the longest lever; of the largest velocity for velocities) are left out.
+    pub fn moved_values(&self, start: &Start, state: &State) -> Vec<MovedValue> {
+        let (info, length) = (self.info, self.geometry.length);
+        let speed = self.geometry.extent(&start.v).max(self.geometry.extent(&state.v));
+        let unit = |i: usize| if is_angle(i) { 1.0 } else { length };
+        let has_moved = |i: usize, near: &[bool], given: f64, got: f64, size: f64| {
+            near[i] && (got - given).abs() > LAST_DIGITS * size
+        };
+        let coordinates = info.coordinates.iter().enumerate();
+        let positions = coordinates.clone().zip(&start.q).zip(&state.q);
+        let positions =
+            positions.filter(|(((i, _), given), got)| has_moved(*i, &start.q_near, **given, **got, unit(*i)));
+        let velocities = coordinates.zip(&start.v).zip(&state.v);
+        let velocities =
+            velocities.filter(|(((i, _), given), got)| has_moved(*i, &start.v_near, **given, **got, unit(*i) * speed));
+        let positions = positions.map(|(((_, c), given), got)| MovedValue::of_coordinate(c, *given, *got));
+        positions.chain(velocities.map(|(((_, c), given), got)| MovedValue::of_velocity(c, *given, *got))).collect()
+    }
+}

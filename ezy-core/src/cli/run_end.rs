@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::dynamics::MotionError;
+use crate::dynamics::{MotionError, MovedValue};
 use crate::integrate::{Method, Tolerance};
 use crate::model::SceneInfo;
 use crate::record::Sample;
@@ -76,6 +76,10 @@ pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Ru
         let of = |SingularityCrossed { from_s, to_s }: &SingularityCrossed| json!({ "from": from_s, "to": to_s });
         end["crossings"] = rank.crossings.iter().map(of).collect();
     }
+    if let Some(moved) = run.map(|run| &run.moved).filter(|moved| !moved.is_empty()) {
+        let of = |MovedValue { name, unit, given, got }: &MovedValue| json!({ "name": name, "unit": unit, "given": given, "got": got });
+        end["gave_way"] = moved.iter().map(of).collect();
+    }
     end
 }
 
@@ -91,6 +95,7 @@ pub(super) fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
     let (info, last, cost) = (run.info(), run.last(), run.cost);
     let mut text =
         format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_words(&run.outcome), legible(last.t));
+    text += &moved_text(&run.moved);
     text += &motion_table(&last).to_string();
     text += &left_out(info.n_coordinates(), "coordinates");
     if info.n_rows() > 0 {
@@ -135,6 +140,18 @@ pub(super) fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
     text += &error_text(run);
     text += &run.rank.to_string();
     text + &remarks(run, method, radau_runs)
+}
+
+/// The start values that gave way; nothing where none did.
+fn moved_text(moved: &[MovedValue]) -> String {
+    if moved.is_empty() {
+        return String::new();
+    }
+    let mut table = Table::new(["gave way at the start", "given", "got", "unit"]);
+    for MovedValue { name, unit, given, got } in moved.iter().take(MAX_LINES) {
+        table.push([*name, &fixed(*given, 12), &fixed(*got, 12), *unit]);
+    }
+    format!("{table}{}\n", left_out(moved.len(), "start values"))
 }
 
 /// Remarks on a run. `radau_runs`: whether radau can run the scene.

@@ -1,5 +1,6 @@
 //! What can go wrong at one state.
 
+use super::MovedValue;
 use super::tolerances::report::MAX_LISTED;
 use crate::linalg::SparseKktError;
 use crate::model::LayoutFault;
@@ -323,6 +324,16 @@ pub enum StartError {
         /// Names of the given values.
         held: Vec<&'static str>,
     },
+    /// The constraints are met, but across a singular position from the near values.
+    #[error(
+        "the start is assembled in another mode than the one asked for, across a position where constraints depend on each other: asked \
+         for {}; reached {}. Give values nearer to the mode that is meant (those reached, if it is that one), or hold one of them",
+        each(.values, MovedValue::asked), each(.values, MovedValue::reached)
+    )]
+    OtherAssemblyMode {
+        /// The near values of the bodies that are on the other side, the one that moved farthest first.
+        values: Vec<MovedValue>,
+    },
 }
 
 pub(super) fn rows_or_unknown(names: &[&str]) -> String {
@@ -342,6 +353,11 @@ fn held_and_remedy(names: &[&str]) -> String {
     }
     let names = list(names);
     format!("{names}. Give fewer values, values that fit, or let them give way: `project_start`, `--project-start`")
+}
+
+fn each(values: &[MovedValue], say: fn(&MovedValue) -> String) -> String {
+    let said: Vec<String> = values.iter().map(say).collect();
+    list(&said.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
 fn list(names: &[&str]) -> String {

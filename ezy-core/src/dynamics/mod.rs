@@ -6,6 +6,7 @@
 
 mod acceleration;
 mod any;
+mod assembly_mode;
 mod configuration;
 mod energy;
 mod error;
@@ -13,6 +14,7 @@ mod euclidean;
 mod factors;
 mod free_correction;
 mod geometry;
+mod moved;
 mod on_rows;
 mod projection;
 mod rank;
@@ -28,6 +30,7 @@ mod worst;
 
 pub(crate) use any::{Dynamics, SystemOf};
 pub use error::{MotionError, StartError, SystemError};
+pub use moved::MovedValue;
 pub(crate) use on_rows::OnRows;
 pub use projection::{Metric, Projection};
 pub use rank::RankLoss;

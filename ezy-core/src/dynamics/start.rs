@@ -1,7 +1,8 @@
 //! A start that fulfils the constraints, from values that are given only in part.
 
+use super::moved::MovedValue;
 use super::tolerances::geometry::LARGEST_VALUE;
-use super::tolerances::start::{LARGEST_TURN, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
+use super::tolerances::start::{LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
 use crate::model::coordinate::is_angle;
 use crate::model::{Scene, Start};
@@ -44,7 +45,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// Coordinates without mass follow the others at no cost and, where these leave a choice, move as little as possible.
     ///
     /// # Errors
-    /// [`StartError`] when a value or a row is not finite, or when the rows cannot be met with the given values held.
+    /// [`StartError`] when a value or a row is not finite, when the rows cannot be met with the given values held, or when they are met in
+    /// another assembly mode than near values ask for.
     /// # Cost
     /// A dense singular value decomposition a pass; beyond 150 coordinates a sparse factorisation.
     pub fn consistent_start(&mut self, start: &Start) -> Result<State, StartError> {
@@ -56,11 +58,13 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let free = start.without_near();
         if let Err(error) = self.assemble_positions(start, &mut state.q) {
             let Some(free) = &free else { return Err(error) };
+            let guess = state.q.clone();
             // from the best that could be done while they were held; centres give way before angles
             let mut angles = start.clone();
             (0..angles.q.len()).filter(|&i| !is_angle(i)).for_each(|i| angles.q_given[i] = free.q_given[i]);
             if self.assemble_positions(&angles, &mut state.q).is_err() {
                 self.assemble_positions(free, &mut state.q)?;
+                self.check_mode(start, &guess, &state)?;
             }
         }
         self.assemble_velocities(start, &state.q, &mut state.v).or_else(|error| match &free {
@@ -224,5 +228,27 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let tolerance = rows.first().map_or(0.0, |&row| tolerances[row]);
         let rows = rows.into_iter().map(|i| self.info.rows[i].name).collect();
         StartError::Contradiction { level, rows, residual: max_abs(residual), tolerance, held }
+    }
+}
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// The given values of `start` that changed when `state` was assembled from it, coordinates first. Those that only got their last
+    /// digits (1e-6 rad, or as much of the longest lever; of the largest velocity for velocities) are left out.
+    pub fn moved_values(&self, start: &Start, state: &State) -> Vec<MovedValue> {
+        let (info, length) = (self.info, self.geometry.length);
+        let speed = self.geometry.extent(&start.v).max(self.geometry.extent(&state.v));
+        let unit = |i: usize| if is_angle(i) { 1.0 } else { length };
+        let has_moved = |i: usize, near: &[bool], given: f64, got: f64, size: f64| {
+            near[i] && (got - given).abs() > LAST_DIGITS * size
+        };
+        let coordinates = info.coordinates.iter().enumerate();
+        let positions = coordinates.clone().zip(&start.q).zip(&state.q);
+        let positions =
+            positions.filter(|(((i, _), given), got)| has_moved(*i, &start.q_near, **given, **got, unit(*i)));
+        let velocities = coordinates.zip(&start.v).zip(&state.v);
+        let velocities =
+            velocities.filter(|(((i, _), given), got)| has_moved(*i, &start.v_near, **given, **got, unit(*i) * speed));
+        let positions = positions.map(|(((_, c), given), got)| MovedValue::of_coordinate(c, *given, *got));
+        positions.chain(velocities.map(|(((_, c), given), got)| MovedValue::of_velocity(c, *given, *got))).collect()
     }
 }

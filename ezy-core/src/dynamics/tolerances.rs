@@ -119,6 +119,11 @@ pub(crate) mod start {
     /// Test: `analytic_accelerations_of_any_ratio_of_masses`.
     pub(crate) const RANK_TOLERANCE: f64 = 1e-10;
 
+    /// A given value that moves by no more only gets its last digits: guesses are written with six or so.
+    /// Unit: rad, share of the longest lever, share of the largest velocity.
+    /// Test: `analytic_last_digits_of_a_guess_are_not_told`.
+    pub(crate) const LAST_DIGITS: f64 = 1e-6;
+
     /// Coordinates beyond which corrections come from a sparse factorisation instead of singular values.
     /// Unit: coordinates.
     /// Test: `analytic_massless_coordinates_follow_at_no_cost`.

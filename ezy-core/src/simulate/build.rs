@@ -9,7 +9,7 @@ use super::schedule::Schedule;
 use super::simulation::{Hooks, Settings};
 use super::stepper_state::StepperState;
 use super::tolerances::orders::{LARGEST_TOLERANCE, MAX_NUMBERS, MAX_STEPS};
-use super::{Run, SetupError, Simulation, Stepper, error_estimate};
+use super::{Run, SetupError, Simulation, Stepper, estimated_run};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
 use crate::memory;
@@ -23,7 +23,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// [`SetupError`] when the run cannot start. A run that stops on the way is not an error: [`Run::outcome`] says
     /// so, and everything up to there is kept.
     pub fn run(self) -> Result<Run, SetupError> {
-        if self.settings.estimated { error_estimate::run(self) } else { self.run_once() }
+        if self.settings.estimated { estimated_run::run(self) } else { self.run_once() }
     }
 
     /// Runs without an estimate of the error.
@@ -56,12 +56,14 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let schedule = self.schedule(start.t, control.is_idle())?;
         let limits = self.settings.limits.checked()?;
         let events = if self.settings.watched { self.scene.info().events } else { &[] };
-        let Settings { every_s, wanted, streamed, moved, .. } = self.settings;
-        let plan = Plan { schedule, every_s, wanted, streamed, interrupts: self.hooks.interrupts.clone(), events };
+        let Settings { every_s, wanted, streamed, start_moved_by, .. } = self.settings;
+        let interrupts = self.hooks.interrupts.clone();
         let mut state = system.consistent_start(&start)?;
-        if moved > 0.0 {
-            state = system.consistent_start(&error_estimate::beside(&state, moved))?;
+        let moved = system.moved_values(&start, &state);
+        if start_moved_by > 0.0 {
+            state = system.consistent_start(&estimated_run::beside(&state, start_moved_by))?;
         }
+        let plan = Plan { schedule, every_s, wanted, streamed, interrupts, moved, events };
         let mut stepper = self.stepper_in(system)?;
         stepper.place(&state);
         let watch =

@@ -7,6 +7,7 @@ mod discontinuities;
 mod ensemble;
 mod error;
 mod error_estimate;
+mod estimated_run;
 mod events;
 mod given;
 mod implicit;

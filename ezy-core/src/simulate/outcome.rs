@@ -1,7 +1,7 @@
 //! The result of a run.
 
 use super::{EnergyError, ErrorEstimate, ExceededLimit, Monitors, NoErrorEstimate, Occurrence, RankRecord};
-use crate::dynamics::{MotionError, Strain};
+use crate::dynamics::{MotionError, MovedValue, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
 use crate::scalar::{legible, rounded};
@@ -20,6 +20,9 @@ pub struct Run {
     pub stiff_since_s: Option<f64>,
     /// Where constraints depended on each other.
     pub rank: RankRecord,
+    /// Start values that were near, or let give way ([`Simulation::project_start`](super::Simulation::project_start)), and changed by more
+    /// than their last digits.
+    pub moved: Vec<MovedValue>,
     /// Its error, when [`Simulation::estimate_error`](super::Simulation::estimate_error) asked for it.
     pub error_estimate: Option<Result<ErrorEstimate, NoErrorEstimate>>,
     pub(super) info: &'static SceneInfo,

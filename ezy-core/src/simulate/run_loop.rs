@@ -12,7 +12,7 @@ use super::snapshot::Snapshot;
 use super::stepper_state::StepperState;
 use super::tolerances::steps::{N_PROGRESS, ON_STEP};
 use super::{Cost, Outcome, Run, SetupError, StopReason};
-use crate::dynamics::{MotionError, not_finite};
+use crate::dynamics::{MotionError, MovedValue, not_finite};
 use crate::model::{EventInfo, Scene};
 use crate::record::{Recorder, Wanted};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,6 +27,8 @@ pub(super) struct Plan<'s> {
     pub streamed: bool,
     /// One that is true ends the run.
     pub interrupts: Vec<&'s AtomicBool>,
+    /// Start values that changed.
+    pub moved: Vec<MovedValue>,
     /// Events to locate.
     pub events: &'static [EventInfo],
 }
@@ -168,7 +170,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         {
             outcome = Outcome::Stopped { t: now.state.t, reason: StopReason::NoNumber { column, value }, strain: None };
         }
-        Ok(Run { outcome, cost, monitors, rank: self.rank, stiff_since_s, error_estimate: None, info, events, record })
+        let (rank, moved) = (self.rank, self.plan.moved);
+        Ok(Run { outcome, cost, monitors, rank, moved, stiff_since_s, error_estimate: None, info, events, record })
     }
 
     /// One step from `now`, which is unchanged when the step fails; returns the event that ends the run.

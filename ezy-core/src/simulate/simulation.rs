@@ -45,7 +45,7 @@ pub(super) struct Settings {
     /// Whether other runs estimate the error of this one.
     pub estimated: bool,
     /// What the start is moved by, of the sizes of its numbers.
-    pub moved: f64,
+    pub start_moved_by: f64,
 }
 
 /// What takes part in one run alone.
@@ -75,7 +75,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             watched: true,
             streamed: false,
             estimated: false,
-            moved: 0.0,
+            start_moved_by: 0.0,
         };
         Self { scene, settings, hooks: Hooks::default() }
     }

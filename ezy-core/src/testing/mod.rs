@@ -42,7 +42,9 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
     let mut system = System::new(scene, Backend::Auto)?;
     // inputs that differ from each other and from zero
     system.inputs_mut().iter_mut().enumerate().for_each(|(i, input)| *input += 1.0 + 0.5 * i as f64);
-    let start = system.consistent_start(&system.scene_start())?;
+    let given = system.scene_start();
+    let start = system.consistent_start(&given)?;
+    let moved = system.moved_values(&given, &start);
     let info = scene.info();
     let probe = Probe::new(scene, system.fixed());
     let agreement = solvers::agreement_at_start(&mut system, &start);
@@ -59,8 +61,8 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
     checks.extend(solvers::backends(&probe)?);
     checks.extend(series::ahead(&probe)?);
     checks.push(energy::balance(scene, start.t)?);
-    let report = CheckReport { model: info.model, scene: info.name, checks, rank };
-    if report.passed() { Ok(report) } else { Err(CheckError::Failed(report)) }
+    let report = CheckReport { model: info.model, scene: info.name, checks, rank, moved };
+    if report.passed() { Ok(report) } else { Err(CheckError::Failed(Box::new(report))) }
 }
 
 /// [`check_scene`] for every scene of a model, with the declared parameters; a report for each scene.

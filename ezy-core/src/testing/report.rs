@@ -1,6 +1,6 @@
 //! Results of the checks of a scene.
 
-use crate::dynamics::{MotionError, RankLoss, StartError, SystemError};
+use crate::dynamics::{MotionError, MovedValue, RankLoss, StartError, SystemError};
 use crate::simulate::SetupError;
 
 /// One check.
@@ -38,6 +38,8 @@ pub struct CheckReport {
     pub checks: Vec<Check>,
     /// Rows that depend on each other at the start.
     pub rank: Option<RankLoss>,
+    /// Start values that were near and changed by more than their last digits.
+    pub moved: Vec<MovedValue>,
 }
 
 impl CheckReport {
@@ -63,10 +65,10 @@ impl std::fmt::Display for CheckReport {
                 n => writeln!(f, "; {n} left out next to singular points")?,
             }
         }
-        match &self.rank {
-            Some(loss) => writeln!(f, "  rows at the start: {loss}"),
-            None => Ok(()),
+        if let Some(loss) = &self.rank {
+            writeln!(f, "  rows at the start: {loss}")?;
         }
+        self.moved.iter().try_for_each(|value| writeln!(f, "  gave way at the start: {value}"))
     }
 }
 
@@ -76,7 +78,7 @@ impl std::fmt::Display for CheckReport {
 pub enum CheckError {
     /// Some checks failed; the report holds all of them.
     #[error("some checks failed:\n{0}")]
-    Failed(CheckReport),
+    Failed(Box<CheckReport>),
     /// Parameters or masses cannot be used.
     #[error(transparent)]
     System(#[from] SystemError),

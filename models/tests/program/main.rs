@@ -6,6 +6,7 @@ mod hostile;
 mod run;
 #[cfg(unix)]
 mod signals;
+mod starts;
 mod study;
 
 use run::{assert_wrong_use, directory, ezy, text};

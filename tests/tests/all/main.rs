@@ -5,6 +5,7 @@ mod scenes;
 mod accuracy;
 mod adaptive;
 mod architecture;
+mod assembly_modes;
 mod backends;
 mod circles;
 mod control;

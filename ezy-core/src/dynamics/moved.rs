@@ -1,0 +1,52 @@
+//! Start values that gave way to the constraints.
+
+use crate::model::CoordinateInfo;
+use crate::scalar::rounded;
+
+/// A start value that was given, but may change ([`Start::near_position`], [`Start::give_way`]), and did.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovedValue {
+    /// Name of the coordinate or velocity.
+    pub name: &'static str,
+    /// `m`, `rad`, `m/s` or `rad/s`.
+    pub unit: &'static str,
+    /// The value that was given.
+    pub given: f64,
+    /// The value with which the constraints are met.
+    pub got: f64,
+}
+
+impl MovedValue {
+    /// Coordinate `i` of a start, and of what was assembled from it.
+    pub(super) fn of_coordinate(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
+        Self { name: coordinate.name, unit: coordinate.unit, given, got }
+    }
+
+    pub(super) fn of_velocity(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
+        let unit = if coordinate.unit == "rad" { "rad/s" } else { "m/s" };
+        Self { name: coordinate.velocity_name, unit, given, got }
+    }
+
+    /// `rod.phi near 1.2 rad`
+    pub(super) fn asked(&self) -> String {
+        format!("{} near {} {}", self.name, told(self.given), self.unit)
+    }
+
+    /// `rod.phi = -1.2 rad`
+    pub(super) fn reached(&self) -> String {
+        format!("{} = {} {}", self.name, told(self.got), self.unit)
+    }
+}
+
+/// With so many digits that a value which is given again only gets its last ones.
+fn told(x: f64) -> String {
+    rounded(x, 8)
+}
+
+/// `rod.phi from 1.2 rad to -1.2 rad`
+impl std::fmt::Display for MovedValue {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { name, unit, given, got } = self;
+        write!(f, "{name} from {} {unit} to {} {unit}", told(*given), told(*got))
+    }
+}

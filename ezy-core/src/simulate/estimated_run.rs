@@ -1,0 +1,183 @@
+//! The error that a run reaches, estimated by other runs beside it.
+//!
+//! A second run keeps to a hundredth of the tolerance, or takes half the step. Its own error is small beside that of the first, so
+//! that the difference is the error of the first. A third run is like the second, from a start that is moved a little: it shows how much the
+//! motion amplifies errors.
+
+use super::error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};
+use super::simulation::{Hooks, Settings};
+use super::tolerances::error_estimate::{LOOSER, MOVED, ROUNDING, ROUNDING_OF_RADAU, SMALLEST_MOVE, TIGHTER};
+use super::tolerances::orders::LARGEST_TOLERANCE;
+use super::tolerances::steps::ON_STEP;
+use super::{Outcome, Run, SetupError, Simulation};
+use crate::dynamics::State;
+use crate::integrate::{Method, Tolerance};
+use crate::model::{Scene, Start};
+use crate::record::{Sample, Wanted};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, ScopedJoinHandle};
+
+/// Its multiples without their whole parts fill an interval evenly.
+const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
+
+/// Runs, and estimates the error.
+pub(super) fn run<S: Scene + ?Sized>(simulation: Simulation<'_, S>) -> Result<Run, SetupError> {
+    if simulation.hooks.law.is_some() {
+        return Err(SetupError::ControlledOnce);
+    }
+    let Simulation { scene, settings, hooks } = simulation;
+    let ended_early = AtomicBool::new(false);
+    let interrupts: Vec<&AtomicBool> = hooks.interrupts.iter().copied().chain([&ended_early]).collect();
+    let of_others = Settings {
+        wanted: Wanted::default(),
+        limits: Default::default(),
+        streamed: false,
+        estimated: false,
+        ..settings.clone()
+    };
+    let methods = seconds(settings.method);
+    let other = |method: Method, start_moved_by: f64| {
+        let hooks = Hooks { interrupts: interrupts.clone(), ..Hooks::default() };
+        finished(
+            Simulation { scene, settings: Settings { method, start_moved_by, ..of_others.clone() }, hooks }.run_once(),
+        )
+    };
+    let first_finished = |run: &dyn Fn(Method) -> Result<Run, String>| {
+        let mut why = String::new();
+        for &method in &methods {
+            match run(method) {
+                Ok(run) => return Ok((method, run)),
+                Err(cause) => why = cause,
+            }
+        }
+        Err(why)
+    };
+    thread::scope(|scope| {
+        let second = scope.spawn(|| first_finished(&|method| other(method, 0.0)));
+        let moved = scope.spawn(|| first_finished(&|method| other(method, length_of_move(method))));
+        let main = Simulation { scene, settings: Settings { streamed: false, ..settings }, hooks }.run_once();
+        let is_complete = main.as_ref().is_ok_and(|run| run.outcome.is_complete());
+        ended_early.store(!is_complete, Ordering::Relaxed);
+        let (second, moved) = (joined(second), joined(moved));
+        let mut main = main?;
+        main.error_estimate = Some(match second {
+            _ if !is_complete => Err(NoErrorEstimate("the run did not come to its end".to_owned())),
+            Ok((method, second)) => {
+                let moved = moved.ok().filter(|(by, _)| *by == method);
+                let amplification = moved.map(|(_, moved)| amplification(&second, &moved, length_of_move(method)));
+                Ok(ErrorEstimate { errors: errors(&main, &second), amplification, second: method })
+            }
+            Err(why) => Err(NoErrorEstimate(format!("the second run {why}"))),
+        });
+        Ok(main)
+    })
+}
+
+/// What a thread returned; its panic goes on in this one.
+fn joined<T>(thread: ScopedJoinHandle<'_, T>) -> T {
+    thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+}
+
+/// A run that came to its end, or why there is none.
+fn finished(run: Result<Run, SetupError>) -> Result<Run, String> {
+    match run {
+        Ok(run) if run.outcome.is_complete() => Ok(run),
+        Ok(run) => Err(run.outcome.to_string()),
+        Err(error) => Err(format!("could not start: {error}")),
+    }
+}
+
+/// How a second run is made, each next one where that before does not come to its end. At the level of rounding another method shows what
+/// the same one would do in the same way again. A larger tolerance gives too large an error rather than none.
+fn seconds(method: Method) -> Vec<Method> {
+    type WithTolerance = fn(Tolerance) -> Method;
+    let (tolerance, same, other, rounding): (_, WithTolerance, WithTolerance, _) = match method {
+        Method::Rk4 { step_s } => return vec![Method::rk4(0.5 * step_s)],
+        Method::Dop853(tolerance) => (tolerance, Method::Dop853, Method::Taylor, ROUNDING),
+        Method::Taylor(tolerance) => (tolerance, Method::Taylor, Method::Dop853, ROUNDING),
+        Method::Radau(tolerance) => (tolerance, Method::Radau, Method::Dop853, ROUNDING_OF_RADAU),
+    };
+    let Tolerance { relative, absolute } = tolerance;
+    let with = |other: f64| Tolerance { relative: other, absolute: absolute * (other / relative) };
+    let tighter = with(Tolerance::SMALLEST_RELATIVE.max(TIGHTER * relative));
+    let looser = with(LARGEST_TOLERANCE.min(LOOSER * relative));
+    let first = if relative < rounding { other(tighter) } else { same(tighter) };
+    vec![first, same(looser)]
+}
+
+/// What the start of a third run is moved by, of the sizes of its numbers: large beside the errors of that run, small enough for changes
+/// to add up.
+fn length_of_move(method: Method) -> f64 {
+    let tolerance = method.tolerance().map_or(0.0, |tolerance| tolerance.relative);
+    (MOVED * tolerance).max(SMALLEST_MOVE)
+}
+
+/// A start beside `state`: each number moved by up to `by` of its size, by an amount of its own to one side or the other.
+pub(super) fn beside(state: &State, by: f64) -> Start {
+    let mut start = Start::free(state.q.len());
+    start.t = state.t;
+    let amounts = (1..).map(|i: u32| 2.0 * (f64::from(i) * GOLDEN_RATIO).fract() - 1.0);
+    let numbers = start.q.iter_mut().chain(&mut start.v).zip(state.q.iter().chain(&state.v));
+    numbers.zip(amounts).for_each(|((moved, x), amount)| *moved = x + by * amount * (1.0 + x.abs()));
+    start
+}
+
+/// Pairs of samples at one time, the ends of both runs last.
+fn pairs<'r>(one: &'r Run, other: &'r Run) -> impl Iterator<Item = (Sample<'r>, Sample<'r>)> {
+    let near = ON_STEP * (one.last().t - one.first().t);
+    let n = one.samples().len().min(other.samples().len());
+    let grid = one.samples().zip(other.samples()).take(n - 1);
+    grid.take_while(move |(a, b)| (a.t - b.t).abs() <= near).chain([(one.last(), other.last())])
+}
+
+/// Positions or velocities or multipliers of a sample.
+type Numbers = for<'r> fn(&Sample<'r>) -> &'r [f64];
+
+/// Differences of two runs, by unit.
+fn errors(one: &Run, other: &Run) -> Vec<QuantityError> {
+    let info = one.info();
+    let of_rate = |unit: &str| format!("{unit}/s");
+    let positions = info.coordinates.iter().map(|c| c.unit.to_owned()).collect();
+    let velocities = info.coordinates.iter().map(|c| of_rate(c.unit)).collect();
+    let multipliers = info.rows.iter().map(|row| row.multiplier_unit.to_owned()).collect();
+    let quantities: [(_, Numbers, Vec<String>); 3] = [
+        ("positions", |sample| sample.coordinates, positions),
+        ("velocities", |sample| sample.velocities, velocities),
+        ("multipliers", |sample| sample.multipliers, multipliers),
+    ];
+    let mut errors = Vec::new();
+    for (quantity, numbers, units) in quantities {
+        let mut distinct: Vec<&String> = units.iter().collect();
+        distinct.sort();
+        distinct.dedup();
+        for unit in distinct {
+            let mut error = QuantityError { quantity, unit: unit.clone(), at_end: 0.0, largest: 0.0, t: one.first().t };
+            for (a, b) in pairs(one, other) {
+                let with_unit = numbers(&a).iter().zip(numbers(&b)).zip(&units).filter(|(_, theirs)| *theirs == unit);
+                error.at_end = with_unit.fold(0.0, |most: f64, ((a, b), _)| most.max((a - b).abs()));
+                if error.at_end > error.largest {
+                    (error.largest, error.t) = (error.at_end, a.t);
+                }
+            }
+            errors.push(error);
+        }
+    }
+    if let Outcome::ReachedEvent { t, .. } = one.outcome {
+        let late = (t - other.last().t).abs();
+        errors.push(QuantityError { quantity: "end", unit: "s".to_owned(), at_end: late, largest: late, t });
+    }
+    errors
+}
+
+/// How far apart two runs are at most, over how far apart they start, or `by` where they start nearer.
+fn amplification(one: &Run, moved: &Run, by: f64) -> f64 {
+    let of = |sample: &Sample<'_>| [sample.coordinates, sample.velocities].concat();
+    let mut sizes = of(&one.first());
+    one.samples().for_each(|sample| sizes.iter_mut().zip(of(&sample)).for_each(|(size, x)| *size = size.max(x.abs())));
+    let apart = |(a, b): (Sample<'_>, Sample<'_>)| {
+        let numbers = of(&a).into_iter().zip(of(&b)).zip(&sizes);
+        numbers.fold(0.0, |most: f64, ((a, b), size)| most.max((a - b).abs() / (1.0 + size)))
+    };
+    let at_start = apart((one.first(), moved.first())).max(by);
+    pairs(one, moved).map(apart).fold(1.0, |most: f64, apart| most.max(apart / at_start))
+}

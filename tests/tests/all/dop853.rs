@@ -86,3 +86,21 @@ fn cross_dop853_samples_between_steps_keep_to_the_tolerance() {
         }
     }
 }
+
+/// Pulses of a force, 130 a second, that end where steps do: errors of steps add up to some tens of tolerances.
+const OVER_PULSES: f64 = 100.0;
+
+#[test]
+fn cross_pulses_as_long_as_a_step_are_not_passed_over() {
+    // the force is the square of a half wave; the estimate of order 5 of a step over 31/32 of it is 1/500 of its error
+    let scene = skateboard::Ridden { nu_push: 816.0, m_rider: 51.0, m0: 6.6, ..skateboard::Ridden::default() };
+    let end = |tolerance: f64| {
+        let run = Simulation::new(&scene).method(Method::dop853(tolerance)).until(0.5).run().unwrap();
+        [run.last().coordinates, run.last().velocities].concat()
+    };
+    let reference = end(1e-13);
+    for tolerance in [1e-4, 1e-6, 1e-7, 1e-8, 1e-9] {
+        let error = distance(&end(tolerance), &reference);
+        assert!(error <= OVER_PULSES * tolerance, "{error:.1e} at {tolerance:.0e}");
+    }
+}

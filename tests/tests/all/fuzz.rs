@@ -1,5 +1,7 @@
 //! Random parameters, starts and inputs; many more by the example `fuzz`.
 
+use ezy_core::prelude::*;
+use ezy_tests::fuzz::methods::{Case, Judgement};
 use ezy_tests::fuzz::{Scenes, Tally, Verdict, compare, trial};
 
 /// Some for every scene.
@@ -51,4 +53,18 @@ fn regress_parameters_far_apart_are_refused_or_confirmed() {
     FAR_APART.iter().for_each(|(name, parameters)| compare(&scenes, name, parameters, &mut tally));
     assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
     assert!(tally.of(Verdict::AccelerationsConfirmed) > FAR_APART.len() as u64, "too few are solved:\n{tally}");
+}
+
+/// Motions by every method, of which each takes some fifteen runs; many more by the example `methods`.
+const N_MOTIONS: u64 = 24;
+
+#[test]
+fn cross_random_motions_are_the_same_by_every_method() {
+    let (scenes, mut n_right) = (Scenes::all(), 0);
+    let tell = |_: Method, verdict: Judgement| n_right += u64::from(verdict == Judgement::Right);
+    let mut tell = tell;
+    let faults = (0..N_MOTIONS).flat_map(|i| Case::new(&scenes, SEED, i).judge(&mut tell));
+    let faults: Vec<String> = faults.map(|fault| fault.shrunk().to_string()).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(n_right > 8 * N_MOTIONS, "too few are compared: {n_right}");
 }

@@ -10,7 +10,7 @@ use super::{Node, compensated};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 use sums::{Block, Sum, WIDTH};
-use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, error_3, error_5, stages};
+use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, difference_6, error_3, error_5, stages};
 
 pub(crate) use stiffness::StiffnessWatch;
 
@@ -39,7 +39,7 @@ pub(crate) struct Dop853<T = f64> {
     rest: Vec<Block<T>>,
     next_rest: Vec<Block<T>>,
     /// Errors of orders 5 and 3.
-    errors: [Vec<Block<T>>; 2],
+    errors: [Vec<Block<T>>; 3],
     lambda: Vec<T>,
     /// Coefficients of the dense output, each `n` long.
     dense: Vec<Block<T>>,
@@ -61,7 +61,7 @@ impl<T: Scalar> Dop853<T> {
             stage: zero(n),
             rest: zero(n),
             next_rest: zero(n),
-            errors: [zero(n), zero(n)],
+            errors: [zero(n), zero(n), zero(n)],
             lambda: vec![T::from_f64(0.0); n_rows],
             dense: zero(dense::N_COEFFICIENTS * n),
         }
@@ -213,26 +213,31 @@ impl<T: Scalar> Dop853<T> {
         Some(self.weighted_error(h, tolerance))
     }
 
-    /// Error over tolerance, from both embedded solutions; the largest one for several lanes.
+    /// Error over tolerance, from both embedded solutions and a divided difference; the largest one for several lanes.
     fn error(&mut self, h: f64, tolerance: Tolerance) -> f64 {
-        let [fives, threes] = &mut self.errors;
+        let [fives, threes, sixes] = &mut self.errors;
         error_5(&self.slopes, fives);
         error_3(&self.slopes, threes);
+        difference_6(&self.slopes, sixes);
         self.weighted_error(h, tolerance)
     }
 
     fn weighted_error(&self, h: f64, tolerance: Tolerance) -> f64 {
-        let [fives, threes] = &self.errors;
+        let [fives, threes, sixes] = &self.errors;
         let n = 2 * self.n_q;
         let zero = T::from_f64(0.0);
-        let (mut five, mut three) = (zero, zero);
+        let (mut five, mut three, mut six) = (zero, zero, zero);
         let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());
-        for ((start, end), (of_5, of_3)) in ends.zip(fives.as_flattened().iter().zip(threes.as_flattened())) {
+        let errors = fives.as_flattened().iter().zip(threes.as_flattened()).zip(sixes.as_flattened());
+        for ((start, end), ((of_5, of_3), of_6)) in ends.zip(errors) {
             let scale = scale(tolerance, start.abs().max(end.abs()));
-            let (of_5, of_3) = (*of_5 / scale, *of_3 / scale);
+            let (of_5, of_3, of_6) = (*of_5 / scale, *of_3 / scale, *of_6 / scale);
             five = five + of_5 * of_5;
             three = three + of_3 * of_3;
+            six = six + of_6 * of_6;
         }
+        // one may vanish by chance
+        let five = five.max(six);
         // where both estimates are zero, so is the error
         let norm = ((five + T::from_f64(0.01) * three) * T::from_f64(n as f64)).max(T::from_f64(f64::MIN_POSITIVE));
         (T::from_f64(h.abs()) * five / norm.sqrt()).magnitude()

@@ -3,11 +3,15 @@
 use nalgebra::linalg::SVD;
 use nalgebra::{DMatrix, Dyn};
 
-/// Singular values, with the left and right vectors that are asked for; `None` where an entry is not finite, on which the library would
-/// panic. It scales the matrix by its largest entry, so that no square overflows.
+/// Singular values, with the left and right vectors that are asked for, the largest first; `None` where an entry is not finite, or a value,
+/// on which the library would panic. It scales the matrix by its largest entry, so that no square overflows; squares of the smallest may
+/// still vanish.
 pub(crate) fn singular_values(matrix: DMatrix<f64>, left: bool, right: bool) -> Option<SVD<f64, Dyn, Dyn>> {
     let sound = matrix.iter().all(|x| x.is_finite());
-    if sound { matrix.try_svd(left, right, f64::EPSILON, 0) } else { None }
+    let mut svd = if sound { matrix.try_svd_unordered(left, right, f64::EPSILON, 0)? } else { return None };
+    let ordered = svd.singular_values.iter().all(|x| x.is_finite());
+    ordered.then(|| svd.sort_by_singular_values())?;
+    Some(svd)
 }
 
 #[cfg(test)]

@@ -54,7 +54,11 @@ impl std::fmt::Display for CheckReport {
         writeln!(f, "{}/{}", self.model, self.scene)?;
         let width = self.checks.iter().map(|c| c.name.len()).max().unwrap_or(0);
         for c in &self.checks {
-            let verdict = if c.passed() { "ok" } else { "FAILED" };
+            let verdict = match (c.passed(), c.n_compared) {
+                (true, 0) => "nothing to compare",
+                (true, _) => "ok",
+                (false, _) => "FAILED",
+            };
             write!(
                 f,
                 "  {:width$}  largest error {:8.1e}  tolerance {:8.1e}  {:>6} compared  {verdict}",
@@ -91,4 +95,25 @@ pub enum CheckError {
     /// The short run of the energy check could not start.
     #[error(transparent)]
     Setup(#[from] SetupError),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_check_without_comparisons_is_not_called_ok() {
+        let check = |n_compared, largest_error| Check {
+            name: "C_q against differences of C",
+            n_compared,
+            n_left_out: 0,
+            largest_error,
+            tolerance: 1e-10,
+            reason: "rounding",
+        };
+        let checks = vec![check(0, 0.0), check(2, 0.0), check(2, 1.0), check(0, f64::NAN)];
+        let text = CheckReport { model: "Body", scene: "free", checks, moved: Vec::new(), rank: None }.to_string();
+        let ends: Vec<&str> = text.lines().skip(1).filter_map(|line| Some(line.split_once("compared  ")?.1)).collect();
+        assert_eq!(ends, ["nothing to compare", "ok", "FAILED", "FAILED"]);
+    }
 }

@@ -11,8 +11,10 @@ pub enum Verdict {
     StartRefused,
     /// There are no accelerations, and the scene says so.
     AccelerationsRefused,
-    /// Accelerations that the oracle confirms.
+    /// Accelerations that the oracle confirms, to what rounding explains.
     AccelerationsConfirmed,
+    /// Accelerations with fewer digits than rounding explains, but as many as the elimination promises.
+    AccelerationsLoseDigits,
     /// Accelerations that overflow, or a system that is too large for the oracle.
     AccelerationsNotCompared,
     /// The run does not begin, and says why.

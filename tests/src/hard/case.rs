@@ -8,33 +8,65 @@ pub struct Case {
     pub name: String,
     /// What makes it hard.
     pub why: &'static str,
-    /// Whether a build without optimisation runs it in a second or two.
-    pub is_quick: bool,
+    /// At which its reference states the bounds.
+    pub tolerance: f64,
+    /// What runs it.
+    pub by: By,
+    /// How long its runs take.
+    pub pace: Pace,
     /// Runs it.
     pub examine: Box<dyn Fn(How) -> Findings>,
 }
 
-/// By what a case is run.
-#[derive(Debug, Clone, Copy)]
-pub enum How {
-    /// By its own method, and by the naive program.
-    Compared,
-    /// By its own method.
-    Alone,
-    /// By this one.
-    By(Setting),
+/// What runs a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum By {
+    /// Every method.
+    Methods,
+    /// The method of this name alone: the others take hours.
+    Only(&'static str),
+    /// None: it is no motion.
+    Nothing,
+}
+
+/// How long the runs of a case take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Pace {
+    /// A second or two without optimisation: the tests run it.
+    Quick,
+    /// Seconds: `--check` runs it.
+    Slow,
+    /// Minutes: `--check --long` runs it.
+    Long,
 }
 
 /// A method of a tolerance.
 pub type WithTolerance = fn(f64) -> Method;
 
-/// A method with the tolerance that it is to keep.
+/// The methods, by name. RK4 takes the steps that [`How::by`] makes of a tolerance.
+pub const METHODS: [(&str, Option<WithTolerance>); 4] =
+    [("rk4", None), ("dop853", Some(Method::dop853)), ("taylor", Some(Method::taylor)), ("radau", Some(Method::radau))];
+
+/// By what a case is run.
 #[derive(Debug, Clone, Copy)]
-pub struct Setting {
+pub struct How {
     /// Of a tolerance; none for RK4, whose step follows from it.
     pub method: Option<WithTolerance>,
     /// Relative and absolute.
     pub tolerance: f64,
+    /// What for.
+    pub purpose: Purpose,
+}
+
+/// What a run is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    /// One of many: steps are limited to some seconds.
+    Matrix,
+    /// The page: limited to some minutes.
+    Page,
+    /// The same with the naive program beside it.
+    PageWithNaive,
 }
 
 /// What runs a case.
@@ -44,31 +76,44 @@ pub struct Program {
     pub method: Method,
     /// Step of the naive program, s, where it runs.
     pub naive_step_s: Option<f64>,
-    /// Whether the method is not the case's own: then its steps are limited.
-    is_given: bool,
+    /// Steps times unknowns that the run may take.
+    pub most: Option<u64>,
 }
 
 /// At this tolerance RK4 takes the step of the naive program; at others in proportion to the fourth root.
-const TOLERANCE_OF_STEP: f64 = 1e-9;
+pub const TOLERANCE_OF_STEP: f64 = 1e-9;
+
+/// Steps times unknowns of some seconds, and of a stage that is solved for.
+const MOST: u64 = 2_000_000;
+const MOST_IMPLICIT: u64 = 400_000;
+/// The page allows this many times as many to explicit methods.
+const OF_PAGE: u64 = 10;
 
 impl How {
-    /// By the case's own method, or by the given one; the naive program takes steps of `step_s`.
-    pub fn by(self, own: Method, step_s: f64) -> Program {
-        match self {
-            Self::Compared => Program { method: own, naive_step_s: Some(step_s), is_given: false },
-            Self::Alone => Program { method: own, naive_step_s: None, is_given: false },
-            Self::By(Setting { method, tolerance }) => {
-                let method = match method {
-                    Some(method) => method(tolerance),
-                    // two digits, as one would give it
-                    None => {
-                        let step_s = step_s * (tolerance / TOLERANCE_OF_STEP).powf(0.25);
-                        Method::rk4(format!("{step_s:.1e}").parse().expect("a number"))
-                    }
-                };
-                Program { method, naive_step_s: None, is_given: true }
+    /// The naive program takes steps of `step_s`.
+    pub fn by(self, step_s: f64) -> Program {
+        let method = match self.method {
+            Some(method) => method(self.tolerance),
+            // two digits, as one would give it
+            None => {
+                let step_s = step_s * (self.tolerance / TOLERANCE_OF_STEP).powf(0.25);
+                Method::rk4(format!("{step_s:.1e}").parse().expect("a number"))
             }
-        }
+        };
+        let most = match (self.purpose, method) {
+            (_, Method::Radau(_)) => Some(MOST_IMPLICIT),
+            (Purpose::Matrix, _) => Some(MOST),
+            // as many as the naive program
+            (_, Method::Rk4 { .. }) => None,
+            _ => Some(OF_PAGE * MOST),
+        };
+        let naive_step_s = (self.purpose == Purpose::PageWithNaive).then_some(step_s);
+        Program { method, naive_step_s, most }
+    }
+
+    /// Whether it is one cell of the matrix of methods.
+    pub fn is_of_matrix(self) -> bool {
+        self.purpose == Purpose::Matrix
     }
 }
 
@@ -77,10 +122,23 @@ impl Program {
     pub fn without_naive(self) -> Self {
         Self { naive_step_s: None, ..self }
     }
+}
 
-    /// Whether the method is not the case's own.
-    pub fn is_given(self) -> bool {
-        self.is_given
+impl Case {
+    /// What each method of [`METHODS`] finds at the tolerance of the reference, RK4 by the steps of the naive program, which runs
+    /// beside it when asked; of a case without methods one.
+    pub fn at_its_tolerance(&self, with_naive: bool) -> Vec<Findings> {
+        let page = |i: usize| if i == 0 && with_naive { Purpose::PageWithNaive } else { Purpose::Page };
+        let examine = |(i, &(name, method)): (usize, &(&str, Option<WithTolerance>))| match self.by {
+            By::Only(only) if only != name => Findings::default(),
+            _ => (self.examine)(How {
+                method,
+                tolerance: method.map_or(TOLERANCE_OF_STEP, |_| self.tolerance),
+                purpose: page(i),
+            }),
+        };
+        let n = if self.by == By::Nothing { 1 } else { METHODS.len() };
+        METHODS.iter().enumerate().take(n).map(examine).collect()
     }
 }
 
@@ -95,16 +153,14 @@ pub enum Ended {
     Refused(&'static str),
 }
 
-/// What was found in a case.
+/// What was found in a case by one method.
 #[derive(Debug, Clone, Default)]
 pub struct Findings {
     /// Each quantity with its bound.
     pub checks: Vec<Check>,
-    /// How EZY ran it: method, setting, steps.
-    pub by: String,
     /// Steps that it took.
     pub steps: u64,
-    /// How its run ended; none where no method runs.
+    /// How its run ended; none where no method ran.
     pub ended: Option<Ended>,
     /// Why EZY did not come to the end.
     pub stopped: Option<String>,

@@ -1,14 +1,9 @@
 //! Every hard case by every method at three tolerances: `docs/hard-cases-methods.md`.
 
-use super::case::{Case, Check, Ended, Findings, How, Setting, WithTolerance};
+use super::case::{By, Case, Check, Ended, Findings, How, METHODS, Purpose};
 use crate::garage::worse;
-use ezy_core::prelude::Method;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-
-/// The methods, by name. RK4 takes the steps that [`How::by`] makes of a tolerance.
-pub const METHODS: [(&str, Option<WithTolerance>); 4] =
-    [("rk4", None), ("dop853", Some(Method::dop853)), ("taylor", Some(Method::taylor)), ("radau", Some(Method::radau))];
 
 /// From coarse to fine.
 pub const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
@@ -57,14 +52,16 @@ pub struct Row<'c> {
     seconds: f64,
 }
 
-/// Runs a case by every method; none where no method runs.
+/// Runs a case by every method; none where they do not all run.
 pub fn examine(case: &Case) -> Option<Row<'_>> {
+    if case.by != By::Methods {
+        return None;
+    }
     let began = processor_s();
     let mut found = Vec::new();
     for (name, method) in METHODS {
         for tolerance in TOLERANCES {
-            let findings = (case.examine)(How::By(Setting { method, tolerance }));
-            findings.ended?;
+            let findings = (case.examine)(How { method, tolerance, purpose: Purpose::Matrix });
             if let Some(why) = &findings.stopped {
                 eprintln!("{}, {name} {tolerance:.0e}: {why}", case.name);
             }
@@ -146,8 +143,7 @@ pub fn table(rows: &[Row<'_>]) -> String {
             );
         }
     }
-    let heads: Vec<String> = TOLERANCES.iter().map(|tolerance| format!("{tolerance:.0e}")).collect();
-    let _ = writeln!(text, "\n| case | time, s | method | {} |\n|---|---:|---|---|---|---|", heads.join(" | "));
+    let _ = writeln!(text, "\n{}\n|---|---:|---|{}", head(), "---|".repeat(TOLERANCES.len()));
     for row in rows {
         for (k, (name, _)) in METHODS.iter().enumerate() {
             let seconds = if k == 0 { format!("{:.1}", row.seconds) } else { String::new() };
@@ -185,22 +181,36 @@ pub fn is_quick(page: &str, case: &Case) -> bool {
     lines(page).any(|line| line.case == case.name && line.seconds.is_some_and(|seconds| seconds <= QUICK_S))
 }
 
-/// What the page has and `cases` have not, or the other way round; and what `found` has lost.
+/// The columns of the table.
+fn head() -> String {
+    let heads: Vec<String> = TOLERANCES.iter().map(|tolerance| format!("{tolerance:.0e}")).collect();
+    format!("| case | time, s | method | {} |", heads.join(" | "))
+}
+
+/// Cases, methods and tolerances that only the page has, or only the program; and what `found` has lost.
 pub fn broken(page: &str, cases: &[&Case], found: &[Row<'_>]) -> Vec<String> {
     let mut broken = Vec::new();
-    let named: BTreeSet<&str> = cases.iter().map(|case| case.name.as_str()).collect();
-    let listed: BTreeSet<&str> = lines(page).map(|line| line.case).collect();
-    if listed.is_empty() {
-        broken.push("the page of methods has no table".to_owned());
+    let cases = cases.iter().filter(|case| case.by == By::Methods);
+    let named: BTreeSet<(&str, &str)> =
+        cases.flat_map(|case| METHODS.map(|(method, _)| (case.name.as_str(), method))).collect();
+    let listed: BTreeSet<(&str, &str)> = lines(page).map(|line| (line.case, line.method)).collect();
+    for (case, method) in listed.difference(&named) {
+        broken.push(format!("{case}, {method}: on the page of methods, but not run"));
     }
-    broken.extend(listed.difference(&named).map(|case| format!("{case}: on the page of methods, but no case")));
+    for (case, method) in named.difference(&listed) {
+        broken.push(format!("{case}, {method}: not on the page of methods"));
+    }
+    if !page.lines().any(|line| line == head()) {
+        broken.push(format!("the page of methods has no table with the columns {}", head()));
+    }
+    for line in lines(page).filter(|line| line.cells.len() != TOLERANCES.len()) {
+        broken.push(format!("{}, {}: not at every tolerance on the page of methods", line.case, line.method));
+    }
     for row in found {
         for ((name, _), cells) in METHODS.iter().zip(&row.cells) {
-            let Some(line) = lines(page).find(|line| line.case == row.case.name && line.method == *name) else {
-                broken.push(format!("{}, {name}: not on the page of methods", row.case.name));
-                continue;
-            };
-            for ((said, cell), tolerance) in line.cells.iter().zip(cells).zip(TOLERANCES) {
+            let line = lines(page).find(|line| line.case == row.case.name && line.method == *name);
+            let said = line.map(|line| line.cells).unwrap_or_default();
+            for ((said, cell), tolerance) in said.iter().zip(cells).zip(TOLERANCES) {
                 if cell.verdict < verdict_of(said) {
                     broken
                         .push(format!("{}, {name} {tolerance:.0e}: {}; on the page {said}", row.case.name, cell.text));

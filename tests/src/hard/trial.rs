@@ -1,6 +1,6 @@
 //! A scene from a start through the times of a reference, by EZY and by the naive program, with the same questions.
 
-use super::case::{Check, Ended, Findings, How, Program};
+use super::case::{Check, Ended, Findings, Program};
 use super::naive::Naive;
 use super::subject::Subject;
 use crate::garage::worse;
@@ -89,6 +89,9 @@ pub struct Trial<'a> {
 /// Fewest and most samples that a run keeps between its ends, for what must hold all the time.
 const N_SAMPLES: std::ops::Range<u32> = 200..2000;
 
+/// Steps that any scene may take.
+const FEWEST: u64 = 1000;
+
 impl<'a> Trial<'a> {
     /// From the start of the reference.
     pub fn new(subject: &'a Subject, times: Vec<f64>, questions: Vec<Question<'a>>) -> Self {
@@ -97,22 +100,20 @@ impl<'a> Trial<'a> {
 
     /// Runs it.
     pub fn examine(&self, by: Program) -> Findings {
-        let Program { method, naive_step_s, .. } = by;
         let until_s = self.times.last().copied().unwrap_or_default();
         let mut errors = vec![f64::NAN; self.questions.len()];
         let mut findings = match self.run(by, until_s, Some(self.sampling(until_s))) {
             Ok(run) => {
                 let ended = ended(&run.outcome);
-                if ended == Ended::Reached || !by.is_given() {
+                if ended == Ended::Reached {
                     errors = self.errors_of(by, &run);
                 }
                 let stopped = (!run.outcome.reached_end()).then(|| run.outcome.to_string());
-                let (by, steps) = (by_words(method, &run), run.cost.steps);
-                Findings { by, steps, stopped, ended: Some(ended), ..Findings::default() }
+                Findings { steps: run.cost.steps, stopped, ended: Some(ended), ..Findings::default() }
             }
             Err(error) => {
-                let (by, ended) = (setting(method), Some(Ended::Refused(refusal(&error))));
-                Findings { by, stopped: Some(error.to_string()), ended, ..Findings::default() }
+                let ended = Some(Ended::Refused(refusal(&error)));
+                Findings { stopped: Some(error.to_string()), ended, ..Findings::default() }
             }
         };
         let check = |(question, &reached): (&Question<'_>, &f64)| Check {
@@ -120,7 +121,7 @@ impl<'a> Trial<'a> {
             ..Check::new(question.what, question.bound, reached)
         };
         findings.checks = self.questions.iter().zip(&errors).map(check).collect();
-        if let Some(step_s) = naive_step_s {
+        if let Some(step_s) = by.naive_step_s {
             self.add_naive(step_s, &mut findings);
         }
         findings
@@ -133,16 +134,15 @@ impl<'a> Trial<'a> {
 
     fn run(&self, by: Program, until_s: f64, every_s: Option<f64>) -> Result<Run, SetupError> {
         let order = self.order(by.method).until(until_s);
-        let order = if by.is_given() { order.max_steps(self.most_steps(by.method)) } else { order };
+        let order = by.most.into_iter().fold(order, |order, most| order.max_steps(self.most_steps(most)));
         let order = if let Some(every_s) = every_s { order.every(every_s) } else { order };
         if self.scene.info().n_effects() > 0 { order.work().run() } else { order.run() }
     }
 
-    /// Steps of a method that is not the case's own: some seconds.
-    fn most_steps(&self, method: Method) -> u64 {
+    /// Steps that may be taken, of so many steps times unknowns.
+    fn most_steps(&self, most: u64) -> u64 {
         let n = (self.scene.info().n_coordinates() + self.scene.info().n_rows()) as u64;
-        let of_an_equation = if matches!(method, Method::Radau(_)) { 400_000 } else { 2_000_000 };
-        (of_an_equation / n).max(1000)
+        (most / n).max(FEWEST)
     }
 
     /// An interval of samples that meets all times of the reference, where there is one.
@@ -198,7 +198,7 @@ impl<'a> Trial<'a> {
 
     /// The naive program from the same start, in equal steps from one time of the reference to the next.
     fn add_naive(&self, step_s: f64, findings: &mut Findings) {
-        let alone = How::Alone.by(Method::default(), step_s);
+        let alone = Program { method: Method::default(), naive_step_s: None, most: None };
         let Ok(start) = self.run(alone, 0.0, None) else { return };
         let (start, mut errors) = (start.first(), vec![0.0; self.questions.len()]);
         let mut naive = Naive::new(self.scene, start.coordinates, start.velocities);
@@ -238,26 +238,6 @@ fn seen<'r>(sample: &Sample<'r>, start_j: f64) -> Seen<'r> {
     let drift_j = if sample.wanted.work { energy.balance } else { energy.kinetic + energy.potential - start_j };
     let (t, gap) = (sample.t, sample.position_residual);
     Seen { t, q: sample.coordinates, v: sample.velocities, lambda: sample.multipliers, drift_j, gap }
-}
-
-/// Method and setting.
-pub fn setting(method: Method) -> String {
-    match (method, method.tolerance()) {
-        (Method::Rk4 { step_s }, _) => format!("rk4, h = {step_s:e} s"),
-        (_, Some(tolerance)) => format!("{}, {:e}", method.name(), tolerance.relative),
-        (_, None) => method.name().to_owned(),
-    }
-}
-
-/// Method, setting, steps and time.
-fn by_words(method: Method, run: &Run) -> String {
-    let (steps, rejected) = (run.cost.steps, run.cost.rejected);
-    let rejected = if rejected > 0 { format!(", {rejected} rejected") } else { String::new() };
-    let time = match run.cost.seconds {
-        seconds if seconds < 1.0 => format!("{:.1} ms", 1e3 * seconds),
-        seconds => format!("{seconds:.1} s"),
-    };
-    format!("{}: {steps} steps{rejected}, {time}", setting(method))
 }
 
 fn ended(outcome: &Outcome) -> Ended {

@@ -19,7 +19,7 @@ pub(crate) const ERROR_ORDER: i32 = 8;
 
 /// Below this tolerance errors are rounding, of which the divided difference makes more than the error of order 5: next to singular positions
 /// steps would not end.
-const ROUNDING: f64 = 1e-13;
+const ROUNDING: f64 = 1e-11;
 
 /// Stages of the method for q' = v, v' = a(t, q, v), w' = power of each effect, as one vector y = (q, v, w).
 ///

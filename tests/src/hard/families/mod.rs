@@ -10,11 +10,10 @@ mod spinning;
 mod starts;
 mod stiff;
 
-use super::case::{Case, Family, Findings, How, Program};
+use super::case::{By, Case, Check, Family, Findings, How, Pace, Program};
 use super::subject::{Subject, subject};
 use super::trial::{Question, Seen, Trial};
 use crate::garage::{list, number, worse};
-use ezy_core::prelude::Method;
 use serde_json::Value;
 
 /// All of them, in the order of the page.
@@ -32,9 +31,18 @@ pub fn families() -> Vec<Family> {
     ]
 }
 
-/// A case of one file that is a program of its own.
-fn case(name: &str, why: &'static str, is_quick: bool, examine: impl Fn(How) -> Findings + 'static) -> Case {
-    Case { name: name.to_owned(), why, is_quick, examine: Box::new(examine) }
+/// At which bounds are stated whose reference names no tolerance: most references name it.
+const UNSTATED: f64 = 1e-10;
+
+/// A case by every method, at the tolerance of its reference.
+fn case(
+    name: &str,
+    why: &'static str,
+    tolerance: f64,
+    pace: Pace,
+    examine: impl Fn(How) -> Findings + 'static,
+) -> Case {
+    Case { name: name.to_owned(), why, tolerance, by: By::Methods, pace, examine: Box::new(examine) }
 }
 
 /// Times of the `states` of a reference.

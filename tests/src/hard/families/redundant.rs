@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::garage::{load, rows};
-use crate::hard::case::{Check, Ended};
-use crate::hard::trial::setting;
+use crate::hard::case::Ended;
 use crate::parallel_cranks::judge::{Verdict, judge};
 use crate::parallel_cranks::members::{Member, members};
 use ezy_core::prelude::Simulation;
@@ -24,26 +23,36 @@ pub fn cases() -> Vec<Case> {
         case(
             "coaxial_wheels",
             "both wheels of an axle state the same row: only the sum of their forces is determined",
-            true,
+            UNSTATED,
+            Pace::Quick,
             coaxial,
         ),
         case(
             "three_skates_concurrent",
             "the axles of three skates meet in one point: two rows determine the third, and the body turns about it",
-            true,
+            UNSTATED,
+            Pace::Quick,
             concurrent,
         ),
-        case("three_skates_locked", "one of the axles turned by 0.05 rad: the body is held", true, locked),
+        case(
+            "three_skates_locked",
+            "one of the axles turned by 0.05 rad: the body is held",
+            UNSTATED,
+            Pace::Quick,
+            locked,
+        ),
         case(
             "five_cranks_hanging",
             "five cranks carry one coupler: 20 rows of rank 17 on 18 coordinates",
-            false,
+            UNSTATED,
+            Pace::Slow,
             |how| five_cranks("five_cranks_hanging", 1e-8, how),
         ),
         case(
             "five_cranks_from_top",
             "the same from above, through the level position where the rank falls to 16",
-            false,
+            UNSTATED,
+            Pace::Slow,
             |how| five_cranks("five_cranks_from_top", 1e-6, how),
         ),
     ]
@@ -60,7 +69,9 @@ fn of_family(member: Member) -> Case {
     Case {
         name: format!("parallel_cranks, {}", member.name),
         why: "uneven cranks through their level position; the pendulum that they are is the reference",
-        is_quick: false,
+        tolerance: UNSTATED,
+        by: By::Methods,
+        pace: Pace::Slow,
         examine: Box::new(move |how| cranks(&member, how)),
     }
 }
@@ -70,7 +81,7 @@ const OF_PACE: f64 = 0.02;
 
 fn cranks(member: &Member, how: How) -> Findings {
     let course = member.course();
-    let by = how.by(Method::dop853(1e-9), OF_PACE / course.pace);
+    let by = how.by(OF_PACE / course.pace);
     let judged = judge(member, &course, by.method);
     let (ended, stopped) = match judged.verdict {
         Verdict::Right | Verdict::Off => (Ended::Reached, None),
@@ -80,8 +91,7 @@ fn cranks(member: &Member, how: How) -> Findings {
     };
     // what the errors of its steps may grow to
     let checks = vec![Check::new("angles, and rates over the pace, rad", judged.allowed, judged.error)];
-    let by = format!("{}: {} steps", setting(by.method), judged.steps);
-    Findings { checks, by, steps: judged.steps, ended: Some(ended), stopped, ..Findings::default() }
+    Findings { checks, steps: judged.steps, ended: Some(ended), stopped, ..Findings::default() }
 }
 
 fn coaxial(how: How) -> Findings {
@@ -95,7 +105,7 @@ fn coaxial(how: How) -> Findings {
     });
     let questions = vec![all_states(&subject, ONE_SKATE), force];
     let trial = Trial::new(&subject, times.clone(), questions);
-    let mut findings = trial.examine(how.by(Method::taylor(1e-13), NAIVE_STEP_S));
+    let mut findings = trial.examine(how.by(NAIVE_STEP_S));
     findings.checks.push(redundant_rows(&subject, 1.0));
     findings
 }
@@ -105,14 +115,14 @@ fn concurrent(how: How) -> Findings {
     let pose = Question::at_times("pose, m, rad", POSE, |i, seen| state_error(&subject, &["B"], false, i, seen));
     let turn = Question::always("turn rate, rad/s", TURN, |seen| seen.v[2] - 0.7);
     let trial = Trial::new(&subject, times_of(&subject.data["states"]), vec![pose, turn]);
-    trial.examine(how.by(Method::taylor(1e-13), NAIVE_STEP_S))
+    trial.examine(how.by(NAIVE_STEP_S))
 }
 
 fn locked(how: How) -> Findings {
     let subject = subject("torture", "three_skates_locked");
     let speed = Question::always("any velocity, m/s, rad/s", AT_REST, |seen| seen.v.iter().copied().fold(0.0, worse));
     let trial = Trial::new(&subject, vec![10.0], vec![speed]);
-    trial.examine(how.by(Method::rk4(1e-2), 1e-2))
+    trial.examine(how.by(1e-2))
 }
 
 /// All cranks are one pendulum; the angle in the reference is from the upward vertical.
@@ -127,7 +137,7 @@ fn five_cranks(name: &str, bound: f64, how: How) -> Findings {
     });
     let questions = vec![angle, equal, Question::gaps(GAP)];
     let trial = Trial::new(&subject, times_of_rows(&table), questions);
-    let mut findings = trial.examine(how.by(Method::rk4(1e-3), NAIVE_STEP_S));
+    let mut findings = trial.examine(how.by(NAIVE_STEP_S));
     findings
         .checks
         .push(redundant_rows(&subject, number(&subject.data["rows_count"]) - number(&subject.data["rank_regular"])));

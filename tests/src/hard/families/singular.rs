@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::garage::rows;
-use crate::hard::case::{Check, Ended};
-use crate::hard::trial::setting;
+use crate::hard::case::Ended;
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::Scene;
 use ezy_core::prelude::Simulation;
@@ -18,6 +17,8 @@ const LINKAGE_ENERGY: f64 = 1e-8;
 const SLIDER_ENERGY: f64 = 1e-7;
 /// Loops beyond which dense LU takes minutes.
 const LARGEST_FOR_LU: usize = 3;
+/// Loops beyond which radau takes a minute to its limit of steps.
+const LARGEST_FOR_CHECK: usize = 10;
 /// Of the reference: sideways speed of the board.
 const SIDEWAYS: f64 = 1e-8;
 
@@ -26,19 +27,22 @@ pub fn cases() -> Vec<Case> {
     cases.push(case(
         "slider_crank_equal_lengths",
         "with crank and rod of one length the slider reaches the crank's bearing, where the rod could begin to turn with the crank",
-        false,
+        UNSTATED,
+        Pace::Slow,
         slider,
     ));
     cases.push(case(
         "snakeboard_through_90deg",
         "both trucks are steered through a right angle, where their rows say the same and the board could slide sideways",
-        true,
+        UNSTATED,
+        Pace::Quick,
         snakeboard,
     ));
     cases.push(case(
         "linkage_stretched_at_the_start",
         "the given angles cannot be met, and the nearest place stretches a crank and its coupler between two fixed points: to first order they may move, but they cannot, and no finite force holds them",
-        true,
+        UNSTATED,
+        Pace::Quick,
         stretched,
     ));
     cases
@@ -49,7 +53,9 @@ fn linkage(n: usize) -> Case {
     Case {
         name: format!("a02_n_four_bar, N = {n}"),
         why: "twice a turn all rods lie level: the rank falls by N, and every loop could fold",
-        is_quick: false,
+        tolerance: UNSTATED,
+        by: By::Methods,
+        pace: if n > LARGEST_FOR_CHECK { Pace::Long } else { Pace::Slow },
         examine: Box::new(move |how| turning(n, how)),
     }
 }
@@ -68,7 +74,7 @@ fn turning(n: usize, how: How) -> Findings {
     let questions = vec![turned, parallel, Question::gaps(GAP), energy];
     let scene: &dyn Scene = &scene;
     let trial = Trial { scene, given: Vec::new(), times: times_of_rows(&table), questions };
-    let by = how.by(Method::rk4(1e-3), 1e-3);
+    let by = how.by(1e-3);
     trial.examine(if n <= LARGEST_FOR_LU { by } else { by.without_naive() })
 }
 
@@ -81,7 +87,7 @@ fn slider(how: How) -> Findings {
     let energy = Question::energy(SLIDER_ENERGY, number(&subject.data["E0"]));
     let questions = vec![place, Question::gaps(GAP), energy];
     let trial = Trial::new(&subject, times_of(&subject.data["states"]), questions);
-    trial.examine(how.by(Method::rk4(1e-4), 1e-4))
+    trial.examine(how.by(1e-4))
 }
 
 fn snakeboard(how: How) -> Findings {
@@ -95,13 +101,13 @@ fn snakeboard(how: How) -> Findings {
     });
     let questions = vec![pose, sideways, Question::gaps(GAP)];
     let trial = Trial::new(&subject, times_of(&subject.data["states"]), questions);
-    trial.examine(how.by(Method::rk4(5e-4), 5e-4))
+    trial.examine(how.by(5e-4))
 }
 
 /// A02 with three loops, one crank of which points down: every method has to refuse the start.
 fn stretched(how: How) -> Findings {
     let scene = n_four_bar::Fall { n: 3, ..Default::default() };
-    let by = how.by(Method::taylor(1e-12), 1e-4);
+    let by = how.by(1e-4);
     let order = Simulation::new(&scene).method(by.method).until(0.05).project_start();
     let begun = match order.give("crank[1].phi", -1.6).run() {
         Err(SetupError::Motion(MotionError::SingularPosition { .. })) => 0.0,
@@ -109,5 +115,5 @@ fn stretched(how: How) -> Findings {
     };
     let checks = vec![Check::for_all("runs that begin", 0.0, begun)];
     let ended = Some(Ended::Refused("singular position"));
-    Findings { checks, by: setting(by.method), ended, ..Findings::default() }
+    Findings { checks, ended, ..Findings::default() }
 }

@@ -1,15 +1,21 @@
 //! The page of hard cases by every method.
 
-use ezy_tests::hard::case::{Case, Check, Ended, Findings, How, Setting};
+use ezy_tests::hard::case::{By, Case, Check, Ended, Findings, How, Pace};
 use ezy_tests::hard::methods::{broken, examine, lines, table};
 
 fn case_with(reached: fn(f64) -> f64, ended: Ended) -> Case {
     let examine = move |how: How| {
-        let How::By(Setting { tolerance, .. }) = how else { return Findings::default() };
-        let checks = vec![Check::new("angle", 1e-8, reached(tolerance)), Check::for_all("gap", 1e-12, 1e-13)];
+        let checks = vec![Check::new("angle", 1e-8, reached(how.tolerance)), Check::for_all("gap", 1e-12, 1e-13)];
         Findings { checks, steps: 10, ended: Some(ended), ..Findings::default() }
     };
-    Case { name: "rod".to_owned(), why: "it is one", is_quick: true, examine: Box::new(examine) }
+    Case {
+        name: "rod".to_owned(),
+        why: "it is one",
+        tolerance: 1e-9,
+        by: By::Methods,
+        pace: Pace::Quick,
+        examine: Box::new(examine),
+    }
 }
 
 fn page_of(case: &Case) -> String {
@@ -36,8 +42,14 @@ fn analytic_what_a_page_has_is_not_lost() {
     let lost = |case: &Case| broken(&page, &[case], &[examine(case).unwrap()]).len();
     assert_eq!((lost(&good), lost(&bad), lost(&refused)), (0, 12, 12));
     assert_eq!(broken(&page_of(&refused), &[&good], &[examine(&good).unwrap()]).len(), 0);
-    // a case, a method and a tolerance that are gone
-    assert_eq!((broken(&page, &[], &[]).len(), broken("", &[&good], &[]).len()), (1, 1));
-    let fewer: String = page.lines().filter(|line| !line.contains("dop853")).fold(String::new(), |t, l| t + l + "\n");
-    assert_eq!(broken(&fewer, &[&good], &[examine(&good).unwrap()]).len(), 1);
+    // a case that is gone, with its four methods; a page that is gone, and its table
+    assert_eq!((broken(&page, &[], &[]).len(), broken("", &[&good], &[]).len()), (4, 5));
+    // a method and a tolerance that are on one side alone
+    let without =
+        |word: &str| page.lines().filter(|line| !line.contains(word)).fold(String::new(), |t, l| t + l + "\n");
+    assert_eq!(broken(&without("| dop853 |"), &[&good], &[]).len(), 1);
+    assert_eq!(broken(&page.replace("| dop853 | kept", "| euler | kept"), &[&good], &[]).len(), 2);
+    assert_eq!(broken(&page.replace(" | 1e-12 |", " |"), &[&good], &[]).len(), 1);
+    let shorter = page.replace("| kept: 1e-10, 10 |\n| `rod` |  | taylor", "|\n| `rod` |  | taylor");
+    assert_eq!((shorter == page, broken(&shorter, &[&good], &[]).len()), (false, 1));
 }

@@ -32,7 +32,7 @@ pub(crate) mod steps {
 
     /// Accelerations of a series at the end of its step that differ from those of the equations by more than this, times the length of the
     /// step and for each order, are not the motion. Where they are, what is left out is about the tolerance, and its derivative as many times
-    /// that as the series has orders: half of all steps have 0.5 to 1.3, one in a hundred more than 5.
+    /// that as the series has orders: half of all steps have 0.5 to 1.3, one or two in a hundred more than 5.
     /// Unit: tolerances of a velocity for each order.
     /// Test: `cross_taylor_steps_do_not_pass_over_a_friction_layer`.
     pub(crate) const LARGEST_DEFECT: f64 = 5.0;

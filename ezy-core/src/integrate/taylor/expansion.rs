@@ -80,3 +80,28 @@ fn increment_columns<T: Scalar, const N: usize>(
     let start = &coefficients[n_q..][..N];
     (std::array::from_fn(|i| r[i].fused(s, start[i]) * s), std::array::from_fn(|i| slope[i].fused(s, r[i] + r[i]) * s))
 }
+
+/// The second derivative of q after `s`, from coefficients of q up to `order + 1`.
+pub(super) fn second_derivative(store: &SeriesStore<f64>, order: usize, s: f64, out: &mut [f64]) {
+    let n_q = out.len();
+    let (pairs, single) = out.as_chunks_mut::<TWO_BODIES>();
+    let n_paired = n_q - single.len();
+    for (i, out) in pairs.iter_mut().enumerate() {
+        *out = second_derivative_columns(&store.q[i * TWO_BODIES..], n_q, order, s);
+    }
+    for (i, out) in single.iter_mut().enumerate() {
+        [*out] = second_derivative_columns(&store.q[n_paired + i..], n_q, order, s);
+    }
+}
+
+/// As [`second_derivative`], for the first columns of coefficients in rows of `n_q`.
+fn second_derivative_columns<const N: usize>(coefficients: &[f64], n_q: usize, order: usize, s: f64) -> [f64; N] {
+    let mut sums = [0.0; N];
+    for k in (2..=order + 1).rev() {
+        let (factor, row) = ((k * (k - 1)) as f64, &coefficients[k * n_q..][..N]);
+        for i in 0..N {
+            sums[i] = sums[i] * s + factor * row[i];
+        }
+    }
+    sums
+}

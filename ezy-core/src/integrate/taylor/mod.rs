@@ -9,7 +9,7 @@ mod work;
 use super::{Tolerance, compensated};
 use crate::dynamics::{MotionError, Solved, State, System};
 use crate::model::{Scene, Series, SeriesStore};
-use expansion::{OrderSolver, expand, expand_with, increment};
+use expansion::{OrderSolver, expand, expand_with, increment, second_derivative};
 use work::Quadrature;
 
 pub(crate) use length::order_for as taylor_order;
@@ -110,15 +110,14 @@ impl<'s> Taylor<'s> {
     /// Whether the series is the motion: whether its accelerations at the end of a step, `h` after its start, are those of the equations
     /// there, `a` (`n_q`), to `most` tolerances of a velocity for each order over `h`, and `rounding` of the largest. Before
     /// [`Taylor::accept`].
-    pub(crate) fn follows(&self, h: f64, a: &[f64], most: f64, rounding: f64) -> bool {
-        let n_q = self.n_q;
+    pub(crate) fn follows(&mut self, h: f64, a: &[f64], most: f64, rounding: f64) -> bool {
+        let Self { order, n_q, now: store, weights, increment, .. } = self;
+        let of_series = &mut increment.v;
+        second_derivative(store, *order, h, of_series);
         let size = a.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
-        let most = most * (self.order + 1) as f64 / h;
-        a.iter().zip(&self.weights[n_q..]).enumerate().all(|(i, (a, weight))| {
-            let terms = (2..=self.order + 1).rev().map(|k| (k * (k - 1)) as f64 * self.now.q[k * n_q + i]);
-            let of_series = terms.fold(0.0, |sum, term| h.mul_add(sum, term));
-            (a - of_series).abs() <= most / weight + rounding * size
-        })
+        let most = most * (*order + 1) as f64 / h;
+        let all = a.iter().zip(of_series).zip(&weights[*n_q..]);
+        all.into_iter().all(|((a, of_series), weight)| (a - *of_series).abs() <= most / weight + rounding * size)
     }
 
     /// A step of length `h` from `from`; writes `to`, not yet projected.

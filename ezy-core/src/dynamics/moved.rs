@@ -3,7 +3,10 @@
 use crate::model::CoordinateInfo;
 use crate::scalar::rounded;
 
-/// A start value that was given, but may change ([`near_position`](crate::model::Start::near_position), [`give_way`](crate::model::Start::give_way)), and did.
+/// A start value that was given, but may change ([`near_position`], [`give_way`]), and did.
+///
+/// [`near_position`]: crate::model::Start::near_position
+/// [`give_way`]: crate::model::Start::give_way
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MovedValue {
     /// Name of the coordinate or velocity.

@@ -70,7 +70,7 @@ impl Quantity<'_> {
     }
 }
 
-/// The cases of a family and what was found in each, as text; `reasons` are what `reason` says of the misses.
+/// The cases of a family and what was found in each, as text; `reasons` are what [`reasons`] says of the misses.
 pub fn table(found: &[Found<'_>], reasons: &[String]) -> String {
     let mut text = String::new();
     let mut line = |line: String| {

@@ -1,7 +1,7 @@
 //! One file.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, ErrorKind, Seek, SeekFrom, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// A file that replaces an older one when it is complete.
@@ -59,7 +59,9 @@ impl OutputFile {
     ///
     /// # Errors
     /// The error of the system.
+    #[cfg(feature = "cli")]
     pub(crate) fn write_over_start(&mut self, bytes: &[u8]) -> io::Result<()> {
+        use std::io::{Seek as _, SeekFrom};
         self.file.rewind()?;
         self.file.write_all(bytes)?;
         self.file.seek(SeekFrom::End(0)).map(|_| ())

@@ -29,6 +29,9 @@ pub enum EventKind {
     /// None: a law has a discontinuity there, of its value or its slope, by `abs`, `sign`, `min` or `max`. DOP853, Radau and RK4
     /// end a step there.
     Discontinuity,
+    /// None: a smoothed law turns around there within a layer that may be narrow, as friction does. The value is the share of the
+    /// largest force, from -1 to 1. DOP853 is careful with a step that passes the layer.
+    Layer,
 }
 
 /// Direction of a root.

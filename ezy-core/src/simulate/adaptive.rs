@@ -1,5 +1,6 @@
 //! DOP853 with its step control.
 
+use super::discontinuities::Passage;
 use super::step_limit::{StepLimit, is_too_short, limited_step};
 use super::tolerances::steps::{APPROACH, LARGEST_DENSE_ERROR, LEFT, MAX_DISCONTINUITIES};
 use crate::dynamics::{Dynamics, MotionError, State};
@@ -111,15 +112,18 @@ impl<T: Scalar> Adaptive<T> {
         Ok(())
     }
 
-    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. `up_to` returns the length of a
-    /// step, s, up to the discontinuity that the present step crosses.
+    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. `passage` says what a step to a
+    /// state passes.
+    ///
+    /// In a layer a force changes by nearly all of itself, and the step is not short beside that: order 8 is not reached, and the
+    /// estimate of order 5 counts as it is.
     pub(super) fn step<D: Dynamics<T>>(
         &mut self,
         system: &mut D,
         from: Node<'_, T>,
         end: f64,
         to: &mut State<T>,
-        mut up_to: impl FnMut(&mut D, &State<T>) -> Option<f64>,
+        mut passage: impl FnMut(&mut D, &State<T>) -> Passage,
     ) -> Result<(), MotionError> {
         self.between = None;
         let t = from.state.t;
@@ -141,9 +145,14 @@ impl<T: Scalar> Adaptive<T> {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
             match self.method.attempt(system, from, h, self.tolerance, to) {
-                Ok(error) => {
-                    let shorter = if n_discontinuities < MAX_DISCONTINUITIES { up_to(system, to) } else { None };
-                    if let Some(shorter) = shorter {
+                Ok(mut error) => {
+                    let passage = passage(system, to);
+                    if passage == Passage::Layer {
+                        error = error.max(self.method.error_of_order_5(h, self.tolerance));
+                    }
+                    if let Passage::Ends(shorter) = passage
+                        && n_discontinuities < MAX_DISCONTINUITIES
+                    {
                         n_discontinuities += 1;
                         let whole = *whole.get_or_insert(h);
                         length = if shorter > LEFT * whole { APPROACH * shorter } else { shorter };

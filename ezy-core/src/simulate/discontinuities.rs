@@ -7,9 +7,12 @@
 //! part of the way a short step, and its error estimate controls the rest. Methods of lower order stop before the discontinuity, at a
 //! distance above the uncertainty of its predicted time. That uncertainty shrinks with each step; the last step is a
 //! very short one across the discontinuity.
+//!
+//! A smoothed law turns around within a layer. A step may pass over the layer, or begin in it and leave it, with hardly a stage in
+//! it; DOP853 then judges it by its lower order.
 
 use super::root::{resolution_at, root, side_of};
-use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, UNKNOWN};
+use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, TURNED, UNKNOWN};
 use super::tolerances::steps::SHORTEST;
 use crate::dynamics::{Rows, State, System};
 use crate::integrate::{Node, interpolate};
@@ -24,10 +27,23 @@ pub(in crate::simulate) enum Cut {
     Over(f64),
 }
 
-/// The discontinuities of a scene, with buffers.
+/// What a step passes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::simulate) enum Passage {
+    /// Nothing.
+    Smooth,
+    /// Most of the layer of a smoothed law.
+    Layer,
+    /// A discontinuity, so far from its start, s.
+    Ends(f64),
+}
+
+/// The discontinuities and layers of a scene, with buffers.
 pub(in crate::simulate) struct Discontinuities {
     /// Indices into the events.
     places: Vec<usize>,
+    /// The same of layers.
+    layers: Vec<usize>,
     /// Values at the start of the step, at its end, and between.
     values: [Vec<f64>; 3],
     a: Vec<f64>,
@@ -39,14 +55,16 @@ pub(in crate::simulate) struct Discontinuities {
 
 impl Discontinuities {
     pub(crate) fn new(info: &SceneInfo) -> Self {
-        let is_discontinuity = |&i: &usize| info.events[i].kind == EventKind::Discontinuity;
-        let places: Vec<usize> = (0..info.events.len()).filter(is_discontinuity).collect();
-        // without discontinuities there is nothing to look for
+        let of_kind = |kind: EventKind| (0..info.events.len()).filter(|&i| info.events[i].kind == kind).collect();
+        let [places, layers]: [Vec<usize>; 2] = [EventKind::Discontinuity, EventKind::Layer].map(of_kind);
+        // without them there is nothing to look for
+        let is_smooth = places.is_empty() && layers.is_empty();
         let [n_s, n_q, n_c] =
-            [info.events.len(), info.n_coordinates(), info.n_rows()].map(|n| if places.is_empty() { 0 } else { n });
+            [info.events.len(), info.n_coordinates(), info.n_rows()].map(|n| if is_smooth { 0 } else { n });
         let zeros = |n: usize| vec![0.0; n];
         Self {
             places,
+            layers,
             values: [zeros(n_s), zeros(n_s), zeros(n_s)],
             a: zeros(n_q),
             lambda: zeros(n_c),
@@ -92,13 +110,28 @@ impl Discontinuities {
         are_crossed
     }
 
-    /// Length of the step from `from` to the first discontinuity, s; none when the step to `end` crosses none.
-    pub(crate) fn up_to<S: Scene + ?Sized>(
+    /// What the step from `from` to `end` passes; its length ends at the first discontinuity.
+    pub(crate) fn passage<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Node<'_>,
         end: &State,
-    ) -> Option<f64> {
+    ) -> Passage {
+        if let Some(length) = self.up_to(system, from, end) {
+            return Passage::Ends(length);
+        }
+        if self.layers.is_empty() {
+            return Passage::Smooth;
+        }
+        let Self { layers, values: [before, after, _], .. } = self;
+        system.events(from.state.t, &from.state.q, &from.state.v, before);
+        system.events(end.t, &end.q, &end.v, after);
+        let turns = |&i: &usize| (after[i] - before[i]).abs() > TURNED;
+        if layers.iter().any(turns) { Passage::Layer } else { Passage::Smooth }
+    }
+
+    /// Length of the step from `from` to the first discontinuity, s; none when the step to `end` crosses none.
+    fn up_to<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, from: Node<'_>, end: &State) -> Option<f64> {
         if !self.are_crossed(system, from.state, &[end]) {
             return None;
         }

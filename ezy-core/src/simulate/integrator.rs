@@ -129,7 +129,7 @@ impl<'s> Integrator<'s> {
                 Ok(())
             }
             Self::Dop853(adaptive) => {
-                adaptive.step(system, from, t_next, to, |system, end| discontinuities.up_to(system, from, end))
+                adaptive.step(system, from, t_next, to, |system, end| discontinuities.passage(system, from, end))
             }
             Self::Radau(implicit) => implicit.step(system, from, t_next, discontinuities, to),
             Self::Taylor(series) => series.step(system, from, t_next, to),

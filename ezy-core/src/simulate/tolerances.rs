@@ -168,6 +168,12 @@ pub(crate) mod discontinuities {
     /// Test: `order_rk4_is_four_across_discontinuities`.
     pub(crate) const UNKNOWN: f64 = 1.0 / 32.0;
 
+    /// A step in which the share of a smoothed law changes by more than this passes its layer: half of all it can change by.
+    /// Unit: share of the largest force.
+    /// Test: `cross_dop853_steps_do_not_pass_over_a_friction_layer`,
+    /// and `invariant_resolved_friction_costs_dop853_no_steps`.
+    pub(crate) const TURNED: f64 = 1.0;
+
     /// Guard against chattering: each shortened step adds [`CUT`], each full step subtracts one. From [`CHATTERING_GUARD`] on discontinuities are
     /// stepped over, as where dry friction sticks or where a value is only rounding.
     /// Unit: points.

@@ -2,6 +2,7 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
+use super::discontinuities::Passage;
 use crate::dynamics::{Dynamics, MotionError, State, SystemOf, not_finite};
 use crate::integrate::{Clock, Method, Node, Rk4};
 use crate::model::{Equations, SceneInfo};
@@ -71,7 +72,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
         let from = Node { state: now, a, power: &[] };
         match method {
             Steps::Rk4 { method, .. } => method.step(system, from, h, t_next, next)?,
-            Steps::Dop853(adaptive) => adaptive.step(system, from, t_next, next, |_, _| None)?,
+            Steps::Dop853(adaptive) => adaptive.step(system, from, t_next, next, |_, _| Passage::Smooth)?,
         }
         if let Some(quantity) = not_finite(info, &next.q, &next.v) {
             return Err(MotionError::NotFinite { t: now.t, quantity });

@@ -293,6 +293,7 @@ pub fn event(event: &SceneEvent, printed: &Printed) -> TokenStream {
             (quote!(#name), documentation.as_str(), if *ends { quote!(End) } else { quote!(Mark) })
         }
         EventKind::Discontinuity => (quote!(#text), "", quote!(Discontinuity)),
+        EventKind::Layer => (quote!(#text), "", quote!(Layer)),
     };
     let formula = formula(printed);
     let direction = match event.relation {

@@ -134,7 +134,7 @@ impl Template<'_> {
             Kind::Output(output) => output.output.name.clone(),
             Kind::Event(EventTemplate { event, .. }) => match &event.kind {
                 EventKind::Declared { name, .. } => name.clone(),
-                EventKind::Discontinuity => String::new(),
+                EventKind::Discontinuity | EventKind::Layer => String::new(),
             },
             Kind::Force(_) | Kind::Start => String::new(),
         }

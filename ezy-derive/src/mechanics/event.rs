@@ -22,6 +22,8 @@ pub enum EventKind {
     Declared { name: String, documentation: String, ends: bool },
     /// A discontinuity of a law.
     Discontinuity,
+    /// A narrow layer in which a law changes its sign.
+    Layer,
 }
 
 impl SceneEvent {
@@ -43,6 +45,12 @@ impl SceneEvent {
         }
         let discontinuity = |value| Self { kind: EventKind::Discontinuity, relation: Relation::Equal, value };
         values.into_iter().map(discontinuity).collect()
+    }
+
+    /// Shares of smoothed laws, each once.
+    pub fn layers(values: &[SumId]) -> impl Iterator<Item = Self> {
+        let values: BTreeSet<_> = values.iter().copied().collect();
+        values.into_iter().map(|value| Self { kind: EventKind::Layer, relation: Relation::Equal, value })
     }
 }
 

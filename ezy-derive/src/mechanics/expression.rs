@@ -13,11 +13,13 @@ pub struct Writer<'a> {
     pub symbols: &'a Symbols,
     /// Whether the velocities have been created in the algebra.
     pub(super) knows_velocities: bool,
+    /// Shares of the largest force that smoothed laws have, from -1 to 1.
+    pub(super) layers: Vec<SumId>,
 }
 
 impl<'a> Writer<'a> {
     pub fn new(model: &'a Model, algebra: &'a mut Algebra, symbols: &'a Symbols) -> Self {
-        Self { model, algebra, symbols, knows_velocities: false }
+        Self { model, algebra, symbols, knows_velocities: false, layers: Vec::new() }
     }
 
     pub fn write(&mut self, expression: &Expr) -> SumId {

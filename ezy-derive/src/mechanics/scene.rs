@@ -23,7 +23,7 @@ pub struct Equations {
     pub inputs: Vec<InputId>,
     /// Outputs of the model and of the scene's effects: place in [`Model::outputs`] and value.
     pub outputs: Vec<(usize, SumId)>,
-    /// Events, then discontinuities of F.
+    /// Events, then discontinuities and layers of F.
     pub events: Vec<SceneEvent>,
     /// What the skate with a limit holds up to, N, and the velocity across it, m/s.
     pub stick_slip: Option<[SumId; 2]>,
@@ -97,6 +97,7 @@ impl Equations {
         let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
         let laws = laws(&mut writer, scene, &force, stick_slip);
         events.extend(SceneEvent::discontinuities(writer.algebra, &laws));
+        events.extend(SceneEvent::layers(&writer.layers));
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
         let stop = model.stop_of(scene).map(|stop| stop.name.to_string());
         let multipliers = drives(&mut algebra, &mut symbols, &constraints, stop.as_deref(), &mut power);

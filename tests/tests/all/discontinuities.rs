@@ -14,12 +14,15 @@ model! {
         force at block(0, 0): (-k * block.x, 0);
         effect buffer { force at block(0, 0): (-3 * k * max(block.x, 0), 0); }
         effect rubbing { force at block(0, 0): (-friction * sign(block.vx), 0); }
-        effect smooth { friction at block(0, 0) along ground(1, 0): force friction, speed 1e-4; }
+        param knee: m/s = 1e-4;
+        effect smooth { friction at block(0, 0) along ground(1, 0): force friction, speed knee; }
+        effect written { force at block(0, 0): (-friction * block.vx / sqrt(block.vx^2 + knee^2), 0); }
         start left { block x -1; at rest; }
         scene alone { start left; until 20 s; }
         scene between { start left; until 20 s; with buffer; }
         scene rubs { start left; until 12 s; with rubbing; }
         scene smoothed { start left; until 12 s; with smooth; }
+        scene formula { start left; until 12 s; with written; }
     }
 }
 
@@ -133,6 +136,21 @@ fn analytic_smoothed_friction_through_zero_speed_is_near_dry_friction() {
     assert!(error <= 1e-4, "{error:.1e}");
 }
 
+/// Steps that are short beside the layer are those of the same law as a formula, of which nothing is known.
+#[test]
+fn invariant_resolved_friction_costs_dop853_no_steps() {
+    let cost = |scene: &dyn Scene, tolerance: f64| {
+        let cost = end(scene, Method::dop853(tolerance)).1.cost;
+        [cost.steps, cost.rejected]
+    };
+    let knee = 0.5;
+    let smoothed = block::Smoothed { knee, ..block::Smoothed::default() };
+    let formula = block::Formula { knee, ..block::Formula::default() };
+    for tolerance in [1e-6, 1e-8, 1e-10] {
+        assert_eq!(cost(&smoothed, tolerance), cost(&formula, tolerance), "at {tolerance:.0e}");
+    }
+}
+
 #[test]
 fn invariant_discontinuities_are_listed_once_and_are_no_events_of_a_run() {
     let info = Scene::info(&block::Between::default());
@@ -141,6 +159,9 @@ fn invariant_discontinuities_are_listed_once_and_are_no_events_of_a_run() {
     assert!(info.events.iter().all(|event| event.kind == EventKind::Discontinuity));
     let (_, run) = end(&block::Between::default(), Method::dop853(1e-6));
     assert!(run.events().is_empty());
-    assert!(Scene::info(&block::Smoothed::default()).events.is_empty());
+    let smoothed = Scene::info(&block::Smoothed::default());
+    assert!(smoothed.events.iter().map(|event| event.kind).eq([EventKind::Layer]), "{:?}", smoothed.events);
+    let (_, run) = end(&block::Smoothed::default(), Method::dop853(1e-6));
+    assert!(run.events().is_empty());
     assert!(Scene::info(&ezy_roller::Driven::default()).events.is_empty());
 }

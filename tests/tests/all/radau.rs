@@ -328,3 +328,37 @@ fn reference_radau_over_a_steep_knee_of_friction() {
         }
     }
 }
+
+/// What errors of steps add up to.
+const OVER_TURNS: f64 = 100.0;
+
+/// A torque that turns round 1,100 times a second, in steps of several turns: the estimate of a step vanishes now and then.
+#[test]
+fn cross_radau_steps_do_not_pass_over_turns_of_a_torque() {
+    let fast =
+        ezy_roller::Driven { d: 3.944_153_374_243_181e-2, omega: 1.589_030_602_584_880_4e4, ..Default::default() };
+    let rowed = roller_racer::RowedOnTarmac {
+        h: 2.812_688_966_078_293_4,
+        omega: 6.893_255_039_213_796e3,
+        ..Default::default()
+    };
+    let cases: [(&dyn Scene, _, _); 2] = [
+        (&fast, 0.682_019_185_596_350_4, vec![("bar.omega", -0.454_981_766_130_069_7)]),
+        (&rowed, 1.265_869_791_561_476_3, vec![]),
+    ];
+    for (scene, until_s, given) in cases {
+        let samples = |method: Method| {
+            let order = Simulation::new(scene).method(method).until(until_s).every(until_s / 32.0).project_start();
+            given.iter().fold(order, |order, given: &(&str, f64)| order.give(given.0, given.1)).run().unwrap()
+        };
+        let reference = samples(Method::dop853(1e-11));
+        let of = |sample: Sample<'_>| [sample.coordinates, sample.velocities].concat();
+        let size = reference.samples().flat_map(of).fold(1.0, |size: f64, x| size.max(x.abs()));
+        for tolerance in [1e-4, 1e-6] {
+            let run = samples(Method::radau(tolerance));
+            let pairs = run.samples().zip(reference.samples());
+            let error = pairs.fold(0.0, |m: f64, (a, b)| worse(m, distance(&of(a), &of(b)) / size));
+            assert!(error <= OVER_TURNS * tolerance, "{error:.1e} at {tolerance:.0e}");
+        }
+    }
+}

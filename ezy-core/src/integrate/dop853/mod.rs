@@ -226,6 +226,19 @@ impl<T: Scalar> Dop853<T> {
         self.weighted_error(h, tolerance)
     }
 
+    /// Error over tolerance of the last attempt by the embedded solution of order 5 alone, without the order that two of them have on a smooth motion.
+    pub(crate) fn error_of_order_5(&self, h: f64, tolerance: Tolerance) -> f64 {
+        let n = 2 * self.n_q;
+        let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());
+        let errors = ends.zip(self.errors[0].as_flattened());
+        let squares = errors.map(|((start, end), error)| {
+            let error = *error / scale(tolerance, start.abs().max(end.abs()));
+            error * error
+        });
+        let sum = squares.fold(T::from_f64(0.0), |sum, square| sum + square);
+        h.abs() * (sum / T::from_f64(n as f64)).sqrt().magnitude()
+    }
+
     fn weighted_error(&self, h: f64, tolerance: Tolerance) -> f64 {
         let [fives, threes, sixes] = &self.errors;
         let n = 2 * self.n_q;

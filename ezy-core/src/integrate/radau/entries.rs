@@ -28,6 +28,8 @@ pub(super) struct Entries {
     places: Places,
     row_scale: Vec<f64>,
     column_scale: Vec<f64>,
+    /// Magnitudes of the entries of N(μ), for the time of a call.
+    sizes: Vec<f64>,
 }
 
 /// Places of what is written.
@@ -68,6 +70,7 @@ impl Entries {
                 by_v: places(by_v),
             },
             starts: (0..=n).map(|row| all.partition_point(|entry| entry.0 < row)).collect(),
+            sizes: vec![0.0; all.len()],
             fixed: vec![0.0; all.len()],
             by_v: vec![0.0; all.len()],
             by_q: vec![0.0; all.len()],
@@ -100,20 +103,23 @@ impl Entries {
 
     /// Chooses the scales for μ: the unit of forces, then columns, then rows.
     pub(super) fn scale(&mut self, mu: f64) {
-        let Self { n_q, starts, columns, fixed, by_v, by_q, row_scale, column_scale, .. } = self;
-        let size = |place: usize| (fixed[place] - (by_v[place] + by_q[place] / mu) / mu).abs();
+        let Self { n_q, starts, columns, fixed, by_v, by_q, row_scale, column_scale, sizes, .. } = self;
+        for (size, ((fixed, by_v), by_q)) in sizes.iter_mut().zip(fixed.iter().zip(by_v).zip(by_q)) {
+            *size = (*fixed - (*by_v + *by_q / mu) / mu).abs();
+        }
         let of_motion = starts[*n_q];
-        let masses = (0..of_motion).filter(|&place| columns[place] < *n_q).map(size);
-        let unit = reciprocal(masses.fold(0.0, f64::max));
+        let masses = sizes[..of_motion].iter().zip(&*columns).filter(|(_, column)| **column < *n_q);
+        let unit = reciprocal(masses.fold(0.0, |largest: f64, (size, _)| largest.max(*size)));
         column_scale.fill(0.0);
-        for (place, &column) in columns.iter().enumerate() {
-            let size = if place < of_motion { unit * size(place) } else { size(place) };
+        for (place, (size, &column)) in sizes.iter().zip(&*columns).enumerate() {
+            let size = if place < of_motion { unit * size } else { *size };
             column_scale[column] = size.max(column_scale[column]);
         }
         column_scale.iter_mut().for_each(|scale| *scale = reciprocal(*scale));
         for (scale, ends) in row_scale.iter_mut().zip(starts.windows(2)) {
-            let sizes = (ends[0]..ends[1]).map(|place| size(place) * column_scale[columns[place]]);
-            *scale = reciprocal(sizes.fold(0.0, f64::max));
+            let (sizes, columns) = (&sizes[ends[0]..ends[1]], &columns[ends[0]..ends[1]]);
+            let scaled = sizes.iter().zip(columns).map(|(size, column)| size * column_scale[*column]);
+            *scale = reciprocal(scaled.fold(0.0, f64::max));
         }
     }
 

@@ -1,8 +1,10 @@
 //! The end of a step, and an estimate of its error.
 
 use super::Radau;
-use super::stages::{Stages, add_combination};
-use super::tableau::{GAMMA, N_STAGES, NODES, START_SLOPE};
+use super::stages::{Stages, add_combination, combine};
+use super::tableau::{
+    GAMMA, N_STAGES, NODES, START_SLOPE, UNSEEN, UNSEEN_INTEGRALS, UNSEEN_SECOND_INTEGRALS, UNSEEN_SLOPES,
+};
 use crate::dynamics::{State, System};
 use crate::integrate::{Node, compensated};
 use crate::model::Scene;
@@ -42,6 +44,25 @@ impl Radau {
         add_combination(&START_SLOPE, &stages.work, &mut error.work);
         error.work.iter_mut().for_each(|error| *error /= GAMMA);
         (norm(&error.q, &error.v, &self.weights), unfiltered)
+    }
+
+    /// The same as the estimate, of the equations of motion at a time that no stage saw.
+    pub(super) fn defect<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, start: &State, h: f64) -> f64 {
+        let Self { stages, matrices, second_error: second, solution, q, v, a, lambda, .. } = self;
+        combine(&UNSEEN_SLOPES, &stages.a, a);
+        combine(&UNSEEN_SLOPES, &stages.lambda, lambda);
+        v.copy_from_slice(&start.v);
+        add_combination(&UNSEEN_INTEGRALS.map(|weight| h * weight), &stages.a, v);
+        q.iter_mut().zip(&start.q).zip(&start.v).for_each(|((q, start), v)| *q = start + UNSEEN * h * v);
+        add_combination(&UNSEEN_SECOND_INTEGRALS.map(|weight| h * h * weight), &stages.a, q);
+        system.residual(start.t + UNSEEN * h, q, v, a, lambda, solution);
+        matrices.solve_real(solution);
+        let length = h / GAMMA;
+        for ((q, v), alpha) in second.q.iter_mut().zip(&mut second.v).zip(&*solution) {
+            *v = length * alpha;
+            *q = length * *v;
+        }
+        norm(&second.q, &second.v, &self.weights)
     }
 
     /// The same with the Jacobians at the end of the step: those at its start hide what a force does that was stiff there and levels

@@ -192,6 +192,9 @@ impl Radau {
         }
         self.finish(from.state, h, to);
         let (mut error, unfiltered) = self.estimate(from, h);
+        if error <= 1.0 {
+            error = error.max(self.defect(system, from.state, h));
+        }
         if error < 1.0 && unfiltered > 1.0 {
             error = error.max(self.estimate_at_end(system, from, h, to));
         }

@@ -49,6 +49,14 @@ pub(super) const T_INVERSE: Triple<Triple> = [
 /// Minus the slope at the start of the polynomial through the start and the stages, as sum of the stages' increments over h.
 pub(super) const START_SLOPE: Triple = [-10.048_809_399_827_416, 1.382_142_733_160_749, -0.333_333_333_333_333_3];
 
+/// Where (x − c₁)(x − c₂)(x − 1) is largest between the first two stages, (6 − √6)/10, with the weights of the stages' accelerations
+/// there: of their polynomial, of its integral from 0, and of the integral of that.
+pub(super) const UNSEEN: f64 = 0.355_051_025_721_682_2;
+pub(super) const UNSEEN_SLOPES: Triple = [0.451_683_675_240_560_74, 0.741_581_623_797_196_4, -0.193_265_299_037_757_08];
+pub(super) const UNSEEN_INTEGRALS: Triple = [0.338_762_756_430_420_55, 0.016_288_269_291_261_643, 0.0];
+pub(super) const UNSEEN_SECOND_INTEGRALS: Triple =
+    [0.071_761_820_090_981_62, -0.014_263_177_305_394_11, 0.005_531_972_647_421_808];
+
 /// Values at `s`, in parts of the step, of the polynomials of degree 2 that are one at a node and zero at the others.
 pub(super) fn through_nodes(s: f64) -> Triple {
     std::array::from_fn(|i| {
@@ -104,6 +112,21 @@ mod tests {
         let eigenvalues = [[GAMMA, 0.0, 0.0], [0.0, ALPHA, -BETA], [0.0, BETA, ALPHA]];
         assert_equal(&product(&A, &product(&T, &eigenvalues)), &T);
         assert_equal(&product(&T, &T_INVERSE), &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    }
+
+    #[test]
+    fn analytic_weights_where_no_stage_is_are_exact_for_quadratic_polynomials() {
+        let tables = [UNSEEN_SLOPES, UNSEEN_INTEGRALS, UNSEEN_SECOND_INTEGRALS];
+        for degree in 0..3 {
+            let d = f64::from(degree);
+            let exact = [1.0, UNSEEN / (d + 1.0), UNSEEN.powi(2) / ((d + 1.0) * (d + 2.0))];
+            for (weights, exact) in tables.iter().zip(exact) {
+                let sum: f64 = weights.iter().zip(NODES).map(|(weight, c)| weight * c.powi(degree)).sum();
+                assert!((sum - exact * UNSEEN.powi(degree)).abs() <= ROUNDING, "degree {degree}");
+            }
+        }
+        let slope = |x: f64| (x - NODES[0]) * (x - NODES[1]) + (x - 1.0) * (2.0 * x - NODES[0] - NODES[1]);
+        assert!(slope(UNSEEN).abs() <= ROUNDING);
     }
 
     #[test]

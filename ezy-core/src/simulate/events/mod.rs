@@ -58,7 +58,10 @@ impl EventDetector {
         Self {
             function,
             events,
-            n_told: events.iter().filter(|event| event.kind != EventKind::Discontinuity).count(),
+            n_told: events
+                .iter()
+                .filter(|event| !matches!(event.kind, EventKind::Discontinuity | EventKind::Layer))
+                .count(),
             sides: zeros(),
             fresh: true,
             times: [0.0; N_PARTS + 1],

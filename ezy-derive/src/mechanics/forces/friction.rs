@@ -1,7 +1,7 @@
 //! `friction at P: force f, speed u`, the same `along d`, `friction a ~ b: torque m, rate w`: dry friction, smoothed.
 //!
 //! The law f v/√(v² + u²) goes through zero: it reaches 0.7 of f at the speed u and f far above it (Andersson, Söderberg,
-//! Björklund, Tribology International 40 (2007) compare such laws).
+//! Björklund, Tribology International 40 (2007) compare such laws). Its share v/√(v² + u²) of f tells steps where it turns around.
 
 use super::Load;
 use crate::mechanics::expression::Writer;
@@ -14,31 +14,49 @@ pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
         let turned = writer.turned_by(of.bodies[0], of.bodies[1], None);
         let rate = writer.time_derivative(turned);
         let square = writer.algebra.mul(rate, rate);
-        let factor = factor(writer, square, largest, knee);
+        let root = smoothed(writer, square, knee);
+        add_layer(writer, rate, root);
+        let factor = factor(writer, largest, root);
         let torque = writer.algebra.mul(factor, rate);
         load.couple(writer, &of.bodies, torque);
         return;
     };
     let mut velocity = writer.velocity(place);
-    let mut square = writer.dot(velocity, velocity);
-    if let Some(direction) = of.directions.first() {
+    let root = if let Some(direction) = of.directions.first() {
         let along = writer.unit_direction(direction);
         let speed = writer.dot(velocity, along);
         velocity = along.map(|x| writer.algebra.mul(speed, x));
-        square = writer.algebra.mul(speed, speed);
-    }
-    let factor = factor(writer, square, largest, knee);
+        let square = writer.algebra.mul(speed, speed);
+        let root = smoothed(writer, square, knee);
+        add_layer(writer, speed, root);
+        root
+    } else {
+        let square = writer.dot(velocity, velocity);
+        let root = smoothed(writer, square, knee);
+        velocity.into_iter().for_each(|component| add_layer(writer, component, root));
+        root
+    };
+    let factor = factor(writer, largest, root);
     let force = velocity.map(|v| writer.algebra.mul(factor, v));
     load.at(writer, place, force);
 }
 
-/// −f/√(v² + u²)
-fn factor(writer: &mut Writer<'_>, square: SumId, largest: SumId, knee: SumId) -> SumId {
+/// √(v² + u²)
+fn smoothed(writer: &mut Writer<'_>, square: SumId, knee: SumId) -> SumId {
     let knee_square = writer.algebra.mul(knee, knee);
     let sum = writer.algebra.add(square, knee_square);
     let sum = writer.at_least_something(sum);
     let half = writer.algebra.number(0.5);
-    let root = writer.algebra.pow(sum, half);
+    writer.algebra.pow(sum, half)
+}
+
+/// −f/√(v² + u²)
+fn factor(writer: &mut Writer<'_>, largest: SumId, root: SumId) -> SumId {
     let ratio = writer.algebra.div(largest, root);
     writer.algebra.neg(ratio)
+}
+
+fn add_layer(writer: &mut Writer<'_>, velocity: SumId, root: SumId) {
+    let share = writer.algebra.div(velocity, root);
+    writer.layers.push(share);
 }

@@ -27,6 +27,14 @@ pub(in crate::simulate) enum Cut {
     Over(f64),
 }
 
+impl Cut {
+    /// After a step of this length, s, from `t` that crossed the discontinuity before which it should have stopped.
+    pub(in crate::simulate) fn nearer(t: f64, length: f64) -> Self {
+        let half = 0.5 * length;
+        if half > AT_END * resolution_at(t) { Self::Before(half) } else { Self::Over(length) }
+    }
+}
+
 /// What a step passes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::simulate) enum Passage {

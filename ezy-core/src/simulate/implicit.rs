@@ -71,7 +71,7 @@ impl Implicit {
                 let next_cut = match cut {
                     None => discontinuities.cut(system, from, &[to], h),
                     Some(Cut::Before(_)) if discontinuities.are_crossed(system, from.state, &[to]) => {
-                        Some(Cut::Before(0.5 * h))
+                        Some(Cut::nearer(t, h))
                     }
                     Some(_) => None,
                 };

@@ -121,7 +121,7 @@ impl<'s> Integrator<'s> {
                     rk4.step(system, from, length, from.state.t + length, to)?;
                     let is_before = matches!(cut, Some(Cut::Before(_)));
                     let is_over = is_before && discontinuities.are_crossed(system, from.state, &[to, rk4.last_stage()]);
-                    cut = is_over.then_some(Cut::Before(0.5 * length));
+                    cut = is_over.then(|| Cut::nearer(from.state.t, length));
                 }
                 if to.t >= t_next {
                     discontinuities.rest();

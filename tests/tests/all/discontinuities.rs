@@ -2,7 +2,7 @@
 
 use ezy_core::model::EventKind;
 use ezy_core::prelude::*;
-use ezy_models::ezy_roller;
+use ezy_models::{ezy_roller, skateboard};
 
 model! {
     /// A block of 1 kg on a spring of 1 N/m, against a second spring of 3 N/m on its right, or with dry friction.
@@ -134,6 +134,33 @@ fn analytic_smoothed_friction_through_zero_speed_is_near_dry_friction() {
     // below 1e-4 m/s the force is not what it is: over 1e-4/0.9 s of each of three reversals, and quadratically beyond
     let error = distance(found, exact);
     assert!(error <= 1e-4, "{error:.1e}");
+}
+
+/// Pulses that begin and end 2,500 times a second, several to a step: a step that begins within rounding of one end and passes others has to come
+/// to that end.
+#[test]
+fn cross_steps_over_several_discontinuities_end_at_the_first() {
+    let scene = skateboard::Ridden {
+        m_rider: 3.826_724_731_516_005_5e-2,
+        j_rider: 5.442_617_521_904_539e-3,
+        m_truck: 240.206_981_404_326_27,
+        nu_push: 7.984_072_692_297_641e3,
+        ..skateboard::Ridden::default()
+    };
+    let end = |method: Method| {
+        let order = Simulation::new(&scene).method(method).until(0.02).project_start().max_steps(MOST_STEPS);
+        let given =
+            [("rear.vx", 6.374_253_553_551_820_6e-3), ("rear.vy", 1.0), ("rear.omega", 1.486_840_858_291_516e-2)];
+        let run = given.iter().fold(order, |order, given| order.give(given.0, given.1)).run().unwrap();
+        assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
+        (run.last().coordinates.to_vec(), run.cost.steps)
+    };
+    let (reference, _) = end(Method::dop853(1e-11));
+    for tolerance in [1e-6, 1e-8] {
+        let (found, n_steps) = end(Method::radau(tolerance));
+        let error = reference.iter().zip(&found).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+        assert!(error <= n_steps as f64 * tolerance, "{error:.1e} at {tolerance:.0e}, {n_steps} steps");
+    }
 }
 
 /// Steps that are short beside the layer are those of the same law as a formula, of which nothing is known.

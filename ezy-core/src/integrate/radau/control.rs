@@ -36,6 +36,11 @@ pub(crate) fn tolerance_of_estimate(tolerance: Tolerance) -> Tolerance {
     Tolerance { relative, absolute: tolerance.absolute * (relative / tolerance.relative) }
 }
 
+/// What an error over the tolerance of estimates is over that of values between steps.
+pub(super) fn values_over_estimate(of_estimate: Tolerance) -> f64 {
+    of_estimate.relative.powf(-0.25)
+}
+
 impl RadauControl {
     /// Length of the step after one of length `h` with an error of at most 1; `keeps` says that an equal length would keep the
     /// factors.

@@ -1,12 +1,14 @@
 //! The end of a step, and an estimate of its error.
 
-use super::Radau;
+use super::control::values_over_estimate;
 use super::stages::{Stages, add_combination, combine};
 use super::tableau::{
-    GAMMA, N_STAGES, NODES, START_SLOPE, UNSEEN, UNSEEN_INTEGRALS, UNSEEN_SECOND_INTEGRALS, UNSEEN_SLOPES,
+    GAMMA, N_STAGES, NODES, START_SLOPE, UNSEEN, UNSEEN_INTEGRALS, UNSEEN_REMAINDER, UNSEEN_SECOND_INTEGRALS,
+    UNSEEN_SLOPES,
 };
+use super::{Radau, STIFF};
 use crate::dynamics::{State, System};
-use crate::integrate::{Node, compensated};
+use crate::integrate::{Node, Tolerance, compensated};
 use crate::model::Scene;
 
 impl Radau {
@@ -46,9 +48,16 @@ impl Radau {
         (norm(&error.q, &error.v, &self.weights), unfiltered)
     }
 
-    /// The same as the estimate, of the equations of motion at a time that no stage saw.
-    pub(super) fn defect<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, start: &State, h: f64) -> f64 {
-        let Self { stages, matrices, second_error: second, solution, q, v, a, lambda, .. } = self;
+    /// The residual of the equations where no stage stands, less what of it the estimate is: of order 5 for a motion that the step resolves,
+    /// and half of the estimate for another. Filtered as the estimate is, over the tolerance of values between steps; nothing for a stiff step.
+    pub(super) fn second_look<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        start: &State,
+        h: f64,
+        tolerance: Tolerance,
+    ) -> f64 {
+        let Self { stages, matrices, error, second_error: second, solution, q, v, a, lambda, weights, .. } = self;
         combine(&UNSEEN_SLOPES, &stages.a, a);
         combine(&UNSEEN_SLOPES, &stages.lambda, lambda);
         v.copy_from_slice(&start.v);
@@ -56,13 +65,20 @@ impl Radau {
         q.iter_mut().zip(&start.q).zip(&start.v).for_each(|((q, start), v)| *q = start + UNSEEN * h * v);
         add_combination(&UNSEEN_SECOND_INTEGRALS.map(|weight| h * h * weight), &stages.a, q);
         system.residual(start.t + UNSEEN * h, q, v, a, lambda, solution);
+        let residual = size_of_forces(solution, system.mass_matrix(), weights);
         matrices.solve_real(solution);
-        let length = h / GAMMA;
         for ((q, v), alpha) in second.q.iter_mut().zip(&mut second.v).zip(&*solution) {
-            *v = length * alpha;
-            *q = length * *v;
+            *v = h / GAMMA * alpha;
+            *q = h / GAMMA * *v;
         }
-        norm(&second.q, &second.v, &self.weights)
+        let left = second.v.iter().zip(&error.v).zip(&weights[second.q.len()..]);
+        let left = left.map(|((x, error), weight)| ((x + UNSEEN_REMAINDER * error) * weight).powi(2)).sum::<f64>();
+        let error = (left / weights.len().max(1) as f64).sqrt() * values_over_estimate(tolerance);
+        if error <= 1.0 {
+            return error;
+        }
+        matrices.slope_along(&second.q, &second.v, solution);
+        if size_of_forces(solution, system.mass_matrix(), weights) > STIFF * residual { 0.0 } else { error }
     }
 
     /// The same with the Jacobians at the end of the step: those at its start hide what a force does that was stiff there and levels
@@ -96,6 +112,13 @@ fn subtract_slopes(stages: &Stages, h: f64, of: &mut State) {
     let weights = START_SLOPE.map(|weight| weight / h);
     add_combination(&weights, &stages.q, &mut of.q);
     add_combination(&weights, &stages.v, &mut of.v);
+}
+
+/// Sum of squares of forces, as the accelerations over their tolerances that they are; a coordinate without mass has none of its own.
+fn size_of_forces(forces: &[f64], mass: &[f64], weights: &[f64]) -> f64 {
+    let of_v = &weights[mass.len()..];
+    let all = forces.iter().zip(mass).zip(of_v).filter(|((_, mass), _)| **mass > 0.0);
+    all.map(|((force, mass), weight)| (force / mass * weight).powi(2)).sum::<f64>().sqrt()
 }
 
 /// Root mean square of positions and velocities, each times its weight.

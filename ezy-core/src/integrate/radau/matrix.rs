@@ -61,6 +61,11 @@ impl Matrices {
         self.entries.rounding_along(q, v, a, lambda, out);
     }
 
+    /// As [`Entries::slope_along`].
+    pub(super) fn slope_along(&self, of_q: &[f64], of_v: &[f64], out: &mut [f64]) {
+        self.entries.slope_along(of_q, of_v, out);
+    }
+
     /// Solves with the real eigenvalue, in place.
     pub(super) fn solve_real(&mut self, x: &mut [f64]) {
         self.entries.solve(&mut self.real, x);

@@ -56,6 +56,8 @@ pub(super) const UNSEEN_SLOPES: Triple = [0.451_683_675_240_560_74, 0.741_581_62
 pub(super) const UNSEEN_INTEGRALS: Triple = [0.338_762_756_430_420_55, 0.016_288_269_291_261_643, 0.0];
 pub(super) const UNSEEN_SECOND_INTEGRALS: Triple =
     [0.071_761_820_090_981_62, -0.014_263_177_305_394_11, 0.005_531_972_647_421_808];
+/// Minus that product over what it is at the start.
+pub(super) const UNSEEN_REMAINDER: f64 = 0.373_938_769_133_981_4;
 
 /// Values at `s`, in parts of the step, of the polynomials of degree 2 that are one at a node and zero at the others.
 pub(super) fn through_nodes(s: f64) -> Triple {
@@ -127,6 +129,8 @@ mod tests {
         }
         let slope = |x: f64| (x - NODES[0]) * (x - NODES[1]) + (x - 1.0) * (2.0 * x - NODES[0] - NODES[1]);
         assert!(slope(UNSEEN).abs() <= ROUNDING);
+        let product = |x: f64| NODES.iter().map(|c| x - c).product::<f64>();
+        assert!((product(UNSEEN) + UNSEEN_REMAINDER * product(0.0)).abs() <= ROUNDING);
     }
 
     #[test]

@@ -49,13 +49,14 @@ impl Radau {
     }
 
     /// The residual of the equations where no stage stands, less what of it the estimate is: of order 5 for a motion that the step resolves,
-    /// and half of the estimate for another. Filtered as the estimate is, over the tolerance of values between steps; nothing for a stiff step.
+    /// and half of the estimate for another. Filtered as the estimate is, over the tolerance of values between steps; the estimate where that is larger, and for a stiff step.
     pub(super) fn second_look<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         start: &State,
         h: f64,
         tolerance: Tolerance,
+        estimate: f64,
     ) -> f64 {
         let Self { stages, matrices, error, second_error: second, solution, q, v, a, lambda, weights, .. } = self;
         combine(&UNSEEN_SLOPES, &stages.a, a);
@@ -73,12 +74,12 @@ impl Radau {
         }
         let left = second.v.iter().zip(&error.v).zip(&weights[second.q.len()..]);
         let left = left.map(|((x, error), weight)| ((x + UNSEEN_REMAINDER * error) * weight).powi(2)).sum::<f64>();
-        let error = (left / weights.len().max(1) as f64).sqrt() * values_over_estimate(tolerance);
-        if error <= 1.0 {
-            return error;
+        let larger = (left / weights.len().max(1) as f64).sqrt() * values_over_estimate(tolerance);
+        if larger <= estimate {
+            return estimate;
         }
         matrices.slope_along(&second.q, &second.v, solution);
-        if size_of_forces(solution, system.mass_matrix(), weights) > STIFF * residual { 0.0 } else { error }
+        if size_of_forces(solution, system.mass_matrix(), weights) > STIFF * residual { estimate } else { larger }
     }
 
     /// The same with the Jacobians at the end of the step: those at its start hide what a force does that was stiff there and levels

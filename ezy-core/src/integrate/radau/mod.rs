@@ -196,7 +196,7 @@ impl Radau {
         self.finish(from.state, h, to);
         let (mut error, unfiltered) = self.estimate(from, h);
         if error <= 1.0 {
-            error = error.max(self.second_look(system, from.state, h, tolerance));
+            error = self.second_look(system, from.state, h, tolerance, error);
         }
         if error < 1.0 && unfiltered > 1.0 {
             error = error.max(self.estimate_at_end(system, from, h, to));

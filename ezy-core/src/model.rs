@@ -173,7 +173,8 @@ impl SparsityPattern {
 
     /// The stored entries in order, as (index of the value, row, column).
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
-        (0..self.n_rows()).flat_map(move |i| (self.starts[i]..self.starts[i + 1]).map(move |k| (k, i, self.columns[k])))
+        let (starts, columns) = (&*self.starts, &*self.columns);
+        (0..self.n_rows()).flat_map(move |i| (starts[i]..starts[i + 1]).map(move |k| (k, i, columns[k])))
     }
 }
 
@@ -303,16 +304,19 @@ impl SceneInfo {
     }
 
     /// Number of unknowns of the equations of motion, n_q + n_c.
+    #[inline]
     pub fn n_unknowns(&self) -> usize {
         self.coordinates.len() + self.rows.len()
     }
 
     /// n_q.
+    #[inline]
     pub fn n_coordinates(&self) -> usize {
         self.coordinates.len()
     }
 
     /// n_c.
+    #[inline]
     pub fn n_rows(&self) -> usize {
         self.rows.len()
     }
@@ -328,6 +332,7 @@ impl SceneInfo {
     }
 
     /// n_o.
+    #[inline]
     pub fn n_outputs(&self) -> usize {
         self.outputs.len()
     }
@@ -432,7 +437,8 @@ impl Start {
 /// and [`Derived`] with an empty block: then it runs with `rk4`, `dop853` and the solvers of `linalg`.
 pub trait Scene: Derived {
     /// Names, sizes and equations; for a scene with counts, those of the present counts. Their description is freed when
-    /// nobody holds it and the scene was asked for that of other counts.
+    /// nobody holds it and the scene was asked for that of other counts. A scene written by hand keeps its own in a
+    /// `static` [`LazyLock`](std::sync::LazyLock).
     fn info(&self) -> Arc<SceneInfo>;
 
     /// Value of parameter `index` of [`SceneInfo::parameters`].

@@ -9,8 +9,9 @@ pub use crate::model::repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateIn
 pub use crate::model::series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
 pub use crate::model::{
     Abbreviation, CoordinateInfo, CountInfo, Derived, Direction, EffectInfo, EliminationStep, Equation, Equations,
-    EventInfo, EventKind, Formula, InputInfo, JacobianPlaces, ModelInfo, Operations, OutputInfo, ParameterInfo,
-    PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start, StickSlipInfo, StopInfo,
+    EventInfo, EventKind, Formula, InputInfo, JacobianPlaces, List, ModelInfo, Name, Operations, OutputInfo,
+    ParameterInfo, PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start, StickSlipInfo,
+    StopInfo,
 };
 pub use crate::scalar::Scalar;
 pub use ezy_derive::model as derive_model;

@@ -37,7 +37,7 @@ macro_rules! __faulty_model {
                 impl $crate::__private::Derived for $scene {}
 
                 impl $crate::__private::Scene for $scene {
-                    fn info(&self) -> &'static $crate::__private::SceneInfo {
+                    fn info(&self) -> ::std::sync::Arc<$crate::__private::SceneInfo> {
                         ::core::unreachable!()
                     }
                     fn parameter(&self, index: usize) -> f64 {

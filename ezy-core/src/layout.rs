@@ -1,32 +1,41 @@
 //! Descriptions of scenes with counts, made at run time by the loops that generated code runs.
 //!
-//! A description is made once for each set of counts and kept until the program ends, so that all scenes are
-//! described by `&'static` data.
+//! A description is shared by all who hold it, and freed when nobody does and another one was asked for.
 
 use crate::memory;
 use crate::model::coordinate::place as place_of;
 use crate::model::{
-    CoordinateInfo, Formula, LARGEST_N_MEMBERS, LayoutFault, OutputInfo, PointInfo, Repeats, RowInfo, SceneInfo,
+    CoordinateInfo, LARGEST_N_MEMBERS, LayoutFault, List, Name, OutputInfo, PointInfo, Repeats, RowInfo, SceneInfo,
     SparsityPattern, TemplateInfo,
 };
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-/// The descriptions of one scene that were made so far, by counts.
+/// The descriptions of one scene that somebody holds, by counts, and the one that was asked for last.
 #[derive(Debug, Default)]
-pub struct Known(Mutex<Vec<(Vec<usize>, &'static SceneInfo)>>);
+pub struct Known(Mutex<Held>);
+
+#[derive(Debug, Default)]
+struct Held {
+    by_counts: BTreeMap<Vec<usize>, Weak<SceneInfo>>,
+    /// So that one question after the other about a scene makes one description.
+    last: Option<Arc<SceneInfo>>,
+}
 
 impl Known {
     /// None yet.
     pub const fn new() -> Self {
-        Self(Mutex::new(Vec::new()))
+        Self(Mutex::new(Held { by_counts: BTreeMap::new(), last: None }))
     }
 
     /// The description for these counts. `fixed` is what does not depend on them, its `repeats` with the declared
     /// counts and templates; `fill` adds bodies, points and rows.
-    pub fn info(&self, fixed: &SceneInfo, counts: &[usize], fill: impl Fn(&mut Layout)) -> &'static SceneInfo {
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, info)) = known.iter().find(|(of, _)| of == counts) {
+    pub fn info(&self, fixed: &SceneInfo, counts: &[usize], fill: impl Fn(&mut Layout)) -> Arc<SceneInfo> {
+        let mut held = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(info) = held.by_counts.get(counts).and_then(Weak::upgrade) {
+            held.last = Some(Arc::clone(&info));
             return info;
         }
         let empty = counts.iter().zip(fixed.counts()).find(|(count, _)| **count == 0);
@@ -38,17 +47,20 @@ impl Known {
         if counted.fault.is_none() {
             fill(&mut counted);
         }
+        // freed before the memory is looked at
+        held.last = None;
+        held.by_counts.retain(|_, info| info.strong_count() > 0);
         let fault = counted.fault.or_else(|| memory_fault(counted.n_members));
         let is_short_of_memory = matches!(fault, Some(LayoutFault::Memory { .. }));
         let mut layout = Layout { fault, ..Layout::default() };
         if layout.fault.is_none() {
             fill(&mut layout);
         }
-        let values = counts.to_vec().leak();
-        let info: &'static SceneInfo = Box::leak(Box::new(layout.finish(fixed, values)));
+        let info = Arc::new(layout.finish(fixed, counts));
         // memory may be there the next time
         if !is_short_of_memory {
-            known.push((values.to_vec(), info));
+            held.by_counts.insert(counts.to_vec(), Arc::downgrade(&info));
+            held.last = Some(Arc::clone(&info));
         }
         info
     }
@@ -86,7 +98,7 @@ pub struct Layout {
     /// Bodies and members of `for` so far.
     n_members: usize,
     n_bodies: usize,
-    bodies: Vec<&'static str>,
+    bodies: Vec<Name>,
     coordinates: Vec<CoordinateInfo>,
     points: Vec<PointInfo>,
     outputs: Vec<OutputInfo>,
@@ -101,11 +113,6 @@ struct Rows {
     /// End of each row in `columns`.
     ends: Vec<usize>,
     columns: Vec<usize>,
-}
-
-/// Formulas of single coordinates are their names: equations are printed by template.
-const fn symbol(name: &'static str) -> Formula {
-    Formula { text: name, latex: name, mathml: name }
 }
 
 impl Layout {
@@ -138,17 +145,16 @@ impl Layout {
     fn has_room(&mut self, more: usize) -> bool {
         self.n_members = self.n_members.saturating_add(more);
         if self.n_members > LARGEST_N_MEMBERS {
-            self.fault = self.fault.or(Some(LayoutFault::TooManyMembers { n_members: self.n_members }));
+            self.fault.get_or_insert(LayoutFault::TooManyMembers { n_members: self.n_members });
         }
         self.fault.is_none()
     }
 
-    fn push_body(&mut self, name: &'static str) {
-        let of = |part: &str| &*String::leak([name, part].concat());
+    fn push_body(&mut self, name: Name) {
+        let of = |part: &str| Cow::Owned([&name, part].concat());
         for (position, velocity, unit) in [(".x", ".vx", "m"), (".y", ".vy", "m"), (".phi", ".omega", "rad")] {
             let (name, velocity_name) = (of(position), of(velocity));
-            let (symbol, velocity_symbol) = (symbol(name), symbol(velocity_name));
-            self.coordinates.push(CoordinateInfo { name, velocity_name, unit, symbol, velocity_symbol });
+            self.coordinates.push(CoordinateInfo { name, velocity_name, unit, symbol: None, velocity_symbol: None });
         }
         self.bodies.push(name);
     }
@@ -182,7 +188,7 @@ impl Layout {
             let rows = if row.position { &mut self.position_rows } else { &mut self.velocity_rows };
             rows.columns.extend(row.entries.iter().map(|place| place_of(slots[place.slot], place.component)));
             rows.ends.push(rows.columns.len());
-            rows.rows.push(RowInfo { name, ..row.row });
+            rows.rows.push(RowInfo { name, ..row.row.clone() });
         }
     }
 
@@ -196,35 +202,48 @@ impl Layout {
     /// An output; what stands behind its indices is `suffix`.
     pub fn output(&mut self, output: &OutputInfo, at: &[i64], suffix: &str) {
         if !self.counts_only {
-            self.outputs.push(OutputInfo { name: member(output.name, at, suffix), ..*output });
+            self.outputs.push(OutputInfo { name: member(&output.name, at, suffix), ..output.clone() });
         }
     }
 
-    fn finish(self, fixed: &SceneInfo, values: &'static [usize]) -> SceneInfo {
+    fn finish(self, fixed: &SceneInfo, counts: &[usize]) -> SceneInfo {
         let (position, velocity) = (self.position_rows, self.velocity_rows);
         let n_position_entries = position.columns.len();
         let ends = position.ends.iter().copied().chain(velocity.ends.iter().map(|end| n_position_entries + end));
-        let starts: Vec<usize> = std::iter::once(0).chain(ends).collect();
+        let starts = std::iter::once(0).chain(ends).collect();
+        let repeats = fixed.repeats.clone();
         SceneInfo {
-            bodies: self.bodies.leak(),
-            coordinates: self.coordinates.leak(),
-            points: self.points.leak(),
-            outputs: self.outputs.leak(),
+            bodies: list(self.bodies),
+            coordinates: list(self.coordinates),
+            points: list(self.points),
+            outputs: list(self.outputs),
             n_position_rows: position.rows.len(),
-            rows: [position.rows, velocity.rows].concat().leak(),
-            jacobian: SparsityPattern {
-                starts: starts.leak(),
-                columns: [position.columns, velocity.columns].concat().leak(),
-            },
-            repeats: fixed.repeats.map(|repeats| Repeats { values, fault: self.fault, ..repeats }),
-            ..*fixed
+            rows: both(position.rows, velocity.rows),
+            jacobian: SparsityPattern { starts: list(starts), columns: both(position.columns, velocity.columns) },
+            repeats: repeats.map(|repeats| Repeats { values: list(counts.to_vec()), fault: self.fault, ..repeats }),
+            ..fixed.clone()
         }
     }
 }
 
+/// A list that holds no more memory than it needs.
+fn list<T: Clone>(mut items: Vec<T>) -> List<T> {
+    items.shrink_to_fit();
+    Cow::Owned(items)
+}
+
+fn both<T: Clone>(mut first: Vec<T>, second: Vec<T>) -> List<T> {
+    first.extend(second);
+    list(first)
+}
+
+/// Characters of an index with the bracket or comma before it: those of `i64::MIN` and one.
+const LONGEST_INDEX: usize = 21;
+
 /// `pin[3].x`, or `node[2,3]`; without brackets when there is no index.
-fn member(name: &str, at: &[i64], suffix: &str) -> &'static str {
-    let mut text = name.to_owned();
+fn member(name: &str, at: &[i64], suffix: &str) -> Name {
+    let mut text = String::with_capacity(name.len() + suffix.len() + at.len() * LONGEST_INDEX + 1);
+    text.push_str(name);
     for (i, index) in at.iter().enumerate() {
         // writing to a string cannot fail
         let _ = write!(text, "{}{index}", if i == 0 { '[' } else { ',' });
@@ -233,21 +252,22 @@ fn member(name: &str, at: &[i64], suffix: &str) -> &'static str {
         text.push(']');
     }
     text.push_str(suffix);
-    text.leak()
+    text.shrink_to_fit();
+    Cow::Owned(text)
 }
 
 /// How a message calls a member of a template: hinge `pin[3]`, or force at i = 3.
-fn item_name(template: &TemplateInfo, at: &[i64]) -> &'static str {
+fn item_name(template: &TemplateInfo, at: &[i64]) -> String {
     let word = template.word;
     if !template.name.is_empty() {
-        return String::leak(format!("{word} `{}`", member(template.name, at, "")));
+        return format!("{word} `{}`", member(template.name, at, ""));
     }
     let indices = template.ranges.iter().zip(at).map(|(range, i)| {
         let variable = range.split(" in ").next().unwrap_or_default();
         format!("{variable} = {i}")
     });
     let place = indices.collect::<Vec<_>>().join(", ");
-    String::leak(if place.is_empty() { format!("a `{word}`") } else { format!("the `{word}` at {place}") })
+    if place.is_empty() { format!("a `{word}`") } else { format!("the `{word}` at {place}") }
 }
 
 #[cfg(test)]

@@ -26,6 +26,14 @@ pub use repeats::{CountInfo, LayoutFault};
 pub(crate) use repeats::{Repeats, TemplateInfo};
 pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// A name: text of the program, or made at run time for a member of an array. It prints as text and compares with `"x"`.
+pub type Name = Cow<'static, str>;
+
+/// A list of a description: data of the program, or made at run time for a scene with counts.
+pub type List<T> = Cow<'static, [T]>;
 
 /// The three renderings of one expression, all printed from the expression that is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,25 +60,25 @@ pub struct Equation {
 }
 
 /// A coordinate and its velocity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CoordinateInfo {
     /// `body.x`, `body.y` or `body.phi`.
-    pub name: &'static str,
+    pub name: Name,
     /// `body.vx`, `body.vy` or `body.omega`.
-    pub velocity_name: &'static str,
+    pub velocity_name: Name,
     /// Unit of the coordinate: `m` or `rad`.
     pub unit: &'static str,
-    /// How the coordinate is printed in equations.
-    pub symbol: Formula,
-    /// How its velocity is printed in equations.
-    pub velocity_symbol: Formula,
+    /// How the coordinate is printed in equations; `None` in a scene with counts.
+    pub symbol: Option<Formula>,
+    /// How its velocity is printed in equations; `None` in a scene with counts.
+    pub velocity_symbol: Option<Formula>,
 }
 
 /// A constraint row.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RowInfo {
     /// `B.x`, `rear`, …
-    pub name: &'static str,
+    pub name: Name,
     /// The word that declared it: `hinge`, `skate`, …
     pub kind: &'static str,
     /// Unit of the row's multiplier: `N` or `N*m`.
@@ -105,10 +113,10 @@ pub struct ParameterInfo {
 pub type InputInfo = ParameterInfo;
 
 /// A number that a scene computes from its state on request.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputInfo {
     /// Name in the model file; a vector `p` is two outputs, `p.x` and `p.y`.
-    pub name: &'static str,
+    pub name: Name,
     /// Unit as written, empty when none was declared.
     pub unit: &'static str,
     /// Doc comment of the declaration.
@@ -118,10 +126,10 @@ pub struct OutputInfo {
 }
 
 /// A named point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointInfo {
     /// Name in the model file; a hinge is a point too.
-    pub name: &'static str,
+    pub name: Name,
     /// Index of the body that carries it; `None` for the ground.
     pub body: Option<usize>,
     /// Where it is: x, y; `None` in a scene with counts.
@@ -139,15 +147,20 @@ pub struct EffectInfo {
 
 /// Sparsity pattern of a matrix by rows: the columns of row `i` are `columns[starts[i]..starts[i + 1]]`. In scenes with
 /// counts they may come in any order and more than once; entries with the same row and column are added.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SparsityPattern {
     /// `n_rows + 1` offsets into `columns`.
-    pub starts: &'static [usize],
+    pub starts: List<usize>,
     /// Column of each stored entry.
-    pub columns: &'static [usize],
+    pub columns: List<usize>,
 }
 
 impl SparsityPattern {
+    /// Of data of the program.
+    pub const fn new(starts: &'static [usize], columns: &'static [usize]) -> Self {
+        Self { starts: List::Borrowed(starts), columns: List::Borrowed(columns) }
+    }
+
     /// Number of rows.
     pub(crate) fn n_rows(&self) -> usize {
         self.starts.len() - 1
@@ -160,7 +173,8 @@ impl SparsityPattern {
 
     /// The stored entries in order, as (index of the value, row, column).
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
-        (0..self.n_rows()).flat_map(move |i| (self.starts[i]..self.starts[i + 1]).map(move |k| (k, i, self.columns[k])))
+        let (starts, columns) = (&*self.starts, &*self.columns);
+        (0..self.n_rows()).flat_map(move |i| (starts[i]..starts[i + 1]).map(move |k| (k, i, columns[k])))
     }
 }
 
@@ -205,8 +219,8 @@ pub struct EliminationStep {
 }
 
 /// Everything about a scene that does not depend on parameters: known at compile time or, for a scene with counts, made
-/// when it is first used with these counts, and kept until the program ends.
-#[derive(Debug, Clone, Copy)]
+/// when it is used with these counts.
+#[derive(Debug, Clone)]
 pub struct SceneInfo {
     /// Name of the model type, as written: `EzyRoller`.
     pub model: &'static str,
@@ -215,13 +229,13 @@ pub struct SceneInfo {
     /// Doc comment of the scene.
     pub documentation: &'static str,
     /// Bodies in declared order; body `i` has the coordinates x, y and φ at `3 i`, `3 i + 1`, `3 i + 2`.
-    pub bodies: &'static [&'static str],
+    pub bodies: List<Name>,
     /// `n_q` coordinates.
-    pub coordinates: &'static [CoordinateInfo],
+    pub coordinates: List<CoordinateInfo>,
     /// `n_p` named points; a hinge is listed by its point on the first body.
-    pub points: &'static [PointInfo],
+    pub points: List<PointInfo>,
     /// `n_c` rows, position constraints first.
-    pub rows: &'static [RowInfo],
+    pub rows: List<RowInfo>,
     /// `n_h`, the number of position constraints.
     pub n_position_rows: usize,
     /// Parameters of the model and of the scene's effects.
@@ -229,14 +243,14 @@ pub struct SceneInfo {
     /// `n_i` inputs of the model and of the scene's effects.
     pub inputs: &'static [InputInfo],
     /// `n_o` outputs of the model and of the scene's effects.
-    pub outputs: &'static [OutputInfo],
+    pub outputs: List<OutputInfo>,
     /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the discontinuities of
     /// its forces; a scene with counts does not know its discontinuities.
     pub events: &'static [EventInfo],
     /// The skate with a limit (stick–slip friction), if there is one.
-    pub stick_slip: Option<StickSlipInfo>,
+    pub stick_slip: Option<&'static StickSlipInfo>,
     /// The stop (unilateral contact), if there is one.
-    pub stop: Option<StopInfo>,
+    pub stop: Option<&'static StopInfo>,
     /// `n_e` groups of forces that do work: those outside any effect come first, under the name `model`, when there are
     /// some; then the effects; then the constraints that move with time, under the name `drives`, when there are some; last
     /// the impacts on the stop, under the name `stops`, where there is one.
@@ -277,30 +291,33 @@ pub struct SceneInfo {
 impl SceneInfo {
     /// Whether [`Equations::accelerations`] and [`Equations::correction`] solve: not in scenes with counts, nor where more
     /// than 24 rows meet in one body, for which rustc takes minutes.
-    pub const fn has_elimination(&self) -> bool {
+    pub fn has_elimination(&self) -> bool {
         self.repeats.is_none() && (self.rows.is_empty() || !self.elimination.is_empty())
     }
 
     /// The counts, in declared order.
     pub const fn counts(&self) -> &'static [CountInfo] {
-        match self.repeats {
+        match &self.repeats {
             Some(repeats) => repeats.counts,
             None => &[],
         }
     }
 
     /// Number of unknowns of the equations of motion, n_q + n_c.
-    pub const fn n_unknowns(&self) -> usize {
+    #[inline]
+    pub fn n_unknowns(&self) -> usize {
         self.coordinates.len() + self.rows.len()
     }
 
     /// n_q.
-    pub const fn n_coordinates(&self) -> usize {
+    #[inline]
+    pub fn n_coordinates(&self) -> usize {
         self.coordinates.len()
     }
 
     /// n_c.
-    pub const fn n_rows(&self) -> usize {
+    #[inline]
+    pub fn n_rows(&self) -> usize {
         self.rows.len()
     }
 
@@ -315,7 +332,8 @@ impl SceneInfo {
     }
 
     /// n_o.
-    pub const fn n_outputs(&self) -> usize {
+    #[inline]
+    pub fn n_outputs(&self) -> usize {
         self.outputs.len()
     }
 
@@ -418,8 +436,10 @@ impl Start {
 /// `model!` generates the types that implement it. A scene written by hand implements [`Equations<f64>`](Equations), this trait,
 /// and [`Derived`] with an empty block: then it runs with `rk4`, `dop853` and the solvers of `linalg`.
 pub trait Scene: Derived {
-    /// Names, sizes and equations; for a scene with counts, those of the present counts.
-    fn info(&self) -> &'static SceneInfo;
+    /// Names, sizes and equations; for a scene with counts, those of the present counts. Their description is freed when
+    /// nobody holds it and the scene was asked for that of other counts. A scene written by hand keeps its own in a
+    /// `static` [`LazyLock`](std::sync::LazyLock).
+    fn info(&self) -> Arc<SceneInfo>;
 
     /// Value of parameter `index` of [`SceneInfo::parameters`].
     fn parameter(&self, index: usize) -> f64;
@@ -455,7 +475,7 @@ pub struct SceneEntry {
     /// Name of the scene, as written.
     pub name: &'static str,
     /// Names, sizes and equations; with the declared counts where there are any.
-    pub info: fn() -> &'static SceneInfo,
+    pub info: fn() -> Arc<SceneInfo>,
     /// Makes the scene with its declared parameters.
     pub new: fn() -> Box<dyn Scene>,
 }

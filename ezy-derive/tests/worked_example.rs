@@ -16,7 +16,7 @@ mod worked_example {
     fn analytic_new_word_is_a_row() {
         let items = super::expand(TEXT.parse().expect("the text has tokens")).to_string();
         assert!(!items.contains("compile_error"), "{items}");
-        assert!(items.contains(r#"name : "p" , kind : "parallel""#), "{items}");
+        assert!(items.contains(r#"Borrowed ("p") , kind : "parallel""#), "{items}");
     }
 
     #[test]

@@ -6,6 +6,7 @@ use ezy_core::model::{
     Derived, EffectInfo, EliminationStep, Equations, OutputInfo, Scene, SceneInfo, SparsityPattern, Start,
 };
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::{Arc, LazyLock};
 
 const RADIUS: f64 = 0.3;
 const MASS: f64 = 2.0;
@@ -27,24 +28,27 @@ pub fn acceleration(t: f64) -> f64 {
     -2.7 * (3.0 * t).sin()
 }
 
-static INFO: SceneInfo = SceneInfo {
-    model: "Crank",
-    name: "turn",
-    bodies: &["arm"],
-    coordinates: &[
-        coordinate("arm.x", "arm.vx", "m"),
-        coordinate("arm.y", "arm.vy", "m"),
-        coordinate("arm.phi", "arm.omega", "rad"),
-    ],
-    rows: &[row("pin.x", "hinge", "", ""), row("pin.y", "hinge", "", ""), row("angle", "drive", "", "")],
-    n_position_rows: 3,
-    outputs: &[OutputInfo { name: "height", unit: "m", documentation: "", formula: f("arm.y") }],
-    effects: &[EffectInfo { name: "drives", documentation: "" }],
-    until_s: 2.0,
-    jacobian: SparsityPattern { starts: &[0, 2, 4, 5], columns: &[0, 2, 1, 2, 2] },
-    elimination: &[EliminationStep { rows: &[0, 1, 2], constant_pivot: false }],
-    ..EMPTY
-};
+static INFO: LazyLock<Arc<SceneInfo>> = LazyLock::new(|| {
+    Arc::new(SceneInfo {
+        model: "Crank",
+        name: "turn",
+        bodies: vec!["arm".into()].into(),
+        coordinates: vec![
+            coordinate("arm.x", "arm.vx", "m"),
+            coordinate("arm.y", "arm.vy", "m"),
+            coordinate("arm.phi", "arm.omega", "rad"),
+        ]
+        .into(),
+        rows: vec![row("pin.x", "hinge", "", ""), row("pin.y", "hinge", "", ""), row("angle", "drive", "", "")].into(),
+        n_position_rows: 3,
+        outputs: vec![OutputInfo { name: "height".into(), unit: "m", documentation: "", formula: f("arm.y") }].into(),
+        effects: &[EffectInfo { name: "drives", documentation: "" }],
+        until_s: 2.0,
+        jacobian: SparsityPattern::new(&[0, 2, 4, 5], &[0, 2, 1, 2, 2]),
+        elimination: &[EliminationStep { rows: &[0, 1, 2], constant_pivot: false }],
+        ..EMPTY
+    })
+});
 
 /// A body hinged to the origin at a distance from its centre of mass, with rows x, y and drive; it counts what it is asked for.
 #[derive(Default)]
@@ -108,8 +112,8 @@ impl Equations<f64> for Crank {
 impl Derived for Crank {}
 
 impl Scene for Crank {
-    fn info(&self) -> &'static SceneInfo {
-        &INFO
+    fn info(&self) -> Arc<SceneInfo> {
+        Arc::clone(&INFO)
     }
 
     fn parameter(&self, _index: usize) -> f64 {

@@ -1,13 +1,22 @@
 //! Parts of descriptions of scenes that are written by hand.
 
-use ezy_core::model::{CoordinateInfo, Formula, Operations, RowInfo, SceneInfo, SeriesInfo, SparsityPattern};
+use ezy_core::model::{
+    CoordinateInfo, Formula, List, Name, Operations, RowInfo, SceneInfo, SeriesInfo, SparsityPattern,
+};
 
 pub(crate) const fn f(text: &'static str) -> Formula {
     Formula { text, latex: "", mathml: "" }
 }
 
 pub(crate) const fn coordinate(name: &'static str, velocity_name: &'static str, unit: &'static str) -> CoordinateInfo {
-    CoordinateInfo { name, velocity_name, unit, symbol: f(name), velocity_symbol: f(velocity_name) }
+    let (symbol, velocity_symbol) = (Some(f(name)), Some(f(velocity_name)));
+    CoordinateInfo {
+        name: Name::Borrowed(name),
+        velocity_name: Name::Borrowed(velocity_name),
+        unit,
+        symbol,
+        velocity_symbol,
+    }
 }
 
 pub(crate) const fn row(
@@ -16,6 +25,7 @@ pub(crate) const fn row(
     constraint: &'static str,
     convective_term: &'static str,
 ) -> RowInfo {
+    let name = Name::Borrowed(name);
     RowInfo { name, kind, multiplier_unit: "N", constraint: f(constraint), convective_term: f(convective_term) }
 }
 
@@ -26,21 +36,21 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     model: "",
     name: "",
     documentation: "",
-    bodies: &[],
-    coordinates: &[],
-    points: &[],
-    rows: &[],
+    bodies: List::Borrowed(&[]),
+    coordinates: List::Borrowed(&[]),
+    points: List::Borrowed(&[]),
+    rows: List::Borrowed(&[]),
     n_position_rows: 0,
     parameters: &[],
     inputs: &[],
-    outputs: &[],
+    outputs: List::Borrowed(&[]),
     events: &[],
     stick_slip: None,
     stop: None,
     effects: &[],
     until_s: 0.0,
     n_constants: 0,
-    jacobian: SparsityPattern { starts: &[0], columns: &[] },
+    jacobian: SparsityPattern::new(&[0], &[]),
     jacobian_entries: &[],
     mass_entries: &[],
     force_entries: &[],

@@ -4,6 +4,25 @@ use ezy_core::prelude::*;
 use ezy_models::{chain, ezy_roller};
 use ezy_tests::hand_roller::HandRoller;
 use ezy_tests::piloted::piloted;
+use std::sync::Arc;
+
+model! {
+    /// Two chains side by side, joined by springs; with what else a description has for each member.
+    pub model Ladder {
+        count n = 10;
+        body left[n] { mass: 1, inertia: 1 }
+        body right[n] { mass: 1, inertia: 1 }
+        hinge top: ground(0, 0) ~ left[0](-0.5, 0);
+        for i in 1..n { hinge pin[i]: left[i-1](0.5, 0) ~ left[i](-0.5, 0); }
+        for i in 0..n { skate blade[i]: at right[i](0, 0) along right[i](1, 0); }
+        for i in 0..n { spring left[i](0, 0) ~ right[i](0, 0): stiffness 10, length 1; }
+        for i in 0..n { point tip[i] = right[i](0.5, 0); }
+        for i in 0..n { output bend[i] = left[i].phi - right[i].phi; }
+        start level { at rest; }
+        scene swing { start level; until 1 s; }
+        scene slide { start level; until 1 s; }
+    }
+}
 
 fn allocations(scene: &dyn Scene, backend: Backend, metric: Metric, n_steps: u32) -> u64 {
     let mut n_done = 0;
@@ -23,6 +42,8 @@ fn invariant_steps_do_not_allocate() {
         ("generated coast", &ezy_roller::Coast::default()),
     ];
     for (route, scene) in scenes {
+        // described at the first use
+        scene.info();
         for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
             for metric in [Metric::Mass, Metric::Euclidean] {
                 let [few, many] = [100, 1000].map(|n| allocations(scene, backend, metric, n));
@@ -47,8 +68,8 @@ fn invariant_taylor_steps_do_not_allocate() {
 #[test]
 fn invariant_steps_of_a_scene_with_counts_do_not_allocate() {
     let scene = chain::Swing { n: 5, ..Default::default() };
-    // the description of a chain of five is made once
-    assert_eq!(scene.info().bodies.len(), 5);
+    // held, so that every run shares it
+    let _info = scene.info();
     let [few, many] = [100, 1000].map(|n| allocations(&scene, Backend::Auto, Metric::Mass, n));
     assert_eq!(few, many);
 }
@@ -96,4 +117,50 @@ fn invariant_radau_steps_do_not_allocate() {
         allocation_counter::measure(|| assert!(order.run().unwrap().cost.steps >= 20)).count_total
     };
     assert_eq!(allocations(1.0), allocations(10.0));
+}
+
+/// Descriptions that live at once: one that is held, the one that was asked for last, and what it takes to make one.
+const LIVE_AT_ONCE: f64 = 3.0;
+
+#[test]
+fn invariant_descriptions_are_freed_when_nobody_holds_them() {
+    let describe = |n: usize| ladder::Swing { n }.info();
+    describe(1);
+    let largest = allocation_counter::measure(|| drop(describe(1000))).bytes_max as f64;
+    describe(1);
+    let held = Arc::downgrade(&describe(1));
+    let all = allocation_counter::measure(|| {
+        for n in 2..=1000 {
+            let info = describe(n);
+            assert_eq!(info.bodies.len(), 2 * n);
+            if n % 200 == 0 {
+                drop(System::new(&ladder::Swing { n }, Backend::Auto).unwrap());
+            }
+        }
+        assert!(held.upgrade().is_none());
+        drop(held);
+        describe(1);
+    });
+    assert_eq!((all.bytes_current, all.count_current), (0, 0));
+    println!("largest description {largest} bytes, at most {} at once", all.bytes_max);
+    assert!(all.bytes_max as f64 <= LIVE_AT_ONCE * largest, "{all:?}, one description {largest}");
+}
+
+/// Share by which bytes of a member grow when indices get a digit more.
+const LONGER_NAMES: f64 = 0.02;
+
+#[test]
+fn order_description_is_one_in_the_count() {
+    let cost = |n: usize| {
+        ladder::Slide { n: 1 }.info();
+        let mut info = None;
+        let cost = allocation_counter::measure(|| info = Some(ladder::Slide { n }.info()));
+        assert_eq!(info.map(|info| info.bodies.len()), Some(2 * n));
+        [cost.bytes_current as f64, cost.bytes_max as f64, cost.count_total as f64]
+    };
+    let [small, large] = [1000, 2000].map(cost);
+    println!("n = 1000: {small:?}, n = 2000: {large:?} (bytes kept, bytes at once, allocations)");
+    for (small, large) in small.iter().zip(large) {
+        assert!(*small > 1000.0 && large <= (2.0 + LONGER_NAMES) * small, "{small}, then {large}");
+    }
 }

@@ -7,12 +7,13 @@ use super::reference::Reference;
 use super::variant::Variant;
 use crate::integrate::Method;
 use crate::model::SceneInfo;
+use std::sync::Arc;
 
 /// Errors and times of every setting.
 #[derive(Debug, Clone)]
 pub struct WorkPrecision {
     /// Names and sizes.
-    pub info: &'static SceneInfo,
+    pub info: Arc<SceneInfo>,
     /// Start of the runs, s.
     pub start_s: f64,
     /// End of the runs, s.

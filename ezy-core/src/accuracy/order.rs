@@ -128,7 +128,7 @@ impl<'s> Accuracy<'s> {
         progress(0.0, "reference");
         let (reference, unknown) = find_reference(&mut runs, until_s, budget_s)?;
         let long_s = longest_step(&runs)?;
-        let jobs = jobs(&Variant::all(scene.info()), &ladder, long_s);
+        let jobs = jobs(&Variant::all(&scene.info()), &ladder, long_s);
         let mut points: Vec<Point> = Vec::with_capacity(jobs.len());
         for (i, Job { family, method, variant }) in jobs.iter().enumerate() {
             let spent = (processor_time() - began).as_secs_f64();

@@ -62,7 +62,7 @@ impl WorkPrecision {
             let Some(method) = self.compared_setting(name) else { continue };
             let at = |variant: Variant| self.curve(name, variant).find(|(m, _)| *m == method).map(|(_, found)| found);
             let none = at(Variant::NONE).map(|m| m.seconds_min);
-            for variant in Variant::all(self.info) {
+            for variant in Variant::all(&self.info) {
                 let Some(m) = at(variant) else { continue };
                 let ratio = none.map_or_else(String::new, |none| format!("{:.2}", m.seconds_min / none));
                 table.push([
@@ -86,7 +86,7 @@ impl WorkPrecision {
     fn compared_setting(&self, name: &str) -> Option<Method> {
         let with_all = |method: Method| {
             let measured = |variant: Variant| self.curve(name, variant).any(|(m, _)| m == method);
-            Variant::all(self.info).into_iter().all(measured)
+            Variant::all(&self.info).into_iter().all(measured)
         };
         let all: Vec<(Method, f64)> = self
             .curve(name, Variant::default())

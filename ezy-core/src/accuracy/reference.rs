@@ -130,7 +130,7 @@ fn precise(runs: &Runs<'_>, start: &Sample<'_>, times: &[f64], deadline: Duratio
     }
     let state = State { t: start.t, q: start.coordinates.to_vec(), v: start.velocities.to_vec(), work: Vec::new() };
     let mut motion = PreciseMotion::new(runs.scene, &state).map_err(|error| error.to_string())?;
-    let mut trajectory = Trajectory::empty(start.info);
+    let mut trajectory = Trajectory::empty(runs.scene.info());
     for &t in times {
         motion.advance_to(t).map_err(|error| error.to_string())?;
         if processor_time() >= deadline || runs.is_interrupted() {

@@ -51,7 +51,7 @@ impl<'s> Runs<'s> {
         until_s: f64,
         interrupt: Option<&'s AtomicBool>,
     ) -> Result<Self, SetupError> {
-        SetupError::refuse_modes(scene.info())?;
+        SetupError::refuse_modes(&scene.info())?;
         let start_s = System::new(scene, Backend::Auto)?.scene_start().t;
         let every_s = (until_s - start_s) / N_INTERVALS as f64;
         Ok(Self { scene, given, inputs, start_s, until_s, every_s, interrupt })

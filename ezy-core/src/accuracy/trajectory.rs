@@ -2,11 +2,12 @@
 
 use crate::model::SceneInfo;
 use crate::simulate::Run;
+use std::sync::Arc;
 
 /// Positions, velocities and multipliers at each time of a grid.
 #[derive(Debug, Clone)]
 pub(super) struct Trajectory {
-    info: &'static SceneInfo,
+    info: Arc<SceneInfo>,
     times: Vec<f64>,
     /// `n_q` numbers a time.
     q: Vec<f64>,
@@ -26,13 +27,13 @@ pub(super) struct Row<'t> {
 
 impl Trajectory {
     /// Nothing yet.
-    pub(super) fn empty(info: &'static SceneInfo) -> Self {
+    pub(super) fn empty(info: Arc<SceneInfo>) -> Self {
         Self { info, times: Vec::new(), q: Vec::new(), v: Vec::new(), lambda: Vec::new() }
     }
 
     /// The samples of a run.
     pub(super) fn of(run: &Run) -> Self {
-        let mut all = Self::empty(run.info());
+        let mut all = Self::empty(Arc::clone(run.info()));
         for sample in run.samples() {
             all.push(sample.t, sample.coordinates, sample.velocities, sample.multipliers);
         }
@@ -47,8 +48,8 @@ impl Trajectory {
     }
 
     /// Names and units.
-    pub(super) fn info(&self) -> &'static SceneInfo {
-        self.info
+    pub(super) fn info(&self) -> &Arc<SceneInfo> {
+        &self.info
     }
 
     /// The grid, s.

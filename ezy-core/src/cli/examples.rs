@@ -5,6 +5,7 @@ use super::names::path;
 use super::selection::{first_scene, typed};
 use crate::model::coordinate::is_angle;
 use crate::model::{SceneEntry, SceneInfo};
+use std::sync::Arc;
 
 /// Examples: commands, each with what it does.
 pub(super) struct Examples {
@@ -14,7 +15,7 @@ pub(super) struct Examples {
     /// Its first scene: as it is typed, its file, and what it knows.
     scene: String,
     file: String,
-    info: Option<&'static SceneInfo>,
+    info: Option<Arc<SceneInfo>>,
     /// The first scene with an input, and the input.
     input: Option<(String, &'static str)>,
 }
@@ -57,7 +58,7 @@ impl Examples {
     pub(super) fn of_run(&self) -> String {
         let Self { scene, file, .. } = self;
         let mut examples = vec![(format!("run {scene}"), "as the scene says")];
-        if let Some(info) = self.info {
+        if let Some(info) = &self.info {
             examples.push((format!("run {scene} --until {}", 10.0 * info.until_s), "ten times as long"));
             if let Some(parameter) = info.parameters.first() {
                 let set = format!("run {scene} --set {}={}", parameter.name, parameter.default);

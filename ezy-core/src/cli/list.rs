@@ -42,7 +42,7 @@ fn model_text(model: &ModelInfo) -> String {
             info.bodies.len().to_string(),
             info.n_position_rows.to_string(),
             (info.n_rows() - info.n_position_rows).to_string(),
-            freedom(info).to_string(),
+            freedom(&info).to_string(),
             info.until_s.to_string(),
         ]);
     }
@@ -68,7 +68,7 @@ fn model_json(model: &ModelInfo) -> Value {
         "name": model.name,
         "documentation": model.documentation.trim(),
         "effects": names(model.effects),
-        "scenes": model.scenes.iter().map(|entry| scene_json((entry.info)())).collect::<Value>(),
+        "scenes": model.scenes.iter().map(|entry| scene_json(&(entry.info)())).collect::<Value>(),
     })
 }
 

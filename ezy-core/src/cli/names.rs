@@ -82,7 +82,7 @@ pub(super) fn check_assignments(
 }
 
 fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
-    let found = input_index((entry.info)(), name);
+    let found = input_index(&(entry.info)(), name);
     found.map(|_| ()).map_err(|unknown| of_another_scene(model, entry, unknown, |info| info.inputs))
 }
 
@@ -94,7 +94,7 @@ fn of_another_scene(
     declared: fn(&SceneInfo) -> &'static [ParameterInfo],
 ) -> Failure {
     let (kind, name) = (unknown.kind, unknown.name.as_str());
-    let effect_in = |other: &SceneEntry| declared((other.info)()).iter().find(|known| known.name == name)?.effect;
+    let effect_in = |other: &SceneEntry| declared(&(other.info)()).iter().find(|known| known.name == name)?.effect;
     let paths = model.scenes.iter().filter(|other| effect_in(other).is_some()).map(|other| path(model, other));
     let paths: Vec<String> = paths.collect();
     let Some(effect) = model.scenes.iter().find_map(effect_in) else { return unknown.into() };

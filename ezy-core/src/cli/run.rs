@@ -38,13 +38,13 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     let interruption = Interruption::listen();
     let done = simulate(arguments, scene.as_ref(), method, interruption);
     if let (Err(Failure::Stopped(outcome)), true) = (&done, arguments.json) {
-        print_json(&run_json(scene.info(), method, None, outcome))?;
+        print_json(&run_json(&scene.info(), method, None, outcome))?;
     }
     let (run, written) = done?;
     // it chooses its steps, which a table may not let it
     let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
     if arguments.json {
-        print_json(&run_json(scene.info(), method, Some(&run), &run.outcome.to_string()))?;
+        print_json(&run_json(&scene.info(), method, Some(&run), &run.outcome.to_string()))?;
         print_error(&remarks(&run, method, radau_runs));
     } else {
         print(&run_text(&run, method, radau_runs))?;
@@ -132,7 +132,7 @@ fn simulate(
     if info.n_outputs() > 0 {
         simulation = simulation.outputs();
     }
-    for (name, table) in inputs(arguments, info)? {
+    for (name, table) in inputs(arguments, &info)? {
         simulation = simulation.input(name, table);
     }
     if let Some(residual) = arguments.max_drift {

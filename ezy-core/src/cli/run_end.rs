@@ -16,14 +16,14 @@ use super::run_error::{error_json, error_remark, error_text};
 use super::run_monitors::{monitors_json, monitors_text};
 
 /// The end as JSON. A run that could not start has the same keys with `null`.
-pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Value {
+pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Value {
     // a stop that holds is a row more
-    let info = run.map_or(info, Run::info);
+    let info = run.map_or(info, |run| run.info());
     let last = run.map(Run::last);
-    let named = |names: &mut dyn Iterator<Item = &'static str>, pick: fn(&Sample<'_>, usize) -> f64| -> Value {
+    let named = |names: &mut dyn Iterator<Item = &str>, pick: fn(&Sample<'_>, usize) -> f64| -> Value {
         names.enumerate().map(|(i, name)| (name, json!(last.map(|last| pick(&last, i))))).collect()
     };
-    let by_coordinate = |pick| named(&mut info.coordinates.iter().map(|c| c.name), pick);
+    let by_coordinate = |pick| named(&mut info.coordinates.iter().map(|c| &*c.name), pick);
     let mut end = json!({
         "model": info.model,
         "scene": info.name,
@@ -32,13 +32,13 @@ pub(super) fn run_json(info: &'static SceneInfo, method: Method, run: Option<&Ru
         "state": by_coordinate(|last, i| last.coordinates[i]),
         "rate": by_coordinate(|last, i| last.velocities[i]),
         "acceleration": by_coordinate(|last, i| last.accelerations[i]),
-        "multipliers": named(&mut info.rows.iter().map(|row| row.name), |last, i| last.multipliers[i]),
+        "multipliers": named(&mut info.rows.iter().map(|row| &*row.name), |last, i| last.multipliers[i]),
     });
     if info.n_inputs() > 0 {
         end["inputs"] = named(&mut info.inputs.iter().map(|input| input.name), |last, i| last.inputs[i]);
     }
     if info.n_outputs() > 0 {
-        end["outputs"] = named(&mut info.outputs.iter().map(|output| output.name), |last, i| last.outputs[i]);
+        end["outputs"] = named(&mut info.outputs.iter().map(|output| &*output.name), |last, i| last.outputs[i]);
     }
     if !info.events.is_empty() || info.stick_slip.is_some() || info.stop.is_some() {
         let events = run.map_or(&[][..], Run::events).iter();
@@ -101,12 +101,12 @@ pub(super) fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
     if info.n_rows() > 0 {
         let mut table = Table::new(["row", "multiplier", "unit"]);
         for (row, lambda) in info.rows.iter().zip(last.multipliers).take(MAX_LINES) {
-            table.push([row.name.to_owned(), fixed(*lambda, 12), row.multiplier_unit.to_owned()]);
+            table.push([row.name.to_string(), fixed(*lambda, 12), row.multiplier_unit.to_owned()]);
         }
         text += &format!("\n{table}{}", left_out(info.n_rows(), "rows"));
     }
     let inputs = info.inputs.iter().zip(last.inputs).map(|(input, value)| (input.name, value, input.unit));
-    let outputs = info.outputs.iter().zip(last.outputs).map(|(output, value)| (output.name, value, output.unit));
+    let outputs = info.outputs.iter().zip(last.outputs).map(|(output, value)| (&*output.name, value, output.unit));
     for (title, values) in [("input", inputs.collect::<Vec<_>>()), ("output", outputs.collect())] {
         if !values.is_empty() {
             let mut table = Table::new([title, "value", "unit"]);
@@ -149,7 +149,7 @@ fn moved_text(moved: &[MovedValue]) -> String {
     }
     let mut table = Table::new(["gave way at the start", "given", "got", "unit"]);
     for MovedValue { name, unit, given, got } in moved.iter().take(MAX_LINES) {
-        table.push([*name, &fixed(*given, 12), &fixed(*got, 12), *unit]);
+        table.push([&**name, &fixed(*given, 12), &fixed(*got, 12), *unit]);
     }
     format!("{table}{}\n", left_out(moved.len(), "start values"))
 }
@@ -260,7 +260,7 @@ fn motion_table(last: &Sample<'_>) -> Table {
     let mut table = Table::new(["coordinate", "value", "velocity", "acceleration", "unit"]);
     for (i, coordinate) in last.info.coordinates.iter().enumerate().take(MAX_LINES) {
         let [q, v, a] = [last.coordinates[i], last.velocities[i], last.accelerations[i]].map(|x| fixed(x, 12));
-        table.push([coordinate.name, &q, &v, &a, coordinate.unit]);
+        table.push([&*coordinate.name, &q, &v, &a, coordinate.unit]);
     }
     table
 }

@@ -7,18 +7,18 @@ use crate::simulate::{ConditionPeak, EnergyError, LeastPivot, Monitors, Peak, Ru
 
 /// The monitors as JSON; of a run that could not start the same keys, all `null`.
 pub(super) fn monitors_json(monitors: Option<&Monitors>) -> Value {
-    let peak = |pick: fn(&Monitors) -> Option<Peak>| {
-        let peak = monitors.and_then(pick);
+    let peak = |pick: fn(&Monitors) -> &Option<Peak>| {
+        let peak = monitors.and_then(|monitors| pick(monitors).as_ref());
         peak.map(|Peak { value, t, row }| json!({ "value": value, "t": t, "row": row }))
     };
     let energy = monitors.and_then(|m| m.energy);
-    let condition = monitors.and_then(|m| m.condition);
+    let condition = monitors.and_then(|m| m.condition.as_ref());
     let steps_s = monitors.and_then(|m| m.steps_s);
     json!({
-        "position_residual": peak(|m| m.position_residual),
-        "velocity_residual": peak(|m| m.velocity_residual),
-        "position_drift": peak(|m| m.position_drift),
-        "velocity_drift": peak(|m| m.velocity_drift),
+        "position_residual": peak(|m| &m.position_residual),
+        "velocity_residual": peak(|m| &m.velocity_residual),
+        "position_drift": peak(|m| &m.position_drift),
+        "velocity_drift": peak(|m| &m.velocity_drift),
         "energy": energy.map(|EnergyError { joules, relative, t }| {
             json!({ "balance": joules, "relative": relative, "t": t })
         }),
@@ -42,10 +42,11 @@ pub(super) fn monitors_text(run: &Run) -> String {
         pivot,
         condition,
         steps_s,
-    } = run.monitors;
-    let pair = |title: &str, [positions, velocities]: [Option<Peak>; 2]| {
+    } = &run.monitors;
+    let pair = |title: &str, [positions, velocities]: [&Option<Peak>; 2]| {
         let told = [("positions", positions), ("velocities", velocities)];
-        let told = told.into_iter().filter_map(|(what, peak)| peak.map(|peak| format!("{what} {}", peak_text(peak))));
+        let told =
+            told.into_iter().filter_map(|(what, peak)| peak.as_ref().map(|peak| format!("{what} {}", peak_text(peak))));
         let told = told.collect::<Vec<_>>();
         if told.is_empty() { String::new() } else { format!("  {title}: {}\n", told.join(", ")) }
     };
@@ -55,18 +56,18 @@ pub(super) fn monitors_text(run: &Run) -> String {
         Some(EnergyError { joules, relative, t }) => {
             format!(
                 "  energy balance: {joules:.1e} J, {relative:.1e} of the energy turned over (t = {} s)\n",
-                fixed(t, 6)
+                fixed(*t, 6)
             )
         }
         None => String::new(),
     };
     if let Some(LeastPivot { value, t }) = pivot {
-        text += &format!("  smallest relative pivot: {value:.1e} (t = {} s)\n", fixed(t, 6));
+        text += &format!("  smallest relative pivot: {value:.1e} (t = {} s)\n", fixed(*t, 6));
     }
     if let Some(ConditionPeak { at_start, largest, pivot, t, .. }) = condition {
         text += &format!(
             "  condition of the equations: {largest:.1e} (t = {} s, smallest pivot {pivot:.1e}), at the start {at_start:.1e}\n",
-            fixed(t, 6)
+            fixed(*t, 6)
         );
     }
     if let Some([shortest, longest]) = steps_s {
@@ -75,6 +76,6 @@ pub(super) fn monitors_text(run: &Run) -> String {
     if text.is_empty() { text } else { format!("largest of the run:\n{text}") }
 }
 
-fn peak_text(Peak { value, t, row }: Peak) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e} ({row}, t = {} s)", fixed(t, 6)) }
+fn peak_text(Peak { value, t, row }: &Peak) -> String {
+    if *value == 0.0 { "0".to_owned() } else { format!("{value:.1e} ({row}, t = {} s)", fixed(*t, 6)) }
 }

@@ -5,6 +5,7 @@ mod latex;
 mod text;
 
 use serde_json::{Value, json};
+use std::sync::Arc;
 
 use crate::model::coordinate::{N_OF_BODY, body_and_component};
 use crate::model::{EliminationStep, SceneInfo, SeriesInfo, TemplateInfo};
@@ -19,7 +20,7 @@ pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), 
     let selection = find(models, &arguments.path)?;
     let all = selection.model.scenes.iter();
     let chosen = all.filter(|entry| selection.scene.is_none_or(|scene| scene.name == entry.name));
-    let infos: Vec<&SceneInfo> = chosen.map(|entry| (entry.info)()).collect();
+    let infos: Vec<Arc<SceneInfo>> = chosen.map(|entry| (entry.info)()).collect();
     let text =
         |write: fn(&SceneInfo) -> String| print(&infos.iter().map(|info| write(info) + "\n").collect::<String>());
     match (arguments.format, &infos[..]) {
@@ -65,7 +66,7 @@ fn series(info: &SceneInfo) -> String {
 
 /// The items of a scene with counts that have equations.
 fn with_equations(info: &SceneInfo) -> impl Iterator<Item = &'static TemplateInfo> {
-    let items = info.repeats.map_or::<&[TemplateInfo], _>(&[], |repeats| repeats.templates);
+    let items = info.repeats.as_ref().map_or::<&[TemplateInfo], _>(&[], |repeats| repeats.templates);
     items.iter().filter(|item| !item.equations.is_empty())
 }
 

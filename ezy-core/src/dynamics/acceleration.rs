@@ -10,6 +10,7 @@ use crate::linalg::{
     write_diagonal,
 };
 use crate::model::{Pivots, Scene, Series, SeriesStore};
+use std::sync::Arc;
 
 impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
     /// Accelerations and multipliers at velocities `v` (`n_q`), as [`System::accelerations`] but not verified.
@@ -95,7 +96,7 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
     /// # Errors
     /// [`MotionError::NotFinite`], [`MotionError::ContradictoryRows`], [`MotionError::LostInRounding`].
     fn verify(&mut self, v: &[f64], solved: Solved) -> Result<(), MotionError> {
-        let (t, q, info) = (self.t, self.q, self.system.info);
+        let (t, q, info) = (self.t, self.q, Arc::clone(&self.system.info));
         let solution = self.system.factors.right_side.clone();
         self.write_right_side(v);
         let System { mass, factors, .. } = &*self.system;
@@ -109,7 +110,7 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
             return Ok(());
         }
         if left.is_nan() {
-            return Err(MotionError::NotFinite { t, quantity: "an acceleration or a multiplier" });
+            return Err(MotionError::NotFinite { t, quantity: "an acceleration or a multiplier".into() });
         }
         self.system.check_accelerations(t, q, solved)?;
         let smallest_pivot = self.system.independence(t, q);
@@ -118,7 +119,7 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
         Err(MotionError::LostInRounding {
             t,
             smallest_pivot: found.as_ref().and(smallest_pivot),
-            rows: found.iter().flat_map(|found| &found.rows).map(|&i| info.rows[i].name).collect(),
+            rows: found.iter().flat_map(|found| &found.rows).map(|&i| info.rows[i].name.clone()).collect(),
             residual: left,
         })
     }

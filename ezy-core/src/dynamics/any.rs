@@ -5,6 +5,7 @@ use super::tolerances::projection::MAX_PASSES;
 use super::{MotionError, System};
 use crate::model::{Equations, Pivots, Scene, SceneInfo};
 use crate::scalar::Scalar;
+use std::sync::Arc;
 
 /// What a method needs of a scene in numbers `T`.
 pub(crate) trait Dynamics<T: Scalar> {
@@ -50,7 +51,7 @@ impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
 /// A scene in numbers `T`, solved by its generated elimination; it integrates no works.
 pub(crate) struct SystemOf<'s, S: ?Sized, T> {
     scene: &'s S,
-    info: &'static SceneInfo,
+    info: Arc<SceneInfo>,
     /// Inputs, then constants.
     fixed: Vec<T>,
     residual: Vec<T>,
@@ -59,9 +60,10 @@ pub(crate) struct SystemOf<'s, S: ?Sized, T> {
 
 impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
     /// With `fixed` as what the kernels read as `c`: inputs, then constants.
-    pub(crate) fn new(scene: &'s S, info: &'static SceneInfo, fixed: Vec<T>) -> Self {
+    pub(crate) fn new(scene: &'s S, info: Arc<SceneInfo>, fixed: Vec<T>) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
-        Self { scene, info, fixed, residual: zeros(info.n_rows()), delta: zeros(info.n_coordinates()) }
+        let (residual, delta) = (zeros(info.n_rows()), zeros(info.n_coordinates()));
+        Self { scene, info, fixed, residual, delta }
     }
 
     /// Brings `q` and `v` back onto the rows, in the metric of the masses: positions, then velocities at the projected
@@ -79,11 +81,11 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
                 break;
             }
             if !residual.is_finite() {
-                return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
+                return Err(MotionError::NotFinite { t, quantity: "a position constraint".into() });
             }
             if passes == MAX_PASSES {
                 let worst = self.residual[..n_h].iter().position(|c| c.extent() == residual).unwrap_or(0);
-                let row = self.info.rows[worst].name;
+                let row = self.info.rows[worst].name.clone();
                 return Err(MotionError::ProjectionStalled { t, residual, row, passes, tolerance });
             }
             self.residual[n_h..].fill(T::from_f64(0.0));
@@ -107,7 +109,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
     fn check(&self, pivots: Pivots, t: f64) -> Result<(), MotionError> {
         let Some(vanished) = pivots.first_vanished() else { return Ok(()) };
         let row = vanished.min(self.info.n_rows().saturating_sub(1));
-        Err(MotionError::LostPivot { t, row: self.info.rows[row].name })
+        Err(MotionError::LostPivot { t, row: self.info.rows[row].name.clone() })
     }
 }
 

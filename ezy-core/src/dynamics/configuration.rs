@@ -199,13 +199,13 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
     /// Names what makes K singular whatever rows are redundant. Slow; only for reports.
     #[cold]
     fn why_singular(&mut self) -> MotionError {
-        let (t, info, jacobian) = (self.t, self.system.info, &self.system.factors.jacobian);
+        let (t, info, jacobian) = (self.t, &self.system.info, &self.system.factors.jacobian);
         match undetermined_coordinates(&self.system.mass, &info.jacobian, jacobian) {
             Some(found) if !found.is_empty() => MotionError::UndeterminedMotion {
                 t,
-                coordinates: found.iter().map(|&i| info.coordinates[i].name).collect(),
+                coordinates: found.iter().map(|&i| info.coordinates[i].name.clone()).collect(),
             },
-            _ => MotionError::NotFinite { t, quantity: "the constraint Jacobian or an entry of its factors" },
+            _ => MotionError::NotFinite { t, quantity: "the constraint Jacobian or an entry of its factors".into() },
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::MovedValue;
 use super::tolerances::report::MAX_LISTED;
 use crate::linalg::SparseKktError;
-use crate::model::LayoutFault;
+use crate::model::{LayoutFault, Name};
 use crate::scalar::legible;
 
 /// A system cannot be set up with these numbers.
@@ -22,7 +22,7 @@ pub enum SystemError {
     #[error("the {quantity} of body `{body}` is {}; it must be finite and not negative", legible(*.value))]
     Mass {
         /// Name of the body.
-        body: &'static str,
+        body: Name,
         /// `mass` or `inertia`.
         quantity: &'static str,
         /// Its value, kg or kg·m².
@@ -34,7 +34,7 @@ pub enum SystemError {
     )]
     BackendNeedsMass {
         /// Name of the body.
-        body: &'static str,
+        body: Name,
         /// `mass` or `inertia`.
         quantity: &'static str,
         /// `generated` or `sparse`.
@@ -57,7 +57,7 @@ pub enum SystemError {
     )]
     MasslessInLargeScene {
         /// Name of the body.
-        body: &'static str,
+        body: Name,
         /// `mass` or `inertia`.
         quantity: &'static str,
         /// Number of equations.
@@ -100,7 +100,7 @@ pub enum MotionError {
         /// Time, s.
         t: f64,
         /// Names of the rows that depend on each other.
-        rows: Vec<&'static str>,
+        rows: Vec<Name>,
         /// `the positions`, `the velocities` or `the accelerations`.
         level: &'static str,
         /// What is left of the rows: the largest |C|; of velocities and accelerations the largest residual of a redundant row, scaled to
@@ -119,7 +119,7 @@ pub enum MotionError {
         /// Time, s.
         t: f64,
         /// Names of the rows that depend on each other.
-        rows: Vec<&'static str>,
+        rows: Vec<Name>,
         /// `the positions`, `the velocities` or `the accelerations`.
         level: &'static str,
         /// What is left of the rows, as in [`MotionError::ContradictoryRows`].
@@ -135,7 +135,7 @@ pub enum MotionError {
         /// Time, s.
         t: f64,
         /// Names of the rows that nearly depend on each other.
-        rows: Vec<&'static str>,
+        rows: Vec<Name>,
         /// Square of the smallest pivot of G, rows scaled to one, where they do.
         smallest_pivot: Option<f64>,
         /// The largest share of the terms of an equation that is left.
@@ -150,7 +150,7 @@ pub enum MotionError {
         /// Time of the last good state, s.
         t: f64,
         /// Names of the rows that nearly depend on each other.
-        rows: Vec<&'static str>,
+        rows: Vec<Name>,
         /// Square of the smallest pivot of G, rows scaled to one.
         smallest_pivot: f64,
         /// What no step could do.
@@ -165,7 +165,7 @@ pub enum MotionError {
         /// Time, s.
         t: f64,
         /// Name of the row.
-        row: &'static str,
+        row: Name,
     },
     /// A coordinate has neither mass nor a row that determines its acceleration.
     #[error(
@@ -176,7 +176,7 @@ pub enum MotionError {
         /// Time, s.
         t: f64,
         /// Names of the coordinates.
-        coordinates: Vec<&'static str>,
+        coordinates: Vec<Name>,
     },
     /// The Euclidean metric needs dense factors.
     #[error(
@@ -209,7 +209,7 @@ pub enum MotionError {
         /// Time of the last good state, s.
         t: f64,
         /// The coordinate or equation that is not finite.
-        quantity: &'static str,
+        quantity: Name,
     },
     /// A controller or a table gave no number.
     #[error("input `{name}` is set to {value} at t = {t} s; set it to a finite value")]
@@ -268,7 +268,7 @@ pub enum MotionError {
         /// Largest |C|.
         residual: f64,
         /// Name of the row that has it.
-        row: &'static str,
+        row: Name,
         /// Passes done.
         passes: usize,
         /// The tolerance that was not reached.
@@ -284,7 +284,7 @@ pub enum StartError {
     #[error("start value `{name}` is {value}; give it a finite value")]
     NotFinite {
         /// Name of the coordinate or velocity.
-        name: &'static str,
+        name: Name,
         /// Its value.
         value: f64,
     },
@@ -292,7 +292,7 @@ pub enum StartError {
     #[error("start value `{name}` is {value:e}, beyond {largest:e}, where rounding hides the geometry; start nearer")]
     TooLarge {
         /// Name of the coordinate or velocity.
-        name: &'static str,
+        name: Name,
         /// Its value.
         value: f64,
         /// Largest magnitude that is accepted.
@@ -305,7 +305,7 @@ pub enum StartError {
     )]
     UndefinedRow {
         /// Name of the row, the first of several.
-        row: &'static str,
+        row: Name,
     },
     /// The given values and the constraints contradict each other.
     #[error(
@@ -316,13 +316,13 @@ pub enum StartError {
         /// `position` or `velocity`.
         level: &'static str,
         /// Rows that are not met, the worst first.
-        rows: Vec<&'static str>,
+        rows: Vec<Name>,
         /// Largest residual of the best start.
         residual: f64,
         /// The tolerance that was not reached.
         tolerance: f64,
         /// Names of the given values.
-        held: Vec<&'static str>,
+        held: Vec<Name>,
     },
     /// The constraints are met, but across a singular position from the near values.
     #[error(
@@ -336,17 +336,17 @@ pub enum StartError {
     },
 }
 
-pub(super) fn rows_or_unknown(names: &[&str]) -> String {
+pub(super) fn rows_or_unknown(names: &[Name]) -> String {
     if names.is_empty() { "too many to work out which".to_owned() } else { list(names) }
 }
 
-fn nearly_dependent(rows: &[&str], smallest_pivot: Option<f64>) -> String {
+fn nearly_dependent(rows: &[Name], smallest_pivot: Option<f64>) -> String {
     let pivot =
         |pivot| format!(", where constraints nearly depend on each other ({}; smallest pivot {pivot:.1e})", list(rows));
     smallest_pivot.map(pivot).unwrap_or_default()
 }
 
-fn held_and_remedy(names: &[&str]) -> String {
+fn held_and_remedy(names: &[Name]) -> String {
     if names.is_empty() {
         return "nothing. The constraints contradict each other, or their lengths do not reach: change the parameters"
             .to_owned();
@@ -356,11 +356,10 @@ fn held_and_remedy(names: &[&str]) -> String {
 }
 
 fn each(values: &[MovedValue], say: fn(&MovedValue) -> String) -> String {
-    let said: Vec<String> = values.iter().map(say).collect();
-    list(&said.iter().map(String::as_str).collect::<Vec<_>>())
+    list(&values.iter().map(|value| say(value).into()).collect::<Vec<Name>>())
 }
 
-fn list(names: &[&str]) -> String {
+fn list(names: &[Name]) -> String {
     let listed = names[..names.len().min(MAX_LISTED)].join(", ");
     match names.len().saturating_sub(MAX_LISTED) {
         0 => listed,

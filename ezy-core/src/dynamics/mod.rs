@@ -42,7 +42,7 @@ pub use strain::{Strain, StrainSource};
 pub use system::System;
 pub use worst::{Projected, Worst};
 
-use crate::model::SceneInfo;
+use crate::model::{Name, SceneInfo};
 use crate::scalar::Scalar;
 
 /// The state that is integrated.
@@ -87,10 +87,10 @@ pub(crate) fn max_abs(x: &[f64]) -> f64 {
 }
 
 /// Name of the first coordinate or velocity that is not finite.
-pub(crate) fn not_finite<T: Scalar>(info: &SceneInfo, q: &[T], v: &[T]) -> Option<&'static str> {
+pub(crate) fn not_finite<T: Scalar>(info: &SceneInfo, q: &[T], v: &[T]) -> Option<Name> {
     let first = |x: &[T]| x.iter().position(|x| !x.is_finite());
     match first(q) {
-        Some(i) => Some(info.coordinates[i].name),
-        None => first(v).map(|i| info.coordinates[i].velocity_name),
+        Some(i) => Some(info.coordinates[i].name.clone()),
+        None => first(v).map(|i| info.coordinates[i].velocity_name.clone()),
     }
 }

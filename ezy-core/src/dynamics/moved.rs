@@ -1,16 +1,16 @@
 //! Start values that gave way to the constraints.
 
-use crate::model::CoordinateInfo;
+use crate::model::{CoordinateInfo, Name};
 use crate::scalar::rounded;
 
 /// A start value that was given, but may change ([`near_position`], [`give_way`]), and did.
 ///
 /// [`near_position`]: crate::model::Start::near_position
 /// [`give_way`]: crate::model::Start::give_way
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MovedValue {
     /// Name of the coordinate or velocity.
-    pub name: &'static str,
+    pub name: Name,
     /// `m`, `rad`, `m/s` or `rad/s`.
     pub unit: &'static str,
     /// The value that was given.
@@ -22,12 +22,12 @@ pub struct MovedValue {
 impl MovedValue {
     /// Coordinate `i` of a start, and of what was assembled from it.
     pub(super) fn of_coordinate(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
-        Self { name: coordinate.name, unit: coordinate.unit, given, got }
+        Self { name: coordinate.name.clone(), unit: coordinate.unit, given, got }
     }
 
     pub(super) fn of_velocity(coordinate: &CoordinateInfo, given: f64, got: f64) -> Self {
         let unit = if coordinate.unit == "rad" { "rad/s" } else { "m/s" };
-        Self { name: coordinate.velocity_name, unit, given, got }
+        Self { name: coordinate.velocity_name.clone(), unit, given, got }
     }
 
     /// `rod.phi near 1.2 rad`

@@ -194,7 +194,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 return Ok(([before, worst], passes));
             }
             if !norm.is_finite() {
-                return Err(MotionError::NotFinite { t, quantity: "a position constraint" });
+                return Err(MotionError::NotFinite { t, quantity: "a position constraint".into() });
             }
             if passes == MAX_PASSES {
                 if solved.is_rank_deficient && norm <= TOLERANCE_OF_REDUNDANT {
@@ -204,7 +204,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
                 return Err(if solved.is_rank_deficient && self.independent_rows_are_met(t, q) {
                     self.disagreement(t, q, "the positions", norm, tolerance)
                 } else {
-                    let row = self.info.rows[worst.row].name;
+                    let row = self.info.rows[worst.row].name.clone();
                     MotionError::ProjectionStalled { t, residual: norm, row, passes, tolerance }
                 });
             }
@@ -348,6 +348,6 @@ impl<S: Scene + ?Sized> System<'_, S> {
         scene.velocity_jacobian(fixed, t, q, &mut buffers.jacobian);
         let euclidean = Euclidean::of(&mut self.euclidean, info, &geometry.units)?;
         let solved = euclidean.correction(&buffers.jacobian, residual, delta);
-        solved.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian" })
+        solved.ok_or(MotionError::NotFinite { t, quantity: "the constraint Jacobian".into() })
     }
 }

@@ -5,7 +5,8 @@ use super::solved::{Rows, Solved};
 use super::tolerances::rank::{ACCELERATIONS_AGREE, NEARLY_DEPENDENT, VELOCITIES_AGREE};
 use super::{MotionError, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED, Left};
-use crate::model::Scene;
+use crate::model::{Name, Scene};
+use std::sync::Arc;
 
 /// Which constraints depend on each other at one state.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +18,7 @@ pub struct RankLoss {
     /// How many of them are redundant: rows beyond the rank. `None` in a system too large to tell.
     pub n_redundant: Option<usize>,
     /// Names of the rows that take part in a dependency, in declared order; in a system too large to find them one that does.
-    pub rows: Vec<&'static str>,
+    pub rows: Vec<Name>,
 }
 
 impl RankLoss {
@@ -72,12 +73,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
             return cause;
         }
         let smallest_pivot = self.independence(t, q);
-        let (info, near) = (self.info, self.rank_at(t, q, Independent::Above(NEARLY_DEPENDENT)));
+        let near = self.rank_at(t, q, Independent::Above(NEARLY_DEPENDENT));
         match near.map(|rank| rank.dependencies()).filter(|found| found.n > 0) {
             None => cause,
             Some(found) => MotionError::LockedUp {
                 t,
-                rows: found.rows.iter().map(|&i| info.rows[i].name).collect(),
+                rows: found.rows.iter().map(|&i| self.info.rows[i].name.clone()).collect(),
                 smallest_pivot: smallest_pivot.unwrap_or(0.0),
                 cause: Box::new(cause),
             },
@@ -86,9 +87,9 @@ impl<S: Scene + ?Sized> System<'_, S> {
 
     /// The rows that depend on each other at a state. Slow, for reports.
     pub fn rank_loss(&mut self, t: f64, q: &[f64]) -> RankLoss {
-        let (info, n_rows) = (self.info, self.info.n_rows());
+        let (info, n_rows) = (Arc::clone(&self.info), self.info.n_rows());
         let n_coordinates = info.n_coordinates();
-        let name = |i: usize| info.rows[i].name;
+        let name = |i: usize| info.rows[i].name.clone();
         match self.rank_at(t, q, Independent::Above(INDEPENDENT)).map(|rank| rank.dependencies()) {
             Some(found) => {
                 let rows = found.rows.into_iter().map(name).collect();

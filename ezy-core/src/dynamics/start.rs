@@ -5,7 +5,7 @@ use super::tolerances::geometry::LARGEST_VALUE;
 use super::tolerances::start::{LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
 use crate::model::coordinate::is_angle;
-use crate::model::{Scene, Start};
+use crate::model::{Name, Scene, Start};
 
 /// Its multiples without their whole parts fill an interval evenly.
 const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
@@ -75,14 +75,14 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     fn check_finite(&self, start: &Start) -> Result<(), StartError> {
-        let positions = self.info.coordinates.iter().map(|c| c.name).zip(&start.q);
-        let velocities = self.info.coordinates.iter().map(|c| c.velocity_name).zip(&start.v);
+        let positions = self.info.coordinates.iter().map(|c| &c.name).zip(&start.q);
+        let velocities = self.info.coordinates.iter().map(|c| &c.velocity_name).zip(&start.v);
         for (name, &value) in positions.chain(velocities) {
             if !value.is_finite() {
-                return Err(StartError::NotFinite { name, value });
+                return Err(StartError::NotFinite { name: name.clone(), value });
             }
             if value.abs() > LARGEST_VALUE {
-                return Err(StartError::TooLarge { name, value, largest: LARGEST_VALUE });
+                return Err(StartError::TooLarge { name: name.clone(), value, largest: LARGEST_VALUE });
             }
         }
         Ok(())
@@ -107,7 +107,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
             return Ok(());
         }
         self.position_residual(start.t, q);
-        let held = start.q_given.iter().zip(self.info.coordinates).filter(|(given, _)| **given).map(|(_, c)| c.name);
+        let held =
+            start.q_given.iter().zip(&*self.info.coordinates).filter(|(given, _)| **given).map(|(_, c)| c.name.clone());
         let extent = self.geometry.extent(q);
         let tolerances = (0..self.info.n_position_rows).map(|row| self.geometry.position_tolerance(row, extent));
         Err(self.contradiction("position", &tolerances.collect::<Vec<_>>(), held.collect()))
@@ -199,8 +200,8 @@ impl<S: Scene + ?Sized> System<'_, S> {
             return Ok(());
         }
         self.velocity_residual(t, q, v);
-        let names = self.info.coordinates.iter().map(|c| c.velocity_name);
-        let held = start.v_given.iter().zip(names).filter(|(given, _)| **given).map(|(_, name)| name);
+        let names = self.info.coordinates.iter().map(|c| &c.velocity_name);
+        let held = start.v_given.iter().zip(names).filter(|(given, _)| **given).map(|(_, name)| name.clone());
         let extent = self.geometry.extent(v).max(drive);
         let tolerances = (0..n_c).map(|row| self.geometry.velocity_tolerance(row, extent));
         Err(self.contradiction("velocity", &tolerances.collect::<Vec<_>>(), held.collect()))
@@ -218,15 +219,15 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Names the rows whose residual in the buffer exceeds its tolerance, or one that is no number.
-    fn contradiction(&self, level: &'static str, tolerances: &[f64], held: Vec<&'static str>) -> StartError {
+    fn contradiction(&self, level: &'static str, tolerances: &[f64], held: Vec<Name>) -> StartError {
         let residual = &self.buffers.residual[..tolerances.len()];
         if let Some(i) = residual.iter().position(|r| !r.is_finite()) {
-            return StartError::UndefinedRow { row: self.info.rows[i].name };
+            return StartError::UndefinedRow { row: self.info.rows[i].name.clone() };
         }
         let mut rows: Vec<usize> = (0..residual.len()).filter(|&i| residual[i].abs() > tolerances[i]).collect();
         rows.sort_by(|&i, &j| residual[j].abs().total_cmp(&residual[i].abs()));
         let tolerance = rows.first().map_or(0.0, |&row| tolerances[row]);
-        let rows = rows.into_iter().map(|i| self.info.rows[i].name).collect();
+        let rows = rows.into_iter().map(|i| self.info.rows[i].name.clone()).collect();
         StartError::Contradiction { level, rows, residual: max_abs(residual), tolerance, held }
     }
 }
@@ -235,7 +236,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// The given values of `start` that changed when `state` was assembled from it, coordinates first. Those that only got their last
     /// digits (1e-6 rad, or as much of the longest lever; of the largest velocity for velocities) are left out.
     pub fn moved_values(&self, start: &Start, state: &State) -> Vec<MovedValue> {
-        let (info, length) = (self.info, self.geometry.length);
+        let (info, length) = (&self.info, self.geometry.length);
         let speed = self.geometry.extent(&start.v).max(self.geometry.extent(&state.v));
         let unit = |i: usize| if is_angle(i) { 1.0 } else { length };
         let has_moved = |i: usize, near: &[bool], given: f64, got: f64, size: f64| {

@@ -1,7 +1,7 @@
 //! What moves a scene hardest at one state: for messages about runs that cannot be continued.
 
 use super::System;
-use crate::model::Scene;
+use crate::model::{Name, Scene};
 use std::f64::consts::SQRT_2;
 
 /// The coordinate with the largest acceleration at one state and what causes it, both in the metric of the masses.
@@ -12,7 +12,7 @@ use std::f64::consts::SQRT_2;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Strain {
     /// Name of the coordinate.
-    pub coordinate: &'static str,
+    pub coordinate: Name,
     /// Its acceleration, m/s² or rad/s².
     pub acceleration: f64,
     /// Unit of the coordinate, m or rad.
@@ -22,20 +22,20 @@ pub struct Strain {
 }
 
 /// What causes an acceleration.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum StrainSource {
     /// The speeds: the largest reaction in the equation of motion of the coordinate.
     Reaction {
         /// Name of the row.
-        row: &'static str,
+        row: Name,
         /// The force or torque, N or N·m.
         force: f64,
     },
     /// The largest applied force.
     Applied {
         /// Name of the coordinate that it acts on.
-        coordinate: &'static str,
+        coordinate: Name,
         /// The force or torque, N or N·m.
         force: f64,
         /// Name of the effect of largest power, if one has any.
@@ -73,12 +73,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let source = match largest(forces()) {
             Some((j, _)) if SQRT_2 * norm(forces()) >= norm(accelerations()) => {
                 let effect = self.busiest_effect(t, q, v, lambda);
-                StrainSource::Applied { coordinate: self.info.coordinates[j].name, force: applied[j], effect }
+                StrainSource::Applied { coordinate: self.info.coordinates[j].name.clone(), force: applied[j], effect }
             }
             _ => self.largest_reaction(t, q, i, lambda)?,
         };
         let coordinate = &self.info.coordinates[i];
-        Some(Strain { coordinate: coordinate.name, acceleration: a[i], unit: coordinate.unit, source })
+        Some(Strain { coordinate: coordinate.name.clone(), acceleration: a[i], unit: coordinate.unit, source })
     }
 
     /// On coordinate `i`; none without rows.
@@ -87,7 +87,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         let entries = self.info.jacobian.entries().filter(|(_, _, column)| *column == i);
         let reactions = entries.map(|(k, row, _)| (row, -self.buffers.jacobian[k] * lambda[row]));
         let (row, force) = reactions.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()))?;
-        Some(StrainSource::Reaction { row: self.info.rows[row].name, force })
+        Some(StrainSource::Reaction { row: self.info.rows[row].name.clone(), force })
     }
 
     fn busiest_effect(&self, t: f64, q: &[f64], v: &[f64], lambda: &[f64]) -> Option<&'static str> {

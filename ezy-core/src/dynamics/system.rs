@@ -7,7 +7,8 @@ use super::geometry::Geometry;
 use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RANGE};
 use crate::linalg::{Backend, LARGEST_DENSE, SparseKkt};
 use crate::model::coordinate::{body_and_component, is_angle};
-use crate::model::{Scene, SceneInfo, Start};
+use crate::model::{Name, Scene, SceneInfo, Start};
+use std::sync::Arc;
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
 ///
@@ -18,7 +19,7 @@ use crate::model::{Scene, SceneInfo, Start};
 /// ```
 pub struct System<'s, S: Scene + ?Sized> {
     pub(super) scene: &'s S,
-    pub(super) info: &'static SceneInfo,
+    pub(super) info: Arc<SceneInfo>,
     /// What kernels read as `c`: inputs, then constants.
     pub(super) fixed: Vec<f64>,
     pub(super) mass: Vec<f64>,
@@ -59,8 +60,8 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     /// [`SystemError`] naming the parameter, count or body that cannot be used.
     pub fn new(scene: &'s S, backend: Backend) -> Result<Self, SystemError> {
         let info = scene.info();
-        if let Some(fault) = info.repeats.and_then(|repeats| repeats.fault) {
-            return Err(fault.into());
+        if let Some(fault) = info.repeats.as_ref().and_then(|repeats| repeats.fault.as_ref()) {
+            return Err(fault.clone().into());
         }
         let parameters = scene.parameters();
         for (parameter, &value) in info.parameters.iter().zip(&parameters) {
@@ -75,23 +76,22 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         let mut mass = vec![0.0; n_q];
         scene.mass_matrix(&fixed, &mut mass);
         if let Some(i) = mass.iter().position(|m| !(m.is_finite() && *m >= 0.0)) {
-            let (body, quantity) = body_of(info, i);
+            let (body, quantity) = body_of(&info, i);
             return Err(SystemError::Mass { body, quantity, value: mass[i] });
         }
         let mut start = Start::free(n_q);
         scene.start(&fixed, &mut start);
         let mut jacobian = vec![0.0; info.jacobian.n_nonzeros()];
         scene.velocity_jacobian(&fixed, start.t, &start.q, &mut jacobian);
-        let geometry = Geometry::new(info, &jacobian, &start);
-        let is_out_of_range = is_out_of_range(info, &mass, &jacobian);
+        let geometry = Geometry::new(&info, &jacobian, &start);
+        let is_out_of_range = is_out_of_range(&info, &mass, &jacobian);
         if is_out_of_range && backend == Backend::Generated {
             return Err(SystemError::OutOfRange { scene: info.name });
         }
         let needs_pivots = is_out_of_range || geometry.lightness(&mass) < LIGHTEST;
         Ok(Self {
             scene,
-            info,
-            solver: solver(info, &mass, needs_pivots, backend)?,
+            solver: solver(&info, &mass, needs_pivots, backend)?,
             geometry,
             factors: Factors::new(n_q, n_c, jacobian.clone()),
             least_pivot: 1.0,
@@ -100,6 +100,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             euclidean: None,
             buffers: Buffers { jacobian, sums: vec![0.0; n_c], residual: vec![0.0; n_c], delta: vec![0.0; n_q] },
             counters: Counters::default(),
+            info,
         })
     }
 
@@ -109,8 +110,8 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     }
 
     /// Names and sizes.
-    pub fn info(&self) -> &'static SceneInfo {
-        self.info
+    pub fn info(&self) -> &Arc<SceneInfo> {
+        &self.info
     }
 
     /// Inputs and everything that depends on parameters alone, to hand to the kernels of the scene as `c`.
@@ -163,7 +164,7 @@ fn is_out_of_range(info: &SceneInfo, mass: &[f64], jacobian: &[f64]) -> bool {
     of_rows.iter().any(|power| *power > 0.0 && largest > FURTHEST_APART * power)
 }
 
-fn solver(info: &'static SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) -> Result<Solver, SystemError> {
+fn solver(info: &SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) -> Result<Solver, SystemError> {
     let massless = mass.iter().position(|m| *m == 0.0);
     let needs_mass = |backend| match massless {
         None => Ok(()),
@@ -195,7 +196,7 @@ fn solver(info: &'static SceneInfo, mass: &[f64], needs_pivots: bool, backend: B
     }
 }
 
-fn dense(info: &'static SceneInfo) -> Result<Solver, SystemError> {
+fn dense(info: &SceneInfo) -> Result<Solver, SystemError> {
     let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
     if n > limit {
         return Err(SystemError::TooLargeForDense { n, limit });
@@ -203,11 +204,11 @@ fn dense(info: &'static SceneInfo) -> Result<Solver, SystemError> {
     Ok(Solver::Dense)
 }
 
-fn sparse(info: &'static SceneInfo) -> Result<Solver, SystemError> {
+fn sparse(info: &SceneInfo) -> Result<Solver, SystemError> {
     Ok(Solver::Sparse(Box::new(SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())?)))
 }
 
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.
-fn body_of(info: &'static SceneInfo, i: usize) -> (&'static str, &'static str) {
-    (info.bodies[body_and_component(i).0], if is_angle(i) { "inertia" } else { "mass" })
+fn body_of(info: &SceneInfo, i: usize) -> (Name, &'static str) {
+    (info.bodies[body_and_component(i).0].clone(), if is_angle(i) { "inertia" } else { "mass" })
 }

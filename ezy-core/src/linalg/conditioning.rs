@@ -120,8 +120,8 @@ fn equilibrate(mass: &[f64], pattern: &SparsityPattern, jacobian: &[f64], d: &mu
 mod tests {
     use super::*;
 
-    const TWO_ROWS: SparsityPattern = SparsityPattern { starts: &[0, 2, 4], columns: &[0, 1, 0, 1] };
-    const ONE_ROW: SparsityPattern = SparsityPattern { starts: &[0, 1], columns: &[0] };
+    const TWO_ROWS: SparsityPattern = SparsityPattern::new(&[0, 2, 4], &[0, 1, 0, 1]);
+    const ONE_ROW: SparsityPattern = SparsityPattern::new(&[0, 1], &[0]);
 
     /// An estimate is at most the condition number, and rarely below a third of it (Higham 2002, 15.2).
     fn assert_estimates(found: Conditioning, exact: f64) {

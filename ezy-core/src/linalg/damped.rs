@@ -128,7 +128,7 @@ mod tests {
 
     #[test]
     fn analytic_a_row_at_an_angle_of_1e_4_holds_and_a_repeated_one_does_not_matter() {
-        const ROWS: SparsityPattern = SparsityPattern { starts: &[0, 2, 4, 6], columns: &[0, 1, 0, 1, 0, 1] };
+        const ROWS: SparsityPattern = SparsityPattern::new(&[0, 2, 4, 6], &[0, 1, 0, 1, 0, 1]);
         let (mass, jacobian) = ([1.0, 1.0], [1.0, 0.0, 1.0, 1e-4, 1.0, 0.0]);
         let mut kkt = SparseKkt::new(2, &ROWS, 3).unwrap();
         let mut damped = DampedKkt::new(&mass, &ROWS);

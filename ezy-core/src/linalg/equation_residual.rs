@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn analytic_rounding_of_a_coordinate_that_is_held_at_zero_does_not_matter() {
-        let pattern = SparsityPattern { starts: &[0, 1], columns: &[0] };
+        let pattern = SparsityPattern::new(&[0, 1], &[0]);
         let mut equations = EquationResidual::new(2, 1, &pattern);
         // the first coordinate and its multiplier are zero but for rounding
         equations.write(&[1.0, 1.0], &[1.0], &[0.0, 1.0, 0.0], &[1e-17, 1.0, -1e-17]);

@@ -35,7 +35,7 @@ impl Numbers {
 fn pattern(rows: &[&[usize]]) -> SparsityPattern {
     let mut starts = vec![0];
     rows.iter().for_each(|row| starts.push(starts[starts.len() - 1] + row.len()));
-    SparsityPattern { starts: starts.leak(), columns: rows.concat().leak() }
+    SparsityPattern { starts: starts.into(), columns: rows.concat().into() }
 }
 
 /// `[r; s] − [M Gᵀ; G −Δ] [x; y]`, the largest entry.

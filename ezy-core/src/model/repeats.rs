@@ -1,6 +1,6 @@
 //! Scenes with counts: numbers of a run that say how often bodies, constraints and forces are repeated.
 
-use super::{Equation, RowInfo};
+use super::{Equation, List, RowInfo};
 use crate::memory::readable;
 
 /// A count: a whole number, at least one, that can be changed without compiling again.
@@ -24,7 +24,7 @@ pub struct SlotCoordinate {
 }
 
 /// One scalar row of a template.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RowTemplate {
     /// What follows the name of the item: `.x`, or nothing.
     pub suffix: &'static str,
@@ -37,7 +37,7 @@ pub struct RowTemplate {
 }
 
 /// Equations that all members of one repeated item share, written with its index.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TemplateInfo {
     /// Name of the item without its index, `pin`; empty for a force.
     pub name: &'static str,
@@ -54,12 +54,12 @@ pub struct TemplateInfo {
 }
 
 /// Additional data of a scene with counts: sizes of this run, and equations by template.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Repeats {
     /// The counts in declared order.
     pub counts: &'static [CountInfo],
     /// Their present values.
-    pub values: &'static [usize],
+    pub values: List<usize>,
     /// Equations of each item, in declared order.
     pub templates: &'static [TemplateInfo],
     /// Why the scene cannot be set up with these counts. Its other descriptions are then meaningless.
@@ -70,7 +70,7 @@ pub struct Repeats {
 pub(crate) const LARGEST_N_MEMBERS: usize = 4_000_000;
 
 /// Counts that cannot be used.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LayoutFault {
     /// A count is zero.
@@ -108,7 +108,7 @@ pub enum LayoutFault {
     )]
     IndexOutOfRange {
         /// The item with its indices: hinge `pin[0]`.
-        item: &'static str,
+        item: String,
         /// The array.
         array: &'static str,
         /// The index that it does not have.

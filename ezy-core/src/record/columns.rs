@@ -26,10 +26,10 @@ impl Column {
 /// `residual.velocity`.
 pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
     let mut all = vec![Column::new("t", "s")];
-    all.extend(info.coordinates.iter().map(|c| Column::new(c.name, c.unit)));
-    all.extend(info.coordinates.iter().map(|c| Column::new(c.velocity_name, format!("{}/s", c.unit))));
+    all.extend(info.coordinates.iter().map(|c| Column::new(&*c.name, c.unit)));
+    all.extend(info.coordinates.iter().map(|c| Column::new(&*c.velocity_name, format!("{}/s", c.unit))));
     all.extend(
-        info.coordinates.iter().map(|c| Column::new(acceleration_name(c.velocity_name), format!("{}/s^2", c.unit))),
+        info.coordinates.iter().map(|c| Column::new(acceleration_name(&c.velocity_name), format!("{}/s^2", c.unit))),
     );
     all.extend(info.rows.iter().map(|r| Column::new(format!("lambda.{}", r.name), r.multiplier_unit)));
     all.extend(info.inputs.iter().map(|i| Column::new(format!("input.{}", i.name), i.unit)));

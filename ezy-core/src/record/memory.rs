@@ -2,11 +2,12 @@
 
 use super::{RecordError, Recorder, Sample, UnknownName, Wanted, column_index, columns};
 use crate::model::SceneInfo;
+use std::sync::Arc;
 
 /// Samples of one run, one after the other in a single vector.
 #[derive(Debug, Clone)]
 pub(crate) struct Record {
-    info: &'static SceneInfo,
+    info: Arc<SceneInfo>,
     wanted: Wanted,
     n_numbers: usize,
     numbers: Vec<f64>,
@@ -14,8 +15,8 @@ pub(crate) struct Record {
 
 impl Record {
     /// An empty record of samples that hold what is wanted.
-    pub(crate) fn new(info: &'static SceneInfo, wanted: Wanted) -> Self {
-        Self { info, wanted, n_numbers: Sample::n_numbers(info, wanted), numbers: Vec::new() }
+    pub(crate) fn new(info: Arc<SceneInfo>, wanted: Wanted) -> Self {
+        Self { n_numbers: Sample::n_numbers(&info, wanted), info, wanted, numbers: Vec::new() }
     }
 
     /// Adds a sample.
@@ -32,7 +33,7 @@ impl Record {
     pub(crate) fn no_number_at_end(&self) -> Option<(String, f64)> {
         let last = self.samples().next_back()?;
         let (i, value) = last.numbers().enumerate().find(|(_, x)| !x.is_finite())?;
-        Some((columns(self.info, self.wanted).swap_remove(i).name, value))
+        Some((columns(&self.info, self.wanted).swap_remove(i).name, value))
     }
 
     /// Number of samples.
@@ -47,12 +48,12 @@ impl Record {
 
     /// Sample `i`, which the caller knows to be there.
     pub(crate) fn at(&self, i: usize) -> Sample<'_> {
-        Sample::from_numbers(self.info, self.wanted, &self.numbers[i * self.n_numbers..][..self.n_numbers])
+        Sample::from_numbers(&self.info, self.wanted, &self.numbers[i * self.n_numbers..][..self.n_numbers])
     }
 
     /// The samples in order of time.
     pub(crate) fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<'_>> + ExactSizeIterator {
-        self.numbers.chunks_exact(self.n_numbers).map(|numbers| Sample::from_numbers(self.info, self.wanted, numbers))
+        self.numbers.chunks_exact(self.n_numbers).map(|numbers| Sample::from_numbers(&self.info, self.wanted, numbers))
     }
 
     /// One column of every sample.
@@ -60,7 +61,7 @@ impl Record {
     /// # Errors
     /// [`UnknownName`] with the nearest column.
     pub(crate) fn column(&self, name: &str) -> Result<Vec<f64>, UnknownName> {
-        let i = column_index(self.info, self.wanted, name)?;
+        let i = column_index(&self.info, self.wanted, name)?;
         Ok(self.numbers.chunks_exact(self.n_numbers).map(|numbers| numbers[i]).collect())
     }
 }

@@ -49,7 +49,7 @@ const SIMILAR: f64 = 0.75;
 /// # Errors
 /// [`UnknownName`] with the most similar coordinate.
 pub fn coordinate_index(info: &SceneInfo, name: &str) -> Result<usize, UnknownName> {
-    find_name("coordinate", name, info.coordinates.iter().map(|c| c.name))
+    find_name("coordinate", name, info.coordinates.iter().map(|c| &*c.name))
 }
 
 /// Index of an input.
@@ -65,7 +65,7 @@ pub fn input_index(info: &SceneInfo, name: &str) -> Result<usize, UnknownName> {
 /// # Errors
 /// [`UnknownName`] with the most similar output.
 pub fn output_index(info: &SceneInfo, name: &str) -> Result<usize, UnknownName> {
-    find_name("output", name, info.outputs.iter().map(|output| output.name))
+    find_name("output", name, info.outputs.iter().map(|output| &*output.name))
 }
 
 /// Index of `name` among `known`.

@@ -7,7 +7,7 @@ use crate::model::SceneInfo;
 #[derive(Debug, Clone, Copy)]
 pub struct Sample<'r> {
     /// Names and sizes.
-    pub info: &'static SceneInfo,
+    pub info: &'r SceneInfo,
     /// Its optional parts.
     pub wanted: Wanted,
     /// Time, s.
@@ -70,7 +70,7 @@ impl<'r> Sample<'r> {
     }
 
     /// Reads a stored sample.
-    pub(super) fn from_numbers(info: &'static SceneInfo, wanted: Wanted, numbers: &'r [f64]) -> Self {
+    pub(super) fn from_numbers(info: &'r SceneInfo, wanted: Wanted, numbers: &'r [f64]) -> Self {
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let (coordinates, rest) = numbers[1..].split_at(n_q);
         let (velocities, rest) = rest.split_at(n_q);

@@ -78,7 +78,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// # Errors
     /// [`SetupError`] when the start or the step cannot be used.
     pub fn stepper(mut self) -> Result<Stepper<'s, S>, SetupError> {
-        SetupError::refuse_modes(self.scene.info())?;
+        SetupError::refuse_modes(&self.scene.info())?;
         let mut system = System::new(self.scene, self.settings.backend)?;
         let start = self.start(&system)?;
         let step_s = self.fixed_step()?;
@@ -141,7 +141,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     fn schedule(&self, start_s: f64, idle: bool) -> Result<Schedule, SetupError> {
         let until_s = self.settings.until_s;
         if !start_s.is_finite() {
-            return Err(StartError::NotFinite { name: "t", value: start_s }.into());
+            return Err(StartError::NotFinite { name: "t".into(), value: start_s }.into());
         }
         if !(until_s.is_finite() && until_s >= start_s) {
             return Err(SetupError::Until { until_s, start_s });

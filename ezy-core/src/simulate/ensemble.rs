@@ -8,6 +8,7 @@ use crate::linalg::Backend;
 use crate::model::{Equations, Scene};
 use crate::scalar::Lanes;
 use std::array::from_fn;
+use std::sync::Arc;
 
 /// `L` runs of one scene, 4 or 8, with their own parameters and starts, in lanes: one pass through the equations advances all
 /// of them. Steps are shared; those of `dop853` keep to the tolerance in every run. Positions and velocities are projected
@@ -58,7 +59,7 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         }
         let systems = scenes.iter().map(|scene| System::new(scene, Backend::Generated));
         let systems: Vec<System<'_, S>> = systems.collect::<Result<_, _>>()?;
-        let info = systems[0].info();
+        let info = Arc::clone(systems[0].info());
         let expected = info.n_coordinates();
         let lengths = starts.iter().flat_map(|start| [start.q.len(), start.v.len()]);
         if let Some(found) = lengths.into_iter().find(|n| *n != expected) {
@@ -68,7 +69,9 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         let q = packed(from_fn(|lane| &starts[lane].q[..]));
         let v = packed(from_fn(|lane| &starts[lane].v[..]));
         let start = State { t: starts[0].t, q, v, work: Vec::new() };
-        Ok(Self { trajectory: Trajectory::new(SystemOf::new(&scenes[0], info, fixed), info, start, method)? })
+        Ok(Self {
+            trajectory: Trajectory::new(SystemOf::new(&scenes[0], Arc::clone(&info), fixed), info, start, method)?,
+        })
     }
 
     /// Steps all runs to `until_s`; nothing happens when they are there already.

@@ -2,7 +2,7 @@
 
 use crate::dynamics::{MotionError, StartError, SystemError};
 use crate::memory::readable;
-use crate::model::{SceneInfo, SeriesInfo};
+use crate::model::{Name, SceneInfo, SeriesInfo};
 use crate::record::{RecordError, UnknownName};
 use crate::scalar::legible;
 
@@ -81,7 +81,7 @@ pub enum SetupError {
     #[error("`{name}` is not given by the start but follows from the constraints; give it a start value")]
     NotGiven {
         /// Name of the coordinate or velocity.
-        name: &'static str,
+        name: Name,
     },
     /// The scene has no Taylor series.
     #[error("scene `{scene}` has no Taylor series: {}; use another method, such as dop853", why(*.series))]
@@ -213,8 +213,8 @@ impl SetupError {
     ///
     /// # Errors
     /// [`SetupError::Modes`].
-    pub(crate) fn refuse_modes(info: &'static SceneInfo) -> Result<(), Self> {
-        let skate = info.stick_slip.map(|stick_slip| ("skate", info.rows[stick_slip.row].name));
+    pub(crate) fn refuse_modes(info: &SceneInfo) -> Result<(), Self> {
+        let skate = info.stick_slip.map(|stick_slip| ("skate", stick_slip.name));
         let stop = info.stop.map(|stop| ("stop", stop.name));
         match skate.or(stop) {
             None => Ok(()),

@@ -5,6 +5,7 @@ use crate::dynamics::{MotionError, MovedValue, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
 use crate::scalar::{legible, rounded};
+use std::sync::Arc;
 
 /// A finished run: all that was computed, also when it stopped early.
 #[derive(Debug)]
@@ -25,7 +26,7 @@ pub struct Run {
     pub moved: Vec<MovedValue>,
     /// Its error, when [`Simulation::estimate_error`](super::Simulation::estimate_error) asked for it.
     pub error_estimate: Option<Result<ErrorEstimate, NoErrorEstimate>>,
-    pub(super) info: &'static SceneInfo,
+    pub(super) info: Arc<SceneInfo>,
     pub(super) events: Vec<Occurrence>,
     /// Holds the start at least.
     pub(super) record: Record,
@@ -33,8 +34,8 @@ pub struct Run {
 
 impl Run {
     /// Names and sizes.
-    pub fn info(&self) -> &'static SceneInfo {
-        self.info
+    pub fn info(&self) -> &Arc<SceneInfo> {
+        &self.info
     }
 
     /// The events that took place, in time; what ended the run is the last one.

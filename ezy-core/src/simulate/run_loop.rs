@@ -15,6 +15,7 @@ use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, MovedValue, not_finite};
 use crate::model::{EventInfo, Scene};
 use crate::record::{Recorder, Wanted};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
@@ -66,17 +67,17 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
         recorder: Option<&'s mut dyn Recorder>,
         on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
     ) -> Result<Self, SetupError> {
-        let info = stepper.system.info();
+        let info = Arc::clone(stepper.system.info());
         let t = stepper.now.state.t;
         control.act(&stepper.now.state, plan.schedule.step(0, t).0, &mut stepper.system)?;
         stepper.evaluate_now()?;
-        if let Some(quantity) = not_finite(info, &stepper.now.a, &[]) {
+        if let Some(quantity) = not_finite(&info, &stepper.now.a, &[]) {
             return Err(MotionError::NotFinite { t: stepper.now.state.t, quantity }.into());
         }
         stepper.check_beginning(plan.schedule.end() - t)?;
-        let recorded = modes.as_ref().map_or(info, |modes| modes.record_info(&stepper));
+        let recorded = modes.as_ref().map_or_else(|| Arc::clone(&info), |modes| modes.record_info(&stepper));
         let mut sampler = Sampler::new(recorded, plan.wanted, recorder, plan.streamed);
-        let mut between = Snapshot::zero(info, plan.wanted.work);
+        let mut between = Snapshot::zero(&info, plan.wanted.work);
         if let Some(modes) = &mut modes {
             modes.start(&mut stepper)?;
             between.lambda.clone_from(&stepper.now.lambda);
@@ -156,7 +157,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
             events.sort_by(|a, b| a.state.t.total_cmp(&b.state.t));
         }
         let StepperState { system, now, .. } = &self.stepper;
-        let (info, monitors) = (self.sampler.info(), self.watch.monitors(system.work_of_rounding(&now.lambda)));
+        let (info, monitors) =
+            (Arc::clone(self.sampler.info()), self.watch.monitors(system.work_of_rounding(&now.lambda)));
         if let Some(energy) = monitors.energy
             && outcome.reached_end()
             && !self.watch.trusts(energy, self.stepper.chooses_steps())

@@ -4,10 +4,11 @@ use super::snapshot::Snapshot;
 use crate::dynamics::{State, System};
 use crate::model::{Scene, SceneInfo};
 use crate::record::{EnergyState, Record, RecordError, Recorder, Sample, Wanted};
+use std::sync::Arc;
 
 /// The record of a run and, when there is one, the recorder that a caller gave.
 pub(super) struct Sampler<'s> {
-    info: &'static SceneInfo,
+    info: Arc<SceneInfo>,
     record: Record,
     recorder: Option<&'s mut dyn Recorder>,
     /// Whether the record keeps the first and the last sample only.
@@ -28,14 +29,13 @@ pub(super) struct Sampler<'s> {
 
 impl<'s> Sampler<'s> {
     pub(super) fn new(
-        info: &'static SceneInfo,
+        info: Arc<SceneInfo>,
         wanted: Wanted,
         recorder: Option<&'s mut dyn Recorder>,
         streamed: bool,
     ) -> Self {
         Self {
-            info,
-            record: Record::new(info, wanted),
+            record: Record::new(Arc::clone(&info), wanted),
             recorder,
             streamed,
             n_kept: 0,
@@ -45,6 +45,7 @@ impl<'s> Sampler<'s> {
             outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
             lacking: None,
             multipliers: Vec::new(),
+            info,
         }
     }
 
@@ -59,8 +60,8 @@ impl<'s> Sampler<'s> {
     }
 
     /// Names and sizes of what is kept.
-    pub(super) fn info(&self) -> &'static SceneInfo {
-        self.info
+    pub(super) fn info(&self) -> &Arc<SceneInfo> {
+        &self.info
     }
 
     pub(super) fn into_record(self) -> Record {
@@ -102,7 +103,7 @@ impl<'s> Sampler<'s> {
             }
         };
         let sample = Sample {
-            info: self.info,
+            info: &self.info,
             wanted: self.wanted,
             t: *t,
             coordinates: q,

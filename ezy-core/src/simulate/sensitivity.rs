@@ -8,6 +8,7 @@ use crate::linalg::Backend;
 use crate::model::{Equations, Scene, SceneInfo, Start};
 use crate::record::find_name;
 use crate::scalar::Dual;
+use std::sync::Arc;
 
 /// Derivatives of a state by one quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,13 +70,13 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
     /// can, on scenes with a generated elimination.
     pub fn new(scene: &'s S, start: &Start, by: [&str; N], method: Method) -> Result<Self, SetupError> {
         let mut system = System::new(scene, Backend::Generated)?;
-        let info = system.info();
+        let info = Arc::clone(system.info());
         let State { t, q, v, .. } = system.consistent_start(start)?;
         let mut parameters: Vec<Dual<N>> = scene.parameters().into_iter().map(Dual::constant).collect();
         let mut q: Vec<Dual<N>> = q.into_iter().map(Dual::constant).collect();
         let mut v: Vec<Dual<N>> = v.into_iter().map(Dual::constant).collect();
         for (direction, name) in by.into_iter().enumerate() {
-            let seeded = match quantity(info, start, name)? {
+            let seeded = match quantity(&info, start, name)? {
                 Quantity::Parameter(i) => &mut parameters[i],
                 Quantity::Position(i) => &mut q[i],
                 Quantity::Velocity(i) => &mut v[i],
@@ -94,7 +95,7 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
         follow(&mut system, t, &values, &residual, &start.v_given, &mut v);
 
         let start = State { t, q, v, work: Vec::new() };
-        Ok(Self { trajectory: Trajectory::new(SystemOf::new(scene, info, fixed), info, start, method)? })
+        Ok(Self { trajectory: Trajectory::new(SystemOf::new(scene, Arc::clone(&info), fixed), info, start, method)? })
     }
 
     /// Runs on to `until_s`.
@@ -140,14 +141,14 @@ fn follow<S: Scene + ?Sized, const N: usize>(
 
 fn quantity(info: &SceneInfo, start: &Start, name: &str) -> Result<Quantity, SetupError> {
     let parameters = info.parameters.iter().map(|parameter| parameter.name);
-    let positions = info.coordinates.iter().map(|c| c.name);
-    let velocities = info.coordinates.iter().map(|c| c.velocity_name);
+    let positions = info.coordinates.iter().map(|c| &*c.name);
+    let velocities = info.coordinates.iter().map(|c| &*c.velocity_name);
     let i = find_name("parameter or start value", name, parameters.chain(positions).chain(velocities))?;
     let Some(i) = i.checked_sub(info.parameters.len()) else { return Ok(Quantity::Parameter(i)) };
     let n_q = info.n_coordinates();
     let (quantity, given, name) = match i.checked_sub(n_q) {
-        None => (Quantity::Position(i), start.q_given[i], info.coordinates[i].name),
-        Some(i) => (Quantity::Velocity(i), start.v_given[i], info.coordinates[i].velocity_name),
+        None => (Quantity::Position(i), start.q_given[i], &info.coordinates[i].name),
+        Some(i) => (Quantity::Velocity(i), start.v_given[i], &info.coordinates[i].velocity_name),
     };
-    if given { Ok(quantity) } else { Err(SetupError::NotGiven { name }) }
+    if given { Ok(quantity) } else { Err(SetupError::NotGiven { name: name.clone() }) }
 }

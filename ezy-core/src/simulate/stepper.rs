@@ -7,6 +7,7 @@ use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::model::{Scene, SceneInfo, Start};
 use crate::record::EnergyState;
+use std::sync::Arc;
 
 /// A scene with its state and inputs, made by [`Simulation::stepper`](super::Simulation::stepper).
 ///
@@ -109,7 +110,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
     }
 
     /// Names and sizes.
-    pub fn info(&self) -> &'static SceneInfo {
+    pub fn info(&self) -> &Arc<SceneInfo> {
         self.stepper.system.info()
     }
 

@@ -10,6 +10,7 @@ use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, QUARTERED, SH
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
 use crate::model::Scene;
+use std::sync::Arc;
 
 /// The state `now`, and the end `next` of the step under way.
 pub(super) struct StepperState<'s, S: Scene + ?Sized> {
@@ -50,11 +51,11 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         metric: Metric,
         work: bool,
     ) -> Result<Self, SetupError> {
-        let info = system.info();
-        let [now, next] = std::array::from_fn(|_| Snapshot::zero(info, work));
+        let info = Arc::clone(system.info());
+        let [now, next] = std::array::from_fn(|_| Snapshot::zero(&info, work));
         let projects = projection == Projection::Both && metric == Metric::Mass;
         let integrator = Integrator::new(method, system.scene(), now.power.len())?;
-        let discontinuities = Discontinuities::new(info);
+        let discontinuities = Discontinuities::new(&info);
         Ok(Self {
             system,
             integrator,
@@ -389,9 +390,9 @@ fn check_finite<S: Scene + ?Sized>(system: &System<'_, S>, t: f64, state: &State
     let quantity = match not_finite(info, &state.q, &state.v) {
         Some(quantity) => quantity,
         None => match state.work.iter().position(|work| !work.is_finite()) {
-            Some(i) => info.effects[i].name,
+            Some(i) => info.effects[i].name.into(),
             // squares overflow from 1e154 m/s on
-            None if !system.kinetic_energy(&state.v).is_finite() => "kinetic energy",
+            None if !system.kinetic_energy(&state.v).is_finite() => "kinetic energy".into(),
             None => return Ok(()),
         },
     };

@@ -7,10 +7,11 @@ use crate::dynamics::{Dynamics, MotionError, State, SystemOf, not_finite};
 use crate::integrate::{Clock, Method, Node, Rk4};
 use crate::model::{Equations, SceneInfo};
 use crate::scalar::Scalar;
+use std::sync::Arc;
 
 pub(super) struct Trajectory<'s, S: ?Sized, T> {
     system: SystemOf<'s, S, T>,
-    info: &'static SceneInfo,
+    info: Arc<SceneInfo>,
     method: Steps<T>,
     pub now: State<T>,
     next: State<T>,
@@ -27,11 +28,11 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
     /// From `start`, which meets the rows.
     pub(super) fn new(
         system: SystemOf<'s, S, T>,
-        info: &'static SceneInfo,
+        info: Arc<SceneInfo>,
         start: State<T>,
         method: Method,
     ) -> Result<Self, SetupError> {
-        SetupError::refuse_modes(info)?;
+        SetupError::refuse_modes(&info)?;
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let method = match method {
             Method::Rk4 { step_s } if step_s.is_finite() && step_s > 0.0 => {
@@ -53,7 +54,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
     pub(super) fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
         let start = self.now.t;
         if !until_s.is_finite() {
-            return Err(MotionError::NotFinite { t: start, quantity: "the end of the run" });
+            return Err(MotionError::NotFinite { t: start, quantity: "the end of the run".into() });
         }
         if let Steps::Rk4 { step_s, .. } = self.method {
             let clock = Clock::new(start, until_s, step_s);

@@ -28,7 +28,7 @@ const LINEAR_REASON: &str = "rounding";
 
 /// C_q against differences of C in each coordinate.
 pub(super) fn jacobian_of_positions<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
-    let (info, n_h) = (probe.info, probe.info.n_position_rows);
+    let (info, n_h) = (&probe.info, probe.info.n_position_rows);
     let mut worst = Worst::default();
     let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
     let directions = probe.directions();
@@ -82,7 +82,7 @@ pub(super) fn convective_term<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check 
 
 /// G against differences of the velocity constraints in each velocity, which are linear in them.
 pub(super) fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
-    let (info, n_c) = (probe.info, probe.info.n_rows());
+    let (info, n_c) = (&probe.info, probe.info.n_rows());
     let mut worst = Worst::default();
     let mut entries = vec![0.0; info.jacobian.n_nonzeros()];
     let directions = probe.directions();
@@ -104,7 +104,7 @@ pub(super) fn jacobian_of_velocities<S: Scene + ?Sized>(probe: &Probe<'_, S>) ->
 /// Sum of the powers of all effects, less the growth of the potential energy, against F·v and λ·g_t, where g_t is what
 /// the velocity constraints are at rest: both are what the kinetic energy gains. Any λ will do.
 pub(super) fn power<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Check {
-    let info = probe.info;
+    let info = &probe.info;
     let mut worst = Worst::default();
     let (rest, mut rows) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
     let mut F = vec![0.0; info.n_coordinates()];

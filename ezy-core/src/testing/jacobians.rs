@@ -53,7 +53,7 @@ fn residual<S: Scene + ?Sized>(
     lambda: &[f64],
     out: &mut [f64],
 ) {
-    let (scene, c, info) = (probe.scene, &probe.fixed[..], probe.info);
+    let (scene, c, info) = (probe.scene, &probe.fixed[..], &probe.info);
     let (force, rows) = out.split_at_mut(info.n_coordinates());
     let (mut mass, mut jacobian) = (vec![0.0; a.len()], vec![0.0; info.jacobian.n_nonzeros()]);
     scene.mass_matrix(c, &mut mass);

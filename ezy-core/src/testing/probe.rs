@@ -5,6 +5,7 @@ use crate::dynamics::{System, SystemError};
 use crate::linalg::Backend;
 use crate::model::coordinate::is_angle;
 use crate::model::{Scene, SceneInfo};
+use std::sync::Arc;
 
 /// Number of random states, of a scene with at most sixty unknowns.
 const N_STATES: usize = 1000;
@@ -22,7 +23,7 @@ const N_DIRECTIONS: usize = 8;
 /// the equations hold everywhere.
 pub(super) struct Probe<'s, S: Scene + ?Sized> {
     pub scene: &'s S,
-    pub info: &'static SceneInfo,
+    pub info: Arc<SceneInfo>,
     pub fixed: Vec<f64>,
     pub states: Vec<RandomState>,
 }

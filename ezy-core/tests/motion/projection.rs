@@ -107,7 +107,7 @@ fn invariant_monitors_tell_residuals_and_drift() {
     assert!((last.position_residual - largest(&found[..4])).abs() <= 1e-15 && last.position_residual > 1e-9);
     assert!((last.velocity_residual - largest(&found[4..])).abs() <= 1e-14 && last.velocity_residual > 1e-9);
     assert!(free.monitors.position_drift.is_none() && free.monitors.velocity_drift.is_none());
-    assert!(free.monitors.position_residual.unwrap().value >= last.position_residual);
+    assert!(free.monitors.position_residual.as_ref().unwrap().value >= last.position_residual);
     assert!(held.last().position_residual <= PROJECTED && held.last().velocity_residual <= PROJECTED);
     let (drift, residual) = (held.monitors.position_drift.unwrap(), held.monitors.position_residual.unwrap());
     assert!(drift.value > 1e-10 && residual.value <= PROJECTED, "{drift:?} {residual:?}");

@@ -136,7 +136,7 @@ fn cross_stepper_gives_the_bits_of_a_run_and_repeats_them() {
 #[test]
 fn invariant_files_of_inputs_are_read_or_refused_by_row_and_column() {
     let info = cart::Pushed::default().info();
-    let read = |text: &str| read_inputs(text.as_bytes(), info).map_err(|error| error.to_string());
+    let read = |text: &str| read_inputs(text.as_bytes(), &info).map_err(|error| error.to_string());
     let [(name, table)] = &read("t [s], push [N]\n0, 1\n1, 3\n1, 5\n2, 5").unwrap()[..] else { panic!("one input") };
     assert_eq!((name.as_str(), [0.0, 0.5, 1.0, 2.0, 3.0].map(|t| table.at(t))), ("push", [1.0, 2.0, 5.0, 5.0, 5.0]));
     // of a file that a run wrote the columns of inputs alone, each value until the next

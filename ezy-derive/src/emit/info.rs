@@ -22,11 +22,11 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let model_name = model.name.to_string();
     let name = scene.name.to_string();
     let documentation = &scene.documentation;
-    let bodies = model.bodies.iter().map(|body| body.name.to_string());
+    let bodies = model.bodies.iter().map(|body| name_of(&body.name.to_string()));
     let coordinates = coordinates(equations);
     let points: Vec<_> = (equations.points.iter())
         .map(|point| {
-            let (name, body) = (&point.name, option(point.body.map(|body| body.0)));
+            let (name, body) = (name_of(&point.name), option(point.body.map(|body| body.0)));
             let position = point.position.map(|x| formula_of(names, x));
             let position = option(Some(quote!([#(#position),*])));
             quote!(ezy::PointInfo { name: #name, body: #body, position: #position })
@@ -64,26 +64,28 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let [acceleration_operations, correction_operations] =
         [Quantity::Accelerations, Quantity::Correction].map(|quantity| operations(count_of(quantity)));
     let series = series(derived.series_cost());
+    let [bodies, coordinates, points, rows, outputs] =
+        [list(bodies), list(coordinates), list(points), list(rows), list(outputs)];
     quote! {
         ezy::SceneInfo {
             model: #model_name,
             name: #name,
             documentation: #documentation,
-            bodies: &[#(#bodies),*],
-            coordinates: &[#(#coordinates),*],
-            points: &[#(#points),*],
-            rows: &[#(#rows),*],
+            bodies: #bodies,
+            coordinates: #coordinates,
+            points: #points,
+            rows: #rows,
             n_position_rows: #n_position_rows,
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
-            outputs: &[#(#outputs),*],
+            outputs: #outputs,
             events: &[#(#events),*],
             stick_slip: #stick_slip,
             stop: #stop,
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
-            jacobian: ezy::SparsityPattern { starts: &[#(#starts),*], columns: &[#(#columns),*] },
+            jacobian: ezy::SparsityPattern::new(&[#(#starts),*], &[#(#columns),*]),
             jacobian_entries: &[#(#jacobian_entries),*],
             mass_entries: &[#(#mass_entries),*],
             force_entries: &[#(#force_entries),*],
@@ -97,6 +99,17 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             repeats: ::core::option::Option::None,
         }
     }
+}
+
+/// A name as a description holds it.
+pub fn name_of(text: &str) -> TokenStream {
+    quote!(ezy::Name::Borrowed(#text))
+}
+
+/// A list as a description holds it.
+pub fn list<T: quote::ToTokens>(items: impl IntoIterator<Item = T>) -> TokenStream {
+    let items = items.into_iter();
+    quote!(ezy::List::Borrowed(&[#(#items),*]))
 }
 
 /// Number of products and operations of one order, or the function that has no series.
@@ -134,9 +147,9 @@ fn coordinates(equations: &Equations) -> Vec<TokenStream> {
     let velocities = equations.symbols.velocity_names();
     (positions.iter().zip(velocities).enumerate())
         .map(|(i, (position, velocity))| {
-            let (name, velocity_name) = (&position.text, &velocity.text);
+            let (name, velocity_name) = (name_of(&position.text), name_of(&velocity.text));
             let unit = Coordinate::at(i).component.unit();
-            let (symbol, velocity_symbol) = (formula(position), formula(velocity));
+            let [symbol, velocity_symbol] = [position, velocity].map(|symbol| option(Some(formula(symbol))));
             quote! {
                 ezy::CoordinateInfo {
                     name: #name,
@@ -154,7 +167,7 @@ fn rows(equations: &Equations, names: &Abbreviations<'_>) -> Vec<TokenStream> {
     let constraints = &equations.constraints;
     (constraints.rows.iter().enumerate())
         .map(|(i, row)| {
-            let (name, kind, unit) = (&row.name, row.kind, &row.unit);
+            let (name, kind, unit) = (name_of(&row.name), row.kind, &row.unit);
             let constraint = constraints.position.get(i).copied().unwrap_or(constraints.velocity[i]);
             let constraint = formula_of(names, constraint);
             let convective = formula_of(names, constraints.convective[i]);
@@ -212,7 +225,7 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
         .map(|&(i, value)| {
             let output = &model.outputs[i];
             let (name, unit, documentation) =
-                (output.name.clone() + &output.suffix, &output.unit, &output.documentation);
+                (name_of(&(output.name.clone() + &output.suffix)), &output.unit, &output.documentation);
             let formula = formula_of(names, value);
             quote! {
                 ezy::OutputInfo {
@@ -237,7 +250,7 @@ fn stick_slip(model: &Model, scene: &Scene, equations: &Equations, names: &Abbre
     let stops = change(&row.name, "stops", &velocity, "The velocity across the skate comes back to zero.");
     let name = row.name.to_string();
     Some(quote! {
-        ezy::StickSlipInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
+        &ezy::StickSlipInfo { name: #name, row: #i_row, limit: #limit, slides: #slides, stops: #stops }
     })
 }
 
@@ -259,7 +272,7 @@ fn stop(model: &Model, scene: &Scene, equations: &Equations, names: &Abbreviatio
     let holds = change(&stop.name, "holds", gap, "The quantity comes to rest on a bound.");
     let lets_go = change(&stop.name, "lets go", gap, "The stop would have to pull.");
     Some(quote! {
-        ezy::StopInfo {
+        &ezy::StopInfo {
             name: #name,
             row: #i_row,
             sides: &[#(#sides),*],

@@ -41,11 +41,10 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
     let effects = info::effects(model, &all);
     let entries = scenes.iter().map(|derived| {
         let (type_name, name) = (scene_type(&derived.scene), derived.scene.name.to_string());
-        let info = scene::access_to_info(derived, &type_name);
         quote! {
             ezy::SceneEntry {
                 name: #name,
-                info: #info,
+                info: || ezy::Scene::info(&<#type_name as ::core::default::Default>::default()),
                 new: || ::std::boxed::Box::new(<#type_name as ::core::default::Default>::default()),
             }
         }

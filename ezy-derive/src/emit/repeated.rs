@@ -37,7 +37,7 @@ pub fn description(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> To
 pub fn access(model: &Model) -> TokenStream {
     let counts: Vec<&Ident> = model.counts.iter().map(|count| &count.name).collect();
     quote! {
-        fn info(&self) -> &'static ezy::SceneInfo {
+        fn info(&self) -> ::std::sync::Arc<ezy::SceneInfo> {
             static KNOWN: ezy::Known = ezy::Known::new();
             KNOWN.info(&Self::FIXED, &[#(self.#counts),*], |layout| self.describe(layout))
         }
@@ -74,7 +74,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
         let (name, default, documentation) = (count.name.to_string(), count.default as usize, &count.documentation);
         quote!(ezy::CountInfo { name: #name, default: #default, documentation: #documentation })
     });
-    let defaults = model.counts.iter().map(|count| count.default as usize);
+    let none = quote!(ezy::List::Borrowed(&[]));
     let series = info::series(derived.series_cost());
     let motion = equations::motion_of(templates).tokens();
     quote! {
@@ -82,21 +82,21 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
             model: #model_name,
             name: #name,
             documentation: #documentation,
-            bodies: &[],
-            coordinates: &[],
-            points: &[],
-            rows: &[],
+            bodies: #none,
+            coordinates: #none,
+            points: #none,
+            rows: #none,
             n_position_rows: 0,
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
-            outputs: &[],
+            outputs: #none,
             events: &[#(#events),*],
             stick_slip: ::core::option::Option::None,
             stop: ::core::option::Option::None,
             effects: &[#(#effects),*],
             until_s: #until,
             n_constants: #n_constants,
-            jacobian: ezy::SparsityPattern { starts: &[0], columns: &[] },
+            jacobian: ezy::SparsityPattern::new(&[], &[]),
             jacobian_entries: &[],
             mass_entries: &[],
             force_entries: &[],
@@ -109,7 +109,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
             series: #series,
             repeats: ::core::option::Option::Some(ezy::Repeats {
                 counts: &[#(#counts),*],
-                values: &[#(#defaults),*],
+                values: #none,
                 templates: Self::TEMPLATES,
                 fault: ::core::option::Option::None,
             }),

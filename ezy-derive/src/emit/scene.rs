@@ -71,16 +71,6 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     }
 }
 
-/// How the module of the model finds the description of a scene.
-pub fn access_to_info(derived: &Derived<'_>, type_name: &Ident) -> TokenStream {
-    match &derived.form {
-        Form::Straight(_) => quote!(|| &#type_name::INFO),
-        Form::Counted(_) => {
-            quote!(|| ezy::Scene::info(&<#type_name as ::core::default::Default>::default()))
-        }
-    }
-}
-
 /// What a scene says of itself.
 struct Described {
     /// Constants and functions of its type.
@@ -101,9 +91,10 @@ fn describe(model: &Model, derived: &Derived<'_>, type_name: &Ident) -> Describe
                     pub const INFO: ezy::SceneInfo = #info;
                 },
                 access: quote! {
-                    fn info(&self) -> &'static ezy::SceneInfo {
-                        static INFO: ezy::SceneInfo = #type_name::INFO;
-                        &INFO
+                    fn info(&self) -> ::std::sync::Arc<ezy::SceneInfo> {
+                        static INFO: ::std::sync::LazyLock<::std::sync::Arc<ezy::SceneInfo>> =
+                            ::std::sync::LazyLock::new(|| ::std::sync::Arc::new(#type_name::INFO));
+                        ::std::sync::Arc::clone(&INFO)
                     }
                 },
                 page: page::scene(model, derived, of, names),

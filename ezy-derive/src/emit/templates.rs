@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::equation::Equation;
 use super::equations::{OfItems, indices};
-use super::info::{formula, option};
+use super::info::{formula, name_of, option};
 use crate::mechanics::{
     EventKind, EventTemplate, ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates,
 };
@@ -80,7 +80,7 @@ impl Template<'_> {
             Kind::Output(output) => {
                 let value = formula(&print(&templates.algebra, &templates.symbols, output.value));
                 let (output, suffix) = (output.output, &output.output.suffix);
-                let (name, unit, documentation) = (&output.name, &output.unit, &output.documentation);
+                let (name, unit, documentation) = (name_of(&output.name), &output.unit, &output.documentation);
                 quote! {
                     const OUTPUT: ezy::OutputInfo = ezy::OutputInfo {
                         name: #name,
@@ -175,7 +175,7 @@ fn rows(of: &OfItems<'_>, template: &RowTemplate<'_>) -> Vec<TokenStream> {
     let (position, stem) = (template.is_position(), template.row.name.to_string());
     let row = |(i, row): (usize, &crate::mechanics::ScalarRow)| {
         let suffix = row.name.strip_prefix(&stem).unwrap_or_default();
-        let name = format!("{stem}{}{suffix}", indices(of.model, &template.row.loops));
+        let name = name_of(&format!("{stem}{}{suffix}", indices(of.model, &template.row.loops)));
         let (kind, unit) = (row.kind, &row.unit);
         let constraint = formula(&of.print(if position { constraints.position[i] } else { constraints.velocity[i] }));
         let convective = formula(&of.print(constraints.convective[i]));

@@ -1,6 +1,6 @@
 //! Part (e): coasting for one second.
 
-use ezy_core::model::Scene;
+use ezy_core::model::{Name, Scene};
 use ezy_core::report::figure::Figure;
 use ezy_core::report::page::Page;
 use ezy_core::report::table::{Table, fixed};
@@ -24,7 +24,7 @@ const WHEEL_M: f64 = 0.04;
 /// What part (e) found.
 pub struct Coasting {
     /// Assembled start velocities, by name.
-    pub start: Vec<(&'static str, f64)>,
+    pub start: Vec<(Name, f64)>,
     /// Heading of the seat at the end, rad.
     pub end_heading: f64,
     /// Kinetic energy at the start, J.
@@ -39,7 +39,7 @@ impl Coasting {
         let scene = Coast::default();
         let motion = Motion::new(&scene, STEP_S, scene.info().until_s, EVERY_S, interrupt)?;
         let (first, last) = (motion.run.first(), motion.run.last());
-        let names = scene.info().coordinates.iter().map(|c| c.velocity_name);
+        let names = first.info.coordinates.iter().map(|c| c.velocity_name.clone());
         let found = Self {
             start: names.zip(first.velocities.iter().copied()).collect(),
             end_heading: last.get("seat.phi")?,
@@ -75,7 +75,7 @@ impl Coasting {
         for (i, coordinate) in first.info.coordinates.iter().enumerate() {
             let cells = [first.coordinates[i], first.velocities[i], last.coordinates[i], last.velocities[i]];
             let [q0, v0, q1, v1] = cells.map(|value| fixed(value, 9));
-            table.push([coordinate.name, &q0, &v0, &q1, &v1, coordinate.unit]);
+            table.push([&*coordinate.name, &q0, &v0, &q1, &v1, coordinate.unit]);
         }
         table
     }

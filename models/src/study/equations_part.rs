@@ -15,7 +15,7 @@ pub fn write(page: &mut Page, scene: &Driven) {
         "Two rigid bodies in the plane: body 1, the seat, rolls on the rear wheel A; body 2, the bar, on the front wheel C; the hinge B joins \
          them. A wheel moves along its body only, like a skate. Coordinates are the centres of mass and the absolute angles of both bodies.",
     );
-    page.html(&parameters(info).html("Parameters"));
+    page.html(&parameters(&info).html("Parameters"));
     let put = |page: &mut Page, names: &[&str]| {
         for equation in info.equations.iter().filter(|equation| names.contains(&equation.name)) {
             one(page, equation);

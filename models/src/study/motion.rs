@@ -53,9 +53,9 @@ impl<'s> Motion<'s> {
 
     /// The path of a named point.
     pub fn path(&self, point: &str) -> Result<Path, StudyError> {
-        let names = self.scene.info().points.iter().map(|p| p.name);
-        let i = find_name("point", point, names)?;
-        let mut places = vec![0.0; 2 * self.scene.info().points.len()];
+        let info = self.scene.info();
+        let i = find_name("point", point, info.points.iter().map(|p| &*p.name))?;
+        let mut places = vec![0.0; 2 * info.points.len()];
         let place = |sample: Sample<'_>| {
             self.scene.points(&self.fixed, sample.t, sample.coordinates, &mut places);
             (places[2 * i], places[2 * i + 1])
@@ -65,7 +65,7 @@ impl<'s> Motion<'s> {
 
     /// The applied force that belongs to a coordinate, N or N m.
     pub fn force(&self, coordinate: &str) -> Result<Vec<f64>, StudyError> {
-        let i = coordinate_index(self.scene.info(), coordinate)?;
+        let i = coordinate_index(&self.scene.info(), coordinate)?;
         let mut force = vec![0.0; self.scene.info().n_coordinates()];
         let component = |sample: Sample<'_>| {
             self.scene.applied_force(&self.fixed, sample.t, sample.coordinates, sample.velocities, &mut force);

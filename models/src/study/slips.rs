@@ -23,7 +23,7 @@ pub fn slips(found: &Findings<'_>, driven: &Driven) -> Result<Vec<[String; 4]>, 
     other.set_parameter(d, OTHER_D_M);
     let mut system = System::new(&other, Backend::Auto)?;
     let other_start = system.consistent_start(&system.scene_start())?;
-    let bar_rate = coordinate_index(coast_info, "bar.phi")?;
+    let bar_rate = coordinate_index(&coast_info, "bar.phi")?;
     let mut system = System::new(driven, Backend::Auto)?;
     let listed = system.position_residual(0.0, &LISTED_START);
     let (wheel, centre) =
@@ -33,12 +33,12 @@ pub fn slips(found: &Findings<'_>, driven: &Driven) -> Result<Vec<[String; 4]>, 
     let torque = found.drive.motion.force("seat.phi")?[0];
     let path_end = wheel.1.last().copied().unwrap_or(f64::NAN);
     let n_q = coast_info.n_coordinates();
-    let index = |row: &str| find_name("row", row, coast_info.rows.iter().map(|r| r.name));
-    let cosine = |name: &str| coordinate_index(coast_info, name).map(|i| other_start.q[i].cos());
+    let index = |row: &str| find_name("row", row, coast_info.rows.iter().map(|r| &*r.name));
+    let cosine = |name: &str| coordinate_index(&coast_info, name).map(|i| other_start.q[i].cos());
     Ok(vec![
         row(
             ["(a)", "hinge Jacobian, row 2, column 5: 1", "the opposite sign"],
-            format!("derived entry of B.y and bar.y: {}", typeset(entry(coast_info, "B.y", "bar.y")?)),
+            format!("derived entry of B.y and bar.y: {}", typeset(entry(&coast_info, "B.y", "bar.y")?)),
         ),
         row(
             [
@@ -46,7 +46,7 @@ pub fn slips(found: &Findings<'_>, driven: &Driven) -> Result<Vec<[String; 4]>, 
                 "second component of the velocity of A: y₁′ + a φ₁′ cos φ₁",
                 "A is behind the centre of mass: minus (the constraint after it is right)",
             ],
-            format!("derived entry of rear and seat.phi: {}", typeset(entry(coast_info, "rear", "seat.phi")?)),
+            format!("derived entry of rear and seat.phi: {}", typeset(entry(&coast_info, "rear", "seat.phi")?)),
         ),
         row(
             [
@@ -124,7 +124,7 @@ fn typeset(text: &str) -> String {
 }
 
 fn entry(info: &SceneInfo, row: &str, coordinate: &str) -> Result<&'static str, StudyError> {
-    let i = find_name("row", row, info.rows.iter().map(|r| r.name))?;
+    let i = find_name("row", row, info.rows.iter().map(|r| &*r.name))?;
     let j = coordinate_index(info, coordinate)?;
     Ok(info.jacobian.entries().find(|e| (e.1, e.2) == (i, j)).map_or("0", |(k, _, _)| info.jacobian_entries[k].text))
 }

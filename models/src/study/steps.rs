@@ -199,7 +199,7 @@ fn right_endpoint_sum(motion: &Motion<'_>) -> Result<Vec<f64>, StudyError> {
 /// small. Nothing is projected: the drift of one minute is far below the gap.
 fn right_endpoint_gap(driven: &Driven, step_s: f64) -> Result<f64, StudyError> {
     let info = driven.info();
-    let (seat, bar) = (coordinate_index(info, "seat.phi")?, coordinate_index(info, "bar.phi")?);
+    let (seat, bar) = (coordinate_index(&info, "seat.phi")?, coordinate_index(&info, "bar.phi")?);
     let system = System::new(driven, Backend::Auto)?;
     let mut force = vec![0.0; info.n_coordinates()];
     let mut stepper = Simulation::new(driven).method(Method::rk4(step_s)).project(Projection::None).stepper()?;

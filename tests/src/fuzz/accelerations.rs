@@ -7,6 +7,7 @@ use ezy_core::scalar::{DoubleDouble, Scalar};
 use super::draw::Draw;
 use super::oracle::Oracle;
 use super::tally::Verdict;
+use std::sync::Arc;
 
 /// The oracle takes n³ operations of 20 ns each.
 const LARGEST: usize = 60;
@@ -117,7 +118,7 @@ impl Equations {
 /// # Errors
 /// What is wrong with the accelerations, in numbers.
 pub fn check(system: &mut System<'_, dyn Scene + '_>, state: &State, draw: &mut Draw) -> Result<Verdict, String> {
-    let info = system.info();
+    let info = Arc::clone(system.info());
     let n_q = info.n_coordinates();
     let mut x = vec![0.0; info.n_unknowns()];
     let (a, lambda) = x.split_at_mut(n_q);

@@ -1,7 +1,7 @@
 //! The same motion by every method: what tolerance and the motion's own amplification do not explain is a fault; for RK4, what half the
 //! step does not tell.
 
-use ezy_core::model::SceneEntry;
+use ezy_core::model::{Name, SceneEntry};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 
@@ -53,7 +53,7 @@ pub struct Case {
     /// Parameters and counts that differ from the scene's.
     changed: Vec<(&'static str, f64)>,
     /// Start values.
-    given: Vec<(&'static str, f64)>,
+    given: Vec<(Name, f64)>,
     until_s: f64,
     /// What starts are moved by is drawn from it.
     seed: u64,
@@ -107,9 +107,9 @@ impl Case {
         let changed = change(&mut *scene, &mut draw, false);
         let info = scene.info();
         let mut given = Vec::new();
-        for name in info.coordinates.iter().flat_map(|c| [c.name, c.velocity_name]) {
+        for name in info.coordinates.iter().flat_map(|c| [&c.name, &c.velocity_name]) {
             if draw.once_in(12) {
-                given.push((name, draw.instead_of(1.0, false)));
+                given.push((name.clone(), draw.instead_of(1.0, false)));
             }
         }
         let [low, high] = SHARES;
@@ -135,7 +135,7 @@ impl Case {
         let every_s = self.until_s / N_SAMPLES as f64;
         let order = Simulation::new(scene).method(method).until(self.until_s).every(every_s);
         let order = order.max_steps(MOST_STEPS).project_start();
-        self.given.iter().fold(order, |order, (name, value)| order.give(*name, *value))
+        self.given.iter().fold(order, |order, (name, value)| order.give(&**name, *value))
     }
 
     /// Samples of a run that reached its end.
@@ -150,7 +150,7 @@ impl Case {
     /// What comes of a start that is moved: `by` says what is added to a number of this size.
     fn moved(&self, scene: &dyn Scene, reference: &Motion, mut by: impl FnMut(usize) -> f64) -> Option<Motion> {
         let info = scene.info();
-        let names = info.coordinates.iter().map(|c| c.name).chain(info.coordinates.iter().map(|c| c.velocity_name));
+        let names = info.coordinates.iter().map(|c| &*c.name).chain(info.coordinates.iter().map(|c| &*c.velocity_name));
         let start = names.zip(&reference.samples[0]).enumerate();
         let order = start.fold(self.order(scene, Method::dop853(REFERENCE)), |order, (i, (name, value))| {
             order.give(name, value + MOVED * by(i))

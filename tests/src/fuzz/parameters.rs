@@ -122,10 +122,10 @@ pub(super) fn change(scene: &mut dyn Scene, draw: &mut Draw, wild: bool) -> Vec<
 /// Some start values and inputs.
 fn order(scene: &dyn Scene, draw: &mut Draw, wild: bool) -> Order {
     let mut order = Order::new(draw, wild);
-    for coordinate in scene.info().coordinates {
-        for name in [coordinate.name, coordinate.velocity_name] {
+    for coordinate in scene.info().coordinates.iter() {
+        for name in [&coordinate.name, &coordinate.velocity_name] {
             if draw.once_in(12) {
-                order.given.push((name.to_owned(), draw.instead_of(1.0, wild)));
+                order.given.push((name.to_string(), draw.instead_of(1.0, wild)));
             }
         }
     }
@@ -149,9 +149,9 @@ fn start(system: &System<'_, dyn Scene + '_>, order: &Order) -> ezy_core::model:
     let mut start = system.scene_start();
     for (i, coordinate) in system.info().coordinates.iter().enumerate() {
         for (name, value) in &order.given {
-            if name == coordinate.name {
+            if *name == coordinate.name {
                 start.give_position(i, *value);
-            } else if name == coordinate.velocity_name {
+            } else if *name == coordinate.velocity_name {
                 start.give_velocity(i, *value);
             }
         }

@@ -2,11 +2,13 @@
 
 use crate::described::{EMPTY, coordinate, f, row};
 use ezy_core::model::{
-    CoordinateInfo, EffectInfo, EliminationStep, Formula, ParameterInfo, PointInfo, RowInfo, SceneInfo, SparsityPattern,
+    CoordinateInfo, EffectInfo, EliminationStep, Formula, List, Name, ParameterInfo, PointInfo, RowInfo, SceneInfo,
+    SparsityPattern,
 };
+use std::sync::{Arc, LazyLock};
 
 const fn point(name: &'static str, body: usize, position: [&'static str; 2]) -> PointInfo {
-    PointInfo { name, body: Some(body), position: Some([f(position[0]), f(position[1])]) }
+    PointInfo { name: Name::Borrowed(name), body: Some(body), position: Some([f(position[0]), f(position[1])]) }
 }
 
 const fn parameter(name: &'static str, unit: &'static str, default: f64, default_text: &'static str) -> ParameterInfo {
@@ -17,7 +19,7 @@ const fn of_pump(parameter: ParameterInfo) -> ParameterInfo {
     ParameterInfo { effect: Some("pump"), ..parameter }
 }
 
-const COORDINATES: [CoordinateInfo; 6] = [
+static COORDINATES: [CoordinateInfo; 6] = [
     coordinate("seat.x", "seat.vx", "m"),
     coordinate("seat.y", "seat.vy", "m"),
     coordinate("seat.phi", "seat.omega", "rad"),
@@ -26,7 +28,7 @@ const COORDINATES: [CoordinateInfo; 6] = [
     coordinate("bar.phi", "bar.omega", "rad"),
 ];
 
-const ROWS: [RowInfo; 4] = [
+static ROWS: [RowInfo; 4] = [
     row(
         "B.x",
         "hinge",
@@ -53,13 +55,13 @@ const ROWS: [RowInfo; 4] = [
     ),
 ];
 
-const POINTS: [PointInfo; 3] = [
+static POINTS: [PointInfo; 3] = [
     point("A", 0, ["seat.x - a*cos(seat.phi)", "seat.y - a*sin(seat.phi)"]),
     point("C", 1, ["bar.x + c*cos(bar.phi)", "bar.y + c*sin(bar.phi)"]),
     point("B", 0, ["seat.x + b*cos(seat.phi)", "seat.y + b*sin(seat.phi)"]),
 ];
 
-const PARAMETERS: [ParameterInfo; 10] = [
+static PARAMETERS: [ParameterInfo; 10] = [
     parameter("a", "m", 0.2, "0.2"),
     parameter("b", "m", 0.6, "0.6"),
     parameter("c", "m", 0.1, "0.1"),
@@ -93,7 +95,11 @@ const JACOBIAN_ENTRIES: [Formula; 14] = [
 
 const MASS_ENTRIES: [Formula; 6] = [f("m1"), f("m1"), f("i1"), f("m2"), f("m2"), f("i2")];
 
-const fn scene(
+const COASTING: [Formula; 6] = [f("0"), f("0"), f("0"), f("0"), f("0"), f("0")];
+
+const PUMPED: [Formula; 6] = [f("0"), f("0"), f("m0*cos(omega*t)"), f("0"), f("0"), f("-m0*cos(omega*t)")];
+
+fn scene(
     name: &'static str,
     until_s: f64,
     parameters: &'static [ParameterInfo],
@@ -103,16 +109,16 @@ const fn scene(
     SceneInfo {
         model: "HandRoller",
         name,
-        bodies: &["seat", "bar"],
-        coordinates: &COORDINATES,
-        points: &POINTS,
-        rows: &ROWS,
+        bodies: List::Borrowed(&[Name::Borrowed("seat"), Name::Borrowed("bar")]),
+        coordinates: List::Borrowed(&COORDINATES),
+        points: List::Borrowed(&POINTS),
+        rows: List::Borrowed(&ROWS),
         n_position_rows: 2,
         parameters,
         effects,
         until_s,
         n_constants: parameters.len(),
-        jacobian: SparsityPattern { starts: &[0, 4, 8, 11, 14], columns: &[0, 2, 3, 5, 1, 2, 4, 5, 0, 1, 2, 3, 4, 5] },
+        jacobian: SparsityPattern::new(&[0, 4, 8, 11, 14], &[0, 2, 3, 5, 1, 2, 4, 5, 0, 1, 2, 3, 4, 5]),
         jacobian_entries: &JACOBIAN_ENTRIES,
         mass_entries: &MASS_ENTRIES,
         force_entries,
@@ -122,14 +128,9 @@ const fn scene(
 }
 
 /// Everything about the scene `coast`.
-pub static COAST: SceneInfo =
-    scene("coast", 1.0, PARAMETERS.split_at(8).0, &[], &[f("0"), f("0"), f("0"), f("0"), f("0"), f("0")]);
+pub static COAST: LazyLock<Arc<SceneInfo>> =
+    LazyLock::new(|| Arc::new(scene("coast", 1.0, PARAMETERS.split_at(8).0, &[], &COASTING)));
 
 /// Everything about the scene `driven`.
-pub static DRIVEN: SceneInfo = scene(
-    "driven",
-    60.0,
-    &PARAMETERS,
-    &EFFECTS,
-    &[f("0"), f("0"), f("m0*cos(omega*t)"), f("0"), f("0"), f("-m0*cos(omega*t)")],
-);
+pub static DRIVEN: LazyLock<Arc<SceneInfo>> =
+    LazyLock::new(|| Arc::new(scene("driven", 60.0, &PARAMETERS, &EFFECTS, &PUMPED)));

@@ -13,6 +13,7 @@ use ezy_core::model::{Derived, Equations, Scene, SceneInfo, Start};
 use ezy_core::scalar::Scalar;
 use schur::{N_FACTORS, Schur};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 
 /// The scene `coast` or `driven`, with every parameter free.
 #[derive(Debug, Clone)]
@@ -132,8 +133,8 @@ impl Derived for HandRoller {
 }
 
 impl Scene for HandRoller {
-    fn info(&self) -> &'static SceneInfo {
-        if self.driven { &info::DRIVEN } else { &info::COAST }
+    fn info(&self) -> Arc<SceneInfo> {
+        Arc::clone(if self.driven { &info::DRIVEN } else { &info::COAST })
     }
 
     fn parameter(&self, index: usize) -> f64 {

@@ -72,7 +72,7 @@ fn invariant_the_finest_rung_beats_the_coarsest_in_scenes_of_every_kind() {
         assert!(second.confirms(), "{path}: {second:?}");
         assert_eq!(found.reference.imprecise, None, "{path}");
         for method in ["dop853", "rk4"] {
-            for variant in Variant::all(scene.info()) {
+            for variant in Variant::all(&scene.info()) {
                 let curve: Vec<&Measured> = found.curve(method, variant).map(|(_, point)| point).collect();
                 assert!(curve.len() >= 2, "{path} {method} {}: {:?}", variant.name(), found.missing());
                 // neighbours may come the other way round: a few loose steps can be lucky, or rejected at dead points

@@ -78,7 +78,7 @@ fn assert_elbow_is_kept_or_refused(
                 let of = |body: usize| {
                     values.iter().find(|value| value.name == system.info().coordinates[3 * body + 2].name)
                 };
-                let told = bars.map(|body| *of(body).unwrap());
+                let told = bars.map(|body| of(body).unwrap());
                 assert_eq!(told.map(|value| value.given), near);
                 let [first, second] = told.map(|value| value.got);
                 assert!(asked * (second - first).sin() < 0.0, "{near:?}: {values:?}");
@@ -175,7 +175,7 @@ fn analytic_near_values_that_move_by_radians_are_told() {
     let run =
         Simulation::new(&uneven_four_bar()).until(0.0).give("crank.phi", -1.0).give("crank.omega", 0.0).run().unwrap();
     let [[coupler, rocker], _] = two_bars([(-1.0_f64).cos(), (-1.0_f64).sin()], [1.3, 0.0], [1.4, 1.2]);
-    let told: Vec<_> = run.moved.iter().map(|value| (value.name, value.unit, value.given)).collect();
+    let told: Vec<(&str, &str, f64)> = run.moved.iter().map(|value| (&*value.name, value.unit, value.given)).collect();
     assert_eq!(told, [("coupler.phi", "rad", 0.0), ("rocker.phi", "rad", FRAC_PI_2)]);
     // the rocker points from its bearing to the coupler
     for (value, angle) in run.moved.iter().zip([coupler, rocker + PI]) {
@@ -189,9 +189,9 @@ fn analytic_projected_velocities_are_told() {
     let scene = four_bar::Turning::default();
     let order = Simulation::new(&scene).until(0.0).give("crank.omega", -1.0).give("rocker.omega", -0.5);
     let run = order.project_start().run().unwrap();
-    let told: Vec<(&str, &str, f64)> = run.moved.iter().map(|value| (value.name, value.unit, value.given)).collect();
+    let told: Vec<(&str, &str, f64)> = run.moved.iter().map(|value| (&*value.name, value.unit, value.given)).collect();
     assert_eq!(told, [("crank.omega", "rad/s", -1.0), ("rocker.omega", "rad/s", -0.5)]);
-    run.moved.iter().for_each(|value| assert_eq!(run.first().get(value.name), Ok(value.got)));
+    run.moved.iter().for_each(|value| assert_eq!(run.first().get(&value.name), Ok(value.got)));
 }
 
 /// A pendulum's height that is held decides its angle.

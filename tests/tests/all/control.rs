@@ -183,7 +183,7 @@ fn invariant_file_of_a_run_gives_its_inputs_back() {
     let law = |t: f64, _: &State, inputs: &mut [f64]| inputs[0] = 100.0 * t.sin();
     Simulation::new(&scene).every(0.1).outputs().control(law).record_to(&mut writer).run().unwrap();
     drop(writer);
-    let read = read_inputs(&file[..], scene.info()).unwrap();
+    let read = read_inputs(&file[..], &scene.info()).unwrap();
     assert_eq!(read.len(), 1);
     for t in [1.0, 1.0999] {
         assert!((read[0].1.at(t) - 100.0 * 1.0_f64.sin()).abs() <= ALIKE, "held from {t} s");

@@ -79,7 +79,7 @@ fn ranks_at(angle: f64) -> [usize; 2] {
     const ZERO: f64 = 1e-9;
     let scene = five_cranks::Fall::default();
     let mut system = System::new(&scene, Backend::Auto).unwrap();
-    let info = system.info();
+    let info = scene.info();
     let (sin, cos) = angle.sin_cos();
     let mut q = vec![cos + 1.3, sin, 0.0];
     (0..5).for_each(|k| q.extend([f64::from(k) + 0.5 * cos, 0.5 * sin, angle]));

@@ -27,7 +27,7 @@ fn analytic_outputs_are_in_their_units() {
     let (system, state) = ready(&scene);
     let mut out = vec![f64::NAN; scene.info().n_outputs()];
     system.outputs(state.t, &state.q, &state.v, &mut out);
-    let names: Vec<&str> = scene.info().outputs.iter().map(|output| output.name).collect();
+    let names: Vec<&str> = system.info().outputs.iter().map(|output| &*output.name).collect();
     assert_eq!(names, ["speed", "wheel.x", "wheel.y", "steering", "turning", "power"]);
     // 1 m/s; A 0.2 m behind the seat; a right angle; the hinge turns with the bar: C must not slip across the bar
     let rate = state.v[5] - state.v[2];

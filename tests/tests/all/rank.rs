@@ -36,11 +36,8 @@ fn analytic_rank_loss_names_the_rows() {
         for backend in BACKENDS {
             // along x the hinge row in x has no part in it; turned, both have
             let loss = lost_at_start(wheels_at_the_hinge(&*scene, 0.0, 0.0, backend));
-            assert_eq!(
-                (loss.n_redundant, &loss.rows[..]),
-                (Some(1), &["B.y", "rear", "front"][..]),
-                "{route} {backend:?}"
-            );
+            assert_eq!(loss.n_redundant, Some(1), "{route} {backend:?}");
+            assert_eq!(loss.rows, ["B.y", "rear", "front"], "{route} {backend:?}");
             let loss = lost_at_start(wheels_at_the_hinge(&*scene, 0.0, 0.7, backend));
             assert_eq!(loss.rows, ["B.x", "B.y", "rear", "front"], "{route} {backend:?}");
         }
@@ -53,7 +50,10 @@ fn analytic_rank_loss_is_seen_within_rounding() {
         set(&mut *scene, &[("b", -0.2), ("d", -0.1)]);
         for backend in BACKENDS {
             let rows = lost_at_start(wheels_at_the_hinge(&*scene, 1e-6, 0.0, backend)).rows;
-            assert!(rows.contains(&"rear") && rows.contains(&"front"), "{route} {backend:?}: {rows:?}");
+            assert!(
+                ["rear", "front"].iter().all(|row| rows.iter().any(|lost| lost == row)),
+                "{route} {backend:?}: {rows:?}"
+            );
         }
     }
 }

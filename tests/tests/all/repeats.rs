@@ -110,10 +110,10 @@ fn fd_every_construct_passes_the_checks_at_several_counts() {
 fn analytic_names_and_sizes_follow_the_counts() {
     let info = everything::All { n: 2, m: 3, ..Default::default() }.info();
     assert_eq!(info.bodies.len(), 2 + 1 + 3 + 6);
-    assert_eq!((info.bodies[2], info.bodies[6], info.bodies[11]), ("hub", "sledge[0,0]", "sledge[1,2]"));
+    assert_eq!((&*info.bodies[2], &*info.bodies[6], &*info.bodies[11]), ("hub", "sledge[0,0]", "sledge[1,2]"));
     assert_eq!(info.n_position_rows, 2 * (1 + 2 + 1 + 2));
     assert_eq!(info.rows[info.n_position_rows + 2].name, "blade[0,0]");
-    let outputs: Vec<&str> = info.outputs.iter().map(|output| output.name).collect();
+    let outputs: Vec<&str> = info.outputs.iter().map(|output| &*output.name).collect();
     assert_eq!(outputs, ["spread.x", "spread.y", "bend[1]", "bend[2]"]);
     assert!(info.points.iter().any(|point| point.name == "end[1]" && point.body == Some(1)));
     let driven = everything::Driven { n: 2, m: 3, ..Default::default() }.info();
@@ -143,7 +143,10 @@ fn invariant_member_that_a_count_lacks_is_named() {
         Some(SystemError::Layout(fault)) => fault,
         other => panic!("{other:?}"),
     };
-    assert_eq!(fault, LayoutFault::IndexOutOfRange { item: "rod `last`", array: "link", index: 5, length: 5 });
+    assert_eq!(
+        fault,
+        LayoutFault::IndexOutOfRange { item: "rod `last`".to_owned(), array: "link", index: 5, length: 5 }
+    );
     assert_eq!(
         fault.to_string(),
         "rod `last` uses `link` at the index 5, but its indices go from 0 to 4: change the range of the `for`, the index \

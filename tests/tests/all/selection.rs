@@ -31,7 +31,7 @@ fn invariant_scene_costs_what_the_model_without_the_rest_costs() {
 fn invariant_scene_has_the_parameters_of_the_model_without_the_rest() {
     for (scene, alone) in pairs() {
         let names = |info: &SceneInfo| info.parameters.iter().map(|p| (p.name, p.default)).collect::<Vec<_>>();
-        assert_eq!(names(scene.info()), names(alone.info()));
+        assert_eq!(names(&scene.info()), names(&alone.info()));
         assert_eq!(size_of_val(&*scene), size_of_val(&*alone));
     }
     assert_eq!(size_of::<ezy_roller::Coast>(), 8 * size_of::<f64>());

@@ -97,7 +97,7 @@ fn analytic_what_has_no_derivative_is_told() {
     let scene = Driven::default();
     let start = start(&scene);
     let refused = Sensitivities::new(&scene, &start, ["bar.x"], METHOD).err();
-    assert!(matches!(refused, Some(SetupError::NotGiven { name: "bar.x" })));
+    assert!(matches!(refused, Some(SetupError::NotGiven { name }) if name == "bar.x"));
     let refused = Sensitivities::new(&scene, &start, ["m3"], METHOD).err();
     assert!(matches!(refused, Some(SetupError::UnknownName(_))));
 }

@@ -94,7 +94,8 @@ fn invariant_contradicting_positions_are_named() {
         let SetupError::Start(StartError::Contradiction { level, rows, residual, held, .. }) = error else {
             panic!("{route}: {error}")
         };
-        assert_eq!((level, rows), ("position", vec!["B.x"]), "{route}");
+        assert_eq!(level, "position", "{route}");
+        assert_eq!(rows, ["B.x"], "{route}");
         assert!((residual - 1.0).abs() <= RESIDUAL, "{route}: {residual}");
         assert_eq!(held, ["seat.x", "seat.y", "seat.phi", "bar.x", "bar.phi"], "{route}");
     }
@@ -108,7 +109,7 @@ fn invariant_contradicting_velocities_are_named() {
         let SetupError::Start(StartError::Contradiction { level, rows, .. }) = error else {
             panic!("{route}: {error}")
         };
-        assert_eq!((level, rows[0]), ("velocity", "rear"), "{route}");
+        assert_eq!((level, &*rows[0]), ("velocity", "rear"), "{route}");
     }
 }
 
@@ -127,7 +128,7 @@ fn invariant_start_value_beyond_a_billion_is_refused_by_name() {
         |x: f64| Simulation::new(&ezy_models::knife_edge::Cycloid::default()).until(0.0).give("blade.omega", x).run();
     assert!(start(5e8).is_ok());
     let error = start(5e9).unwrap_err();
-    assert!(matches!(error, SetupError::Start(StartError::TooLarge { name: "blade.omega", .. })), "{error}");
+    assert!(matches!(&error, SetupError::Start(StartError::TooLarge { name, .. }) if name == "blade.omega"), "{error}");
 }
 
 /// Assembles all coordinates from zero, except for those given by index.

@@ -79,7 +79,8 @@ fn invariant_coast_under_reversal_of_time() {
         let there = Simulation::new(&*scene).method(Method::rk4(STEP)).run().unwrap();
         let mut back = Simulation::new(&*scene).method(Method::rk4(STEP));
         for (i, c) in scene.info().coordinates.iter().enumerate() {
-            back = back.give(c.name, there.last().coordinates[i]).give(c.velocity_name, -there.last().velocities[i]);
+            back =
+                back.give(&*c.name, there.last().coordinates[i]).give(&*c.velocity_name, -there.last().velocities[i]);
         }
         let back = back.run().unwrap();
         let error = distance(there.first().coordinates, back.last().coordinates);

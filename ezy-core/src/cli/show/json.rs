@@ -10,7 +10,7 @@ use crate::cli::list::counts_json;
 pub(super) fn scene(info: &SceneInfo) -> Value {
     let [positions, velocities] = freedom(info);
     let by_coordinate = |entries: &[Formula]| -> Value {
-        info.coordinates.iter().zip(entries).map(|(c, entry)| (c.name, formula(entry))).collect()
+        info.coordinates.iter().zip(entries).map(|(c, entry)| (c.name.to_string(), formula(entry))).collect()
     };
     let operations: Value = kernels(info)
         .into_iter()
@@ -30,10 +30,10 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
             }),
         })),
         "bodies": info.bodies,
-        "coordinates": list(info.coordinates, |c| json!(c.name)),
+        "coordinates": list(&*info.coordinates, |c| json!(c.name)),
         "parameters": list(info.parameters, declared),
         "inputs": list(info.inputs, declared),
-        "outputs": list(info.outputs, |o| json!({ "name": o.name, "unit": o.unit, "value": formula(&o.formula) })),
+        "outputs": list(&*info.outputs, |o| json!({ "name": o.name, "unit": o.unit, "value": formula(&o.formula) })),
         "events": list(info.events, |e| {
             json!({ "name": e.name, "ends": e.kind == EventKind::End, "value": formula(&e.formula) })
         }),
@@ -43,8 +43,8 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
             "restitution": formula(&stop.restitution),
         })),
         "effects": list(info.effects, |effect| json!(effect.name)),
-        "points": list(info.points, |point| {
-            let [x, y] = [0, 1].map(|i| point.position.map(|position| formula(&position[i])));
+        "points": list(&*info.points, |point| {
+            let [x, y] = [0, 1].map(|i| point.position.as_ref().map(|position| formula(&position[i])));
             json!({ "name": point.name, "x": x, "y": y })
         }),
         "rows": list(info.rows.iter().enumerate(), |(i, row)| json!({

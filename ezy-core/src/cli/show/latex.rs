@@ -17,7 +17,7 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     }
     text += &info.equations.iter().map(display).collect::<String>();
     let outputs: Vec<String> =
-        info.outputs.iter().map(|o| format!("\\text{{{}}} &= {}", plain(o.name), o.formula.latex)).collect();
+        info.outputs.iter().map(|o| format!("\\text{{{}}} &= {}", plain(&o.name), o.formula.latex)).collect();
     if !outputs.is_empty() {
         text += &format!("\nOutputs:\n\\begin{{align*}}\n{}\n\\end{{align*}}\n", outputs.join(" \\\\\n"));
     }
@@ -26,7 +26,7 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     }
     let heads = std::iter::once("row".to_owned()).chain(info.bodies.iter().map(|body| plain(body)));
     let rows = info.rows.iter().zip(pattern(info)).map(|(row, signs)| {
-        std::iter::once(plain(row.name)).chain(signs.into_iter().map(|sign| format!("\\texttt{{{sign}}}"))).collect()
+        std::iter::once(plain(&row.name)).chain(signs.into_iter().map(|sign| format!("\\texttt{{{sign}}}"))).collect()
     });
     text += "\nSparsity of the Jacobian, $x$, $y$ and $\\varphi$ of each body:\n";
     text += &tabular(&heads.collect::<Vec<_>>(), rows);
@@ -47,7 +47,7 @@ fn display(equation: &Equation) -> String {
 }
 
 fn elimination(info: &SceneInfo, step: &EliminationStep) -> String {
-    let rows = step.rows.iter().map(|row| plain(info.rows[*row].name)).collect::<Vec<_>>().join(", ");
+    let rows = step.rows.iter().map(|row| plain(&info.rows[*row].name)).collect::<Vec<_>>().join(", ");
     format!("\\item {rows}: {}\n", pivot(step))
 }
 
@@ -81,7 +81,7 @@ fn declared(info: &SceneInfo) -> String {
     }
     let rows = info.rows.iter().enumerate().map(|(i, row)| {
         let level = if i < info.n_position_rows { "position" } else { "velocity" };
-        vec![plain(row.name), plain(row.kind), level.to_owned(), unit(row.multiplier_unit)]
+        vec![plain(&row.name), plain(row.kind), level.to_owned(), unit(row.multiplier_unit)]
     });
     put(&["row", "word", "level", "unit of its multiplier"], rows.collect());
     text

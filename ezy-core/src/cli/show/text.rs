@@ -48,7 +48,8 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
             tables.push(table);
         }
     };
-    let counts: Vec<String> = info.repeats.iter().flat_map(|repeats| repeats.values).map(ToString::to_string).collect();
+    let counts: Vec<String> =
+        info.repeats.iter().flat_map(|repeats| repeats.values.iter()).map(ToString::to_string).collect();
     let counts = info.counts().iter().zip(&counts).map(|(c, value)| [c.name, value, c.documentation.trim(), "", ""]);
     put(["count", "value", "what it is", "", ""], counts.collect());
     let declared = |numbers: &'static [ParameterInfo]| {
@@ -61,7 +62,7 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     put(["input", "until it is set", "unit", "effect", "what it is"], declared(info.inputs));
     let effects = info.effects.iter().map(|e: &EffectInfo| [e.name, e.documentation.trim(), "", "", ""]);
     put(["effect", "what it is", "", "", ""], effects.collect());
-    let outputs = info.outputs.iter().map(|o| [o.name, o.unit, o.formula.text, o.documentation.trim(), ""]);
+    let outputs = info.outputs.iter().map(|o| [&*o.name, o.unit, o.formula.text, o.documentation.trim(), ""]);
     put(["output", "unit", "formula", "what it is", ""], outputs.collect());
     let events = info.events.iter().map(|e| {
         let follows = if e.kind == EventKind::End { "ends the run" } else { "is recorded" };
@@ -74,13 +75,13 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     if info.repeats.is_some() {
         return tables;
     }
-    let coordinates = info.coordinates.iter().map(|c| [c.name, c.unit, c.velocity_name, "", ""]);
+    let coordinates = info.coordinates.iter().map(|c| [&*c.name, c.unit, &c.velocity_name, "", ""]);
     put(["coordinate", "unit", "velocity", "", ""], coordinates.collect());
     let rows = info.rows.iter().enumerate().map(|(i, row)| {
         let level = if i < info.n_position_rows { "position" } else { "velocity" };
         let limit =
             info.stick_slip.filter(|stick_slip| stick_slip.row == i).map_or("", |stick_slip| stick_slip.limit.text);
-        [row.name, row.kind, level, row.multiplier_unit, limit]
+        [&*row.name, row.kind, level, row.multiplier_unit, limit]
     });
     let limit = if info.stick_slip.is_some() { "slides beyond" } else { "" };
     put(["row", "word", "level", "unit of its multiplier", limit], rows.collect());
@@ -100,16 +101,16 @@ fn indent(text: &str) -> String {
 }
 
 fn sparsity(info: &SceneInfo) -> String {
-    let mut table = Table::new(std::iter::once("row").chain(info.bodies.iter().copied()));
+    let mut table = Table::new(std::iter::once("row").chain(info.bodies.iter().map(|body| &**body)));
     for (row, signs) in info.rows.iter().zip(pattern(info)) {
-        table.push(std::iter::once(row.name.to_owned()).chain(signs));
+        table.push(std::iter::once(row.name.to_string()).chain(signs));
     }
     table.to_string()
 }
 
 fn elimination(info: &SceneInfo) -> String {
     let step = |(i, step): (usize, &EliminationStep)| {
-        let rows = step.rows.iter().map(|row| info.rows[*row].name).collect::<Vec<_>>().join(", ");
+        let rows = step.rows.iter().map(|row| &*info.rows[*row].name).collect::<Vec<_>>().join(", ");
         format!("{}. {rows}: {}\n", i + 1, pivot(step))
     };
     info.elimination.iter().enumerate().map(step).collect()

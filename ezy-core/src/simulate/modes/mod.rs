@@ -11,6 +11,7 @@ use crate::dynamics::MotionError;
 use crate::model::{EventInfo, Scene, SceneInfo, StickSlipInfo, StopInfo};
 use crate::simulate::tolerances::events::N_PARTS;
 use crate::simulate::tolerances::modes::MAX_AT_ONCE;
+use std::sync::Arc;
 
 /// The law that gives a scene its modes.
 #[derive(Clone, Copy)]
@@ -49,7 +50,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     /// For a scene that starts in mode `first` and may change to `others`; `None` for a scene without modes.
     pub(super) fn new(first: &StepperState<'s, S>, others: Vec<StepperState<'s, S>>) -> Option<Self> {
         let info = first.system.info();
-        let law = info.stick_slip.as_ref().map(Law::StickSlip).or(info.stop.as_ref().map(Law::Stop))?;
+        let law = info.stick_slip.map(Law::StickSlip).or(info.stop.map(Law::Stop))?;
         let detector = detector(law, 0, first);
         let parked: Vec<_> = (1..).zip(others).collect();
         let modes = Self {
@@ -66,9 +67,9 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Description of the mode with the most constraints.
-    pub(super) fn record_info(&self, stepper: &StepperState<'s, S>) -> &'static SceneInfo {
+    pub(super) fn record_info(&self, stepper: &StepperState<'s, S>) -> Arc<SceneInfo> {
         let infos = self.parked().chain([stepper]).map(|stepper| stepper.system.info());
-        infos.max_by_key(|info| info.n_rows()).unwrap_or(stepper.system.info())
+        Arc::clone(infos.max_by_key(|info| info.n_rows()).unwrap_or(stepper.system.info()))
     }
 
     /// The constraint that the active mode does not have, and its multiplier as a multiple of the skate's limit.

@@ -2,12 +2,12 @@
 
 use crate::dynamics::{State, System};
 use crate::linalg::{ConditionEstimator, Conditioning};
-use crate::model::Scene;
+use crate::model::{Name, Scene, SceneInfo};
 use crate::simulate::tolerances::monitors::{FEWEST_BETWEEN, LARGEST_WATCHED};
 
 /// Condition of the equations of motion where a run looked at it: at its start and end, and on the way now and then, so that
 /// looks take less than a hundredth of the time of steps. A singular position that is crossed in between is not seen.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ConditionPeak {
     /// Condition number at the start, estimated from below, of the matrix scaled by its entries.
     pub at_start: f64,
@@ -16,9 +16,20 @@ pub struct ConditionPeak {
     /// Smallest pivot of the rows at that state, scaled to one.
     pub pivot: f64,
     /// Name of the row whose pivot it is; none where constraints depend on each other.
-    pub unknown: Option<&'static str>,
+    pub unknown: Option<Name>,
     /// Time of that state, s.
     pub t: f64,
+}
+
+impl ConditionPeak {
+    /// Becomes what was found. The name is written over the last one, since a step does not allocate.
+    fn see(&mut self, info: &SceneInfo, found: Conditioning, t: f64) {
+        (self.largest, self.pivot, self.t) = (found.condition, found.pivot, t);
+        match found.row {
+            Some(row) => self.unknown.get_or_insert_default().clone_from(&info.rows[row].name),
+            None => self.unknown = None,
+        }
+    }
 }
 
 /// The estimates of a run under way.
@@ -38,7 +49,9 @@ impl ConditionWatch {
         }
         let mut estimator = system.condition_estimator();
         let found = system.conditioning(start.t, &start.q, &mut estimator);
-        let peak = peak(system, found.condition, found, start.t);
+        let at_start = found.condition;
+        let mut peak = ConditionPeak { at_start, largest: at_start, pivot: found.pivot, unknown: None, t: start.t };
+        peak.see(system.info(), found, start.t);
         Some(Box::new(Self { estimator, n_between: FEWEST_BETWEEN.max((n * n) as u64), peak }))
     }
 
@@ -55,18 +68,7 @@ impl ConditionWatch {
         }
         let found = system.conditioning(state.t, &state.q, &mut self.estimator);
         if found.condition > self.peak.largest {
-            self.peak = peak(system, self.peak.at_start, found, state.t);
+            self.peak.see(system.info(), found, state.t);
         }
-    }
-}
-
-fn peak<S: Scene + ?Sized>(system: &System<'_, S>, at_start: f64, found: Conditioning, t: f64) -> ConditionPeak {
-    let info = system.info();
-    ConditionPeak {
-        at_start,
-        largest: found.condition,
-        pivot: found.pivot,
-        unknown: found.row.map(|row| info.rows[row].name),
-        t,
     }
 }

@@ -1,5 +1,6 @@
 //! Limits of a run.
 
+use crate::model::Name;
 use crate::simulate::SetupError;
 use crate::simulate::tolerances::monitors::MAX_CHOSEN_STEPS;
 
@@ -38,7 +39,7 @@ impl Limits {
 }
 
 /// A limit would be exceeded by the next state; the last one within it is the end of the run.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ExceededLimit {
     /// A row is not met.
@@ -52,7 +53,7 @@ pub enum ExceededLimit {
         /// `position` or `velocity`.
         level: &'static str,
         /// Name of the row.
-        row: &'static str,
+        row: Name,
         /// Its residual, m or rad, m/s or rad/s.
         value: f64,
         /// The limit.

@@ -11,8 +11,10 @@ pub use limits::ExceededLimit;
 pub(super) use limits::Limits;
 pub(super) use watch::Watch;
 
+use crate::model::Name;
+
 /// The monitors of a run, over all of its steps.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Monitors {
     /// Largest residual of a position constraint in the states that the run went through, m or rad; none without such rows. A stop
     /// that holds is one.
@@ -45,12 +47,12 @@ pub struct LeastPivot {
 }
 
 /// A largest value, with its time and row.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Peak {
     /// The value.
     pub value: f64,
     /// Its time, s.
     pub t: f64,
     /// Name of the row.
-    pub row: &'static str,
+    pub row: Name,
 }

@@ -6,10 +6,12 @@ use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors, Peak};
 use crate::dynamics::{Projected, Projection, State, System, Worst};
 use crate::model::{Scene, SceneInfo};
 use crate::simulate::tolerances::monitors::N_BETWEEN_LOOKS;
+use std::sync::Arc;
 
 /// The monitors of a run under way.
 pub(in crate::simulate) struct Watch {
-    info: &'static SceneInfo,
+    /// Rows at the start.
+    n_rows: usize,
     limits: Limits,
     projection: Projection,
     n_steps: u64,
@@ -34,14 +36,14 @@ impl Watch {
         projection: Projection,
         work: bool,
     ) -> Self {
-        let info = system.info();
+        let info = Arc::clone(system.info());
         let State { t, q, v, .. } = start;
         system.take_least_pivot();
-        let peak = |worst: Worst| Peak { value: worst.value, t: *t, row: info.rows[worst.row].name };
+        let peak = |worst: Worst| Peak { value: worst.value, t: *t, row: info.rows[worst.row].name.clone() };
         let (of_positions, of_rows) = (info.n_position_rows > 0, info.n_rows() > 0);
         let measured = work || info.n_effects() == 0;
         Self {
-            info,
+            n_rows: info.n_rows(),
             limits,
             projection,
             n_steps: 0,
@@ -94,7 +96,7 @@ impl Watch {
         self.n_steps += 1;
         // only with the constraints of the start
         if let Some(condition) = &mut self.condition
-            && system.info().n_rows() == self.info.n_rows()
+            && system.info().n_rows() == self.n_rows
         {
             condition.look(system, state, self.n_steps, last);
         }
@@ -110,18 +112,17 @@ impl Watch {
         state: &State,
         projected: &Projected,
     ) -> Result<(), ExceededLimit> {
-        let info = system.info();
-        if info.n_position_rows == 0 {
+        if system.info().n_position_rows == 0 {
             return Ok(());
         }
         let worst = if self.projection.positions() {
-            raise(&mut self.position_drift, projected.positions_before, state.t, info);
+            raise(&mut self.position_drift, projected.positions_before, state.t, system.info());
             projected.positions_after
         } else {
             system.worst_position(state.t, &state.q)
         };
-        self.check(info, worst, state.t, "position")?;
-        raise(&mut self.position_residual, worst, state.t, info);
+        self.check(system.info(), worst, state.t, "position")?;
+        raise(&mut self.position_residual, worst, state.t, system.info());
         Ok(())
     }
 
@@ -148,12 +149,12 @@ impl Watch {
         Ok(())
     }
 
-    fn check(&self, info: &'static SceneInfo, worst: Worst, t: f64, level: &'static str) -> Result<(), ExceededLimit> {
+    fn check(&self, info: &SceneInfo, worst: Worst, t: f64, level: &'static str) -> Result<(), ExceededLimit> {
         let limit = self.limits.drift;
         if keeps(worst.value, limit) {
             return Ok(());
         }
-        Err(ExceededLimit::Drift { t, level, row: info.rows[worst.row].name, value: worst.value, limit })
+        Err(ExceededLimit::Drift { t, level, row: info.rows[worst.row].name.clone(), value: worst.value, limit })
     }
 
     /// Whether an energy balance speaks for the run. That of fixed steps can be too large, unless a limit was set.
@@ -168,13 +169,13 @@ impl Watch {
             false => energy,
         };
         Monitors {
-            position_residual: self.position_residual,
-            velocity_residual: self.velocity_residual,
-            position_drift: self.position_drift,
-            velocity_drift: self.velocity_drift,
+            position_residual: self.position_residual.clone(),
+            velocity_residual: self.velocity_residual.clone(),
+            position_drift: self.position_drift.clone(),
+            velocity_drift: self.velocity_drift.clone(),
             pivot: self.pivot,
             energy: self.energy.as_ref().map(|energy| without_rounding(energy.largest)),
-            condition: self.condition.as_ref().map(|condition| condition.peak),
+            condition: self.condition.as_ref().map(|condition| condition.peak.clone()),
             steps_s: (self.n_steps > 0).then_some([self.shortest_s, self.longest_s]),
         }
     }
@@ -185,9 +186,15 @@ fn keeps(value: f64, limit: f64) -> bool {
     value <= limit || limit == f64::INFINITY
 }
 
-/// Raises a peak; a NaN stays.
-fn raise(peak: &mut Option<Peak>, worst: Worst, t: f64, info: &'static SceneInfo) {
-    if worst.value.is_nan() || peak.is_none_or(|peak| worst.value > peak.value) {
-        *peak = Some(Peak { value: worst.value, t, row: info.rows[worst.row].name });
+/// Raises a peak; a NaN stays. The name is written over that of the last peak, since a step does not allocate.
+fn raise(peak: &mut Option<Peak>, worst: Worst, t: f64, info: &SceneInfo) {
+    let row = || &info.rows[worst.row].name;
+    match peak {
+        Some(peak) if worst.value.is_nan() || worst.value > peak.value => {
+            (peak.value, peak.t) = (worst.value, t);
+            peak.row.clone_from(row());
+        }
+        Some(_) => {}
+        None => *peak = Some(Peak { value: worst.value, t, row: row().clone() }),
     }
 }

@@ -31,40 +31,42 @@ pub static MODEL: ezy::ModelInfo = ezy::ModelInfo {
     scenes: &[
         ezy::SceneEntry {
             name: "coast",
-            info: || &Coast::INFO,
+            info: || ezy::Scene::info(&<Coast as ::core::default::Default>::default()),
             new: || ::std::boxed::Box::new(
                 <Coast as ::core::default::Default>::default(),
             ),
         },
         ezy::SceneEntry {
             name: "driven",
-            info: || &Driven::INFO,
+            info: || ezy::Scene::info(&<Driven as ::core::default::Default>::default()),
             new: || ::std::boxed::Box::new(
                 <Driven as ::core::default::Default>::default(),
             ),
         },
         ezy::SceneEntry {
             name: "driven_on_tarmac",
-            info: || &DrivenOnTarmac::INFO,
+            info: || ezy::Scene::info(
+                &<DrivenOnTarmac as ::core::default::Default>::default(),
+            ),
             new: || ::std::boxed::Box::new(
                 <DrivenOnTarmac as ::core::default::Default>::default(),
             ),
         },
         ezy::SceneEntry {
             name: "drift",
-            info: || &Drift::INFO,
+            info: || ezy::Scene::info(&<Drift as ::core::default::Default>::default()),
             new: || ::std::boxed::Box::new(
                 <Drift as ::core::default::Default>::default(),
             ),
         },
         ezy::SceneEntry {
             name: "skid",
-            info: || &Skid::INFO,
+            info: || ezy::Scene::info(&<Skid as ::core::default::Default>::default()),
             new: || ::std::boxed::Box::new(<Skid as ::core::default::Default>::default()),
         },
         ezy::SceneEntry {
             name: "ridden",
-            info: || &Ridden::INFO,
+            info: || ezy::Scene::info(&<Ridden as ::core::default::Default>::default()),
             new: || ::std::boxed::Box::new(
                 <Ridden as ::core::default::Default>::default(),
             ),

@@ -7,6 +7,7 @@ use ezy_core::prelude::{Backend, Simulation, System};
 use ezy_core::simulate::SetupError;
 use ezy_models::{andrews, n_four_bar, pendulum};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 
 /// Of the reference, m/s and rad/s.
 const PROJECTED: f64 = 1e-12;
@@ -118,7 +119,7 @@ fn flat_linkage() -> f64 {
 }
 
 fn assembled<'s>(system: &mut System<'s, dyn Scene + 's>, scene: &dyn Scene, q: &[f64], elbows: &[Elbow]) -> [f64; 3] {
-    let info = system.info();
+    let info = Arc::clone(system.info());
     let mut start = Start::free(info.n_coordinates());
     for (i, q) in q.iter().enumerate() {
         start.near_position(i, q + if i % 2 == 0 { MOVED } else { -MOVED });

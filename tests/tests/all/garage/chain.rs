@@ -66,7 +66,10 @@ fn invariant_factors_of_the_chain_grow_with_its_length() {
 #[test]
 fn invariant_massless_rods_are_refused_where_only_the_sparse_backend_fits() {
     let refused = System::new(&chain::Swing { n: 1_000, m: 0.0, ..Default::default() }, Backend::Auto).err();
-    assert!(matches!(refused, Some(SystemError::MasslessInLargeScene { body: "link[0]", .. })), "{refused:?}");
+    assert!(
+        matches!(&refused, Some(SystemError::MasslessInLargeScene { body, .. }) if body == "link[0]"),
+        "{refused:?}"
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 #[automatically_derived]
 impl ezy::Scene for Swing {
-    fn info(&self) -> &'static ezy::SceneInfo {
+    fn info(&self) -> ::std::sync::Arc<ezy::SceneInfo> {
         static KNOWN: ezy::Known = ezy::Known::new();
         KNOWN.info(&Self::FIXED, &[self.n], |layout| self.describe(layout))
     }

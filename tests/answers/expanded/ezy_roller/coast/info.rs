@@ -40,211 +40,219 @@ impl Coast {
         model: "EzyRoller",
         name: "coast",
         documentation: "No forces: the bar stands across, the seat moves at 1 m/s.",
-        bodies: &["seat", "bar"],
-        coordinates: &[
-            ezy::CoordinateInfo {
-                name: "seat.x",
-                velocity_name: "seat.vx",
-                unit: "m",
-                symbol: ezy::Formula {
-                    text: "seat.x",
-                    latex: "x_{\\mathrm{seat}}",
-                    mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
+        bodies: ezy::List::Borrowed(
+            &[ezy::Name::Borrowed("seat"), ezy::Name::Borrowed("bar")],
+        ),
+        coordinates: ezy::List::Borrowed(
+            &[
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("seat.x"),
+                    velocity_name: ezy::Name::Borrowed("seat.vx"),
+                    unit: "m",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.x",
+                        latex: "x_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
+                    }),
+                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.vx",
+                        latex: "\\dot{x}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    }),
                 },
-                velocity_symbol: ezy::Formula {
-                    text: "seat.vx",
-                    latex: "\\dot{x}_{\\mathrm{seat}}",
-                    mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("seat.y"),
+                    velocity_name: ezy::Name::Borrowed("seat.vy"),
+                    unit: "m",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.y",
+                        latex: "y_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
+                    }),
+                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.vy",
+                        latex: "\\dot{y}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    }),
                 },
-            },
-            ezy::CoordinateInfo {
-                name: "seat.y",
-                velocity_name: "seat.vy",
-                unit: "m",
-                symbol: ezy::Formula {
-                    text: "seat.y",
-                    latex: "y_{\\mathrm{seat}}",
-                    mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("seat.phi"),
+                    velocity_name: ezy::Name::Borrowed("seat.omega"),
+                    unit: "rad",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.phi",
+                        latex: "\\varphi_{\\mathrm{seat}}",
+                        mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
+                    }),
+                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "seat.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                    }),
                 },
-                velocity_symbol: ezy::Formula {
-                    text: "seat.vy",
-                    latex: "\\dot{y}_{\\mathrm{seat}}",
-                    mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("bar.x"),
+                    velocity_name: ezy::Name::Borrowed("bar.vx"),
+                    unit: "m",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "bar.x",
+                        latex: "x_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
+                    }),
+                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "bar.vx",
+                        latex: "\\dot{x}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    }),
                 },
-            },
-            ezy::CoordinateInfo {
-                name: "seat.phi",
-                velocity_name: "seat.omega",
-                unit: "rad",
-                symbol: ezy::Formula {
-                    text: "seat.phi",
-                    latex: "\\varphi_{\\mathrm{seat}}",
-                    mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("bar.y"),
+                    velocity_name: ezy::Name::Borrowed("bar.vy"),
+                    unit: "m",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "bar.y",
+                        latex: "y_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
+                    }),
+                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "bar.vy",
+                        latex: "\\dot{y}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    }),
                 },
-                velocity_symbol: ezy::Formula {
-                    text: "seat.omega",
-                    latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
-                    mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                ezy::CoordinateInfo {
+                    name: ezy::Name::Borrowed("bar.phi"),
+                    velocity_name: ezy::Name::Borrowed("bar.omega"),
+                    unit: "rad",
+                    symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "bar.phi",
+                        latex: "\\varphi_{\\mathrm{bar}}",
+                        mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
+                    }),
+                    velocity_symbol: ::core::option::Option::Some(ezy::Formula {
+                        text: "bar.omega",
+                        latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
+                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                    }),
                 },
-            },
-            ezy::CoordinateInfo {
-                name: "bar.x",
-                velocity_name: "bar.vx",
-                unit: "m",
-                symbol: ezy::Formula {
-                    text: "bar.x",
-                    latex: "x_{\\mathrm{bar}}",
-                    mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
+            ],
+        ),
+        points: ezy::List::Borrowed(
+            &[
+                ezy::PointInfo {
+                    name: ezy::Name::Borrowed("A"),
+                    body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ezy::Formula {
+                            text: "seat.x - a*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ezy::Formula {
+                            text: "seat.y - a*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
-                velocity_symbol: ezy::Formula {
-                    text: "bar.vx",
-                    latex: "\\dot{x}_{\\mathrm{bar}}",
-                    mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                ezy::PointInfo {
+                    name: ezy::Name::Borrowed("C"),
+                    body: ::core::option::Option::Some(1usize),
+                    position: ::core::option::Option::Some([
+                        ezy::Formula {
+                            text: "bar.x + c*cos(bar.phi)",
+                            latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                        ezy::Formula {
+                            text: "bar.y + c*sin(bar.phi)",
+                            latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
-            },
-            ezy::CoordinateInfo {
-                name: "bar.y",
-                velocity_name: "bar.vy",
-                unit: "m",
-                symbol: ezy::Formula {
-                    text: "bar.y",
-                    latex: "y_{\\mathrm{bar}}",
-                    mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
+                ezy::PointInfo {
+                    name: ezy::Name::Borrowed("B"),
+                    body: ::core::option::Option::Some(0usize),
+                    position: ::core::option::Option::Some([
+                        ezy::Formula {
+                            text: "seat.x + b*cos(seat.phi)",
+                            latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                        ezy::Formula {
+                            text: "seat.y + b*sin(seat.phi)",
+                            latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                            mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                        },
+                    ]),
                 },
-                velocity_symbol: ezy::Formula {
-                    text: "bar.vy",
-                    latex: "\\dot{y}_{\\mathrm{bar}}",
-                    mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
-                },
-            },
-            ezy::CoordinateInfo {
-                name: "bar.phi",
-                velocity_name: "bar.omega",
-                unit: "rad",
-                symbol: ezy::Formula {
-                    text: "bar.phi",
-                    latex: "\\varphi_{\\mathrm{bar}}",
-                    mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
-                },
-                velocity_symbol: ezy::Formula {
-                    text: "bar.omega",
-                    latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
-                    mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
-                },
-            },
-        ],
-        points: &[
-            ezy::PointInfo {
-                name: "A",
-                body: ::core::option::Option::Some(0usize),
-                position: ::core::option::Option::Some([
-                    ezy::Formula {
-                        text: "seat.x - a*cos(seat.phi)",
-                        latex: "x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+            ],
+        ),
+        rows: ezy::List::Borrowed(
+            &[
+                ezy::RowInfo {
+                    name: ezy::Name::Borrowed("B.x"),
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ezy::Formula {
+                        text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
+                        latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    ezy::Formula {
-                        text: "seat.y - a*sin(seat.phi)",
-                        latex: "y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    convective_term: ezy::Formula {
+                        text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                ]),
-            },
-            ezy::PointInfo {
-                name: "C",
-                body: ::core::option::Option::Some(1usize),
-                position: ::core::option::Option::Some([
-                    ezy::Formula {
-                        text: "bar.x + c*cos(bar.phi)",
-                        latex: "x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                },
+                ezy::RowInfo {
+                    name: ezy::Name::Borrowed("B.y"),
+                    kind: "hinge",
+                    multiplier_unit: "N",
+                    constraint: ezy::Formula {
+                        text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
+                        latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                    ezy::Formula {
-                        text: "bar.y + c*sin(bar.phi)",
-                        latex: "y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                        mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    convective_term: ezy::Formula {
+                        text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
+                        latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                     },
-                ]),
-            },
-            ezy::PointInfo {
-                name: "B",
-                body: ::core::option::Option::Some(0usize),
-                position: ::core::option::Option::Some([
-                    ezy::Formula {
-                        text: "seat.x + b*cos(seat.phi)",
-                        latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                },
+                ezy::RowInfo {
+                    name: ezy::Name::Borrowed("rear"),
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ezy::Formula {
+                        text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
+                        latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
-                    ezy::Formula {
-                        text: "seat.y + b*sin(seat.phi)",
-                        latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
+                    convective_term: ezy::Formula {
+                        text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
                     },
-                ]),
-            },
-        ],
-        rows: &[
-            ezy::RowInfo {
-                name: "B.x",
-                kind: "hinge",
-                multiplier_unit: "N",
-                constraint: ezy::Formula {
-                    text: "seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi)",
-                    latex: "x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
                 },
-                convective_term: ezy::Formula {
-                    text: "-b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi)",
-                    latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                ezy::RowInfo {
+                    name: ezy::Name::Borrowed("front"),
+                    kind: "skate",
+                    multiplier_unit: "N",
+                    constraint: ezy::Formula {
+                        text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
+                        latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
+                    convective_term: ezy::Formula {
+                        text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
+                        latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
+                        mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
+                    },
                 },
-            },
-            ezy::RowInfo {
-                name: "B.y",
-                kind: "hinge",
-                multiplier_unit: "N",
-                constraint: ezy::Formula {
-                    text: "seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi)",
-                    latex: "y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
-                },
-                convective_term: ezy::Formula {
-                    text: "-b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi)",
-                    latex: "-b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
-                },
-            },
-            ezy::RowInfo {
-                name: "rear",
-                kind: "skate",
-                multiplier_unit: "N",
-                constraint: ezy::Formula {
-                    text: "-a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi)",
-                    latex: "-a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
-                },
-                convective_term: ezy::Formula {
-                    text: "-seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi)",
-                    latex: "-\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}}",
-                    mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow>",
-                },
-            },
-            ezy::RowInfo {
-                name: "front",
-                kind: "skate",
-                multiplier_unit: "N",
-                constraint: ezy::Formula {
-                    text: "c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)",
-                    latex: "c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
-                },
-                convective_term: ezy::Formula {
-                    text: "-bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)",
-                    latex: "-\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}}",
-                    mathml: "<mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow>",
-                },
-            },
-        ],
+            ],
+        ),
         n_position_rows: 2usize,
         parameters: &[
             ezy::ParameterInfo {
@@ -353,20 +361,20 @@ impl Coast {
             },
         ],
         inputs: &[],
-        outputs: &[],
+        outputs: ezy::List::Borrowed(&[]),
         events: &[],
         stick_slip: ::core::option::Option::None,
         stop: ::core::option::Option::None,
         effects: &[],
         until_s: 1f64,
         n_constants: 32usize,
-        jacobian: ezy::SparsityPattern {
-            starts: &[0usize, 4usize, 8usize, 11usize, 14usize],
-            columns: &[
+        jacobian: ezy::SparsityPattern::new(
+            &[0usize, 4usize, 8usize, 11usize, 14usize],
+            &[
                 0usize, 2usize, 3usize, 5usize, 1usize, 2usize, 4usize, 5usize, 0usize,
                 1usize, 2usize, 3usize, 4usize, 5usize,
             ],
-        },
+        ),
         jacobian_entries: &[
             ezy::Formula {
                 text: "1",

@@ -1,8 +1,9 @@
 #[automatically_derived]
 impl ezy::Scene for Coast {
-    fn info(&self) -> &'static ezy::SceneInfo {
-        static INFO: ezy::SceneInfo = Coast::INFO;
-        &INFO
+    fn info(&self) -> ::std::sync::Arc<ezy::SceneInfo> {
+        static INFO: ::std::sync::LazyLock<::std::sync::Arc<ezy::SceneInfo>> = ::std::sync::LazyLock::new(||
+        ::std::sync::Arc::new(Coast::INFO));
+        ::std::sync::Arc::clone(&INFO)
     }
     fn parameter(&self, index: usize) -> f64 {
         match index {

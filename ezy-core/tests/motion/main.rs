@@ -12,4 +12,5 @@ mod redundant;
 mod runs;
 mod singular;
 mod skates;
+mod starts;
 mod stops;

@@ -154,7 +154,7 @@ fn motion(q: &[f64], j: usize) -> Vec<f64> {
 /// find the velocity that does no work in the metric of the masses on a motion that is free.
 #[test]
 fn analytic_velocities_of_a_chain_have_least_energy_by_both_solvers() {
-    for n in [3, 50, 51, 80] {
+    for n in [3, 50, 51] {
         let scene = chain::Swing { n, ..Default::default() };
         let system = System::new(&scene, Backend::Auto).unwrap();
         let start = system.scene_start();
@@ -181,7 +181,7 @@ fn analytic_velocities_of_a_chain_have_least_energy_by_both_solvers() {
 }
 
 /// Angles of two bars of these lengths, the first from `from`, the second to `to`, that meet: bent to one side and to the other.
-fn two_bars(from: [f64; 2], to: [f64; 2], [first, second]: [f64; 2]) -> [[f64; 2]; 2] {
+pub fn two_bars(from: [f64; 2], to: [f64; 2], [first, second]: [f64; 2]) -> [[f64; 2]; 2] {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let (distance, along) = (dx.hypot(dy), dy.atan2(dx));
     let angle = |a: f64, b: f64| ((a * a + distance * distance - b * b) / (2.0 * a * distance)).acos();

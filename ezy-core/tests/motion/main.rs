@@ -16,3 +16,4 @@ mod singular;
 mod skates;
 mod starts;
 mod stops;
+mod systems;

@@ -123,6 +123,20 @@ fn cross_sparse_and_dense_accelerations_of_a_rope_agree() {
     assert!(sparse[0].iter().any(|a| a.abs() > 1.0), "it falls");
 }
 
+/// More than 500 equations: whether rows depend on each other is not asked, but the smallest pivot of the factors is told. With a mass and a
+/// lever of one each it is far from zero, and does not depend on the unit of mass.
+#[test]
+fn invariant_long_rope_tells_the_smallest_pivot_of_its_factors() {
+    let pivot = |n, m| {
+        let scene = rope::Rests { n, m };
+        let run = Simulation::new(&scene).method(Method::rk4(0.01)).until(0.02).run().unwrap();
+        assert!(run.outcome.reached_end() && run.rank.intervals.is_empty(), "{}", run.outcome);
+        run.monitors.pivot.expect("there are rows").value
+    };
+    let of_long = pivot(110, 0.5);
+    assert!(of_long > 1e-3 && of_long <= 1.0, "{of_long}");
+}
+
 /// A body that is nearly massless on a spring: the dense solver takes any ratio of masses, and a body without mass too.
 #[test]
 fn invariant_masses_that_a_backend_cannot_take_are_refused_by_name() {

@@ -1,5 +1,9 @@
 //! Runs that step together, and derivatives of runs.
 
+use super::events::pendulum;
+use super::singular::parallelogram;
+use ezy_core::dynamics::MotionError;
+use ezy_core::model::Start;
 use ezy_core::prelude::*;
 
 model! {
@@ -69,5 +73,100 @@ fn analytic_derivatives_of_a_spring() {
             let close = found.iter().zip(expected).all(|(x, y)| (x - y).abs() <= 100.0 * bound);
             assert!(close, "{method:?}: {found:?} {expected:?}");
         }
+    }
+}
+
+/// Steps of 0.05 s leave the hinge of a pendulum by 1e-6 m, and what is projected fulfils it: energy gives the rate at each angle.
+#[test]
+fn analytic_pendulums_in_lanes_keep_their_hinges_and_energies() {
+    let scenes: [pendulum::Swing; 4] = std::array::from_fn(|i| pendulum::Swing { l: 0.5 + 0.5 * i as f64 });
+    let starts = scenes.each_ref().map(|scene| {
+        let mut system = System::new(scene, Backend::Generated).unwrap();
+        let start = system.scene_start();
+        system.consistent_start(&start).unwrap()
+    });
+    for (method, bound) in [(Method::rk4(1e-3), 1e-8), (Method::dop853(1e-11), 1e-8), (Method::rk4(0.05), 0.1)] {
+        let mut together = Ensemble::new(&scenes, starts.each_ref(), method).unwrap();
+        together.advance(0.9).unwrap();
+        for (lane, scene) in scenes.iter().enumerate() {
+            let State { q, v, .. } = together.state(lane);
+            let (half, (sin, cos)) = (scene.l / 2.0, q[2].sin_cos());
+            let hinge = [q[0] - half * cos, q[1] - half * sin, v[0] + half * sin * v[2], v[1] - half * cos * v[2]];
+            assert!(hinge.iter().all(|c| c.abs() <= 1e-12), "{method:?} {lane}: {hinge:?}");
+            let rate = (2.0 * 2.0 * 9.81 * half * -sin / (0.375 + 2.0 * half * half)).sqrt();
+            assert!((v[2].abs() - rate).abs() <= bound, "{method:?} {lane}: {} {rate}", v[2]);
+        }
+    }
+}
+
+/// A pendulum at the angle φ with the rate ω: the start moves its centre along, d(x, y) = r (−sin φ, cos φ) dφ, and its velocity. A later
+/// state depends on the start as differences of runs do.
+#[test]
+fn fd_derivatives_of_a_pendulum_follow_its_hinge() {
+    let scene = pendulum::Swing::default();
+    let start = |phi: f64, omega: f64| {
+        let mut start = Start::free(3);
+        start.give_position(2, phi);
+        start.give_velocity(2, omega);
+        start
+    };
+    let mut run =
+        Sensitivities::new(&scene, &start(0.3, 2.0), ["bob.phi", "bob.omega", "l"], Method::rk4(2e-3)).unwrap();
+    let [by_phi, by_omega, by_length] = run.tangents();
+    let (r, (sin, cos)) = (0.75, 0.3_f64.sin_cos());
+    for (found, expected) in [
+        (&by_phi.q, [-r * sin, r * cos, 1.0]),
+        (&by_phi.v, [-r * cos * 2.0, -r * sin * 2.0, 0.0]),
+        (&by_omega.q, [0.0; 3]),
+        (&by_omega.v, [-r * sin, r * cos, 1.0]),
+        (&by_length.q, [0.5 * cos, 0.5 * sin, 0.0]),
+        (&by_length.v, [-0.5 * sin * 2.0, 0.5 * cos * 2.0, 0.0]),
+    ] {
+        assert!(found.iter().zip(expected).all(|(x, y)| (x - y).abs() <= 1e-12), "{found:?} {expected:?}");
+    }
+    run.advance(0.8).unwrap();
+    let end = |phi: f64, omega: f64, l: f64| {
+        let scene = pendulum::Swing { l };
+        let order = Simulation::new(&scene).method(Method::rk4(2e-3)).until(0.8).without_events();
+        let run = order.give("bob.phi", phi).give("bob.omega", omega).run().unwrap();
+        [run.last().coordinates, run.last().velocities].concat()
+    };
+    // differences of the fourth part of ε^(1/3): truncation h² and rounding ε/h are 1e-9
+    const STEP: f64 = 1e-5;
+    let difference = |[phi, omega, l]: [f64; 3]| {
+        let [up, down] = [1.0, -1.0].map(|s| end(0.3 + s * phi * STEP, 2.0 + s * omega * STEP, 1.5 + s * l * STEP));
+        up.iter().zip(down).map(|(x, y)| (x - y) / (2.0 * STEP)).collect::<Vec<_>>()
+    };
+    for (tangent, by) in run.tangents().iter().zip([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]) {
+        let found = [&tangent.q[..], &tangent.v].concat();
+        let expected = difference(by);
+        assert!(found.iter().zip(&expected).all(|(x, y)| (x - y).abs() <= 1e-7), "{by:?}: {found:?} {expected:?}");
+    }
+}
+
+/// In lanes the elimination alone solves: where a pivot of it vanishes, the row is named.
+#[test]
+fn invariant_lanes_refuse_a_position_in_which_a_pivot_vanishes() {
+    let scenes = [parallelogram::Falls::default(), parallelogram::Falls::default()];
+    let level = State {
+        t: 0.0,
+        q: vec![0.5, 0.0, 0.0, 2.5, 0.0, 0.0, 1.0, 0.0, 0.0],
+        v: vec![0.0, -0.5, -1.0, 0.0, -0.5, -1.0, 0.0, -1.0, 0.0],
+        work: Vec::new(),
+    };
+    for method in [Method::rk4(1e-3), Method::dop853(1e-9)] {
+        let mut together = match Ensemble::new(&scenes, [&level, &level], method) {
+            Ok(together) => together,
+            Err(error) => {
+                assert!(error.to_string().contains("vanishes at t = 0 s in the generated elimination"), "{error}");
+                continue;
+            }
+        };
+        let error = together.advance(0.1).unwrap_err();
+        assert!(
+            matches!(&error, MotionError::LostPivot { t, row } if *t == 0.0 && row.contains(".x")),
+            "{method:?}: {error}"
+        );
+        assert_eq!(together.time(), 0.0);
     }
 }

@@ -2,14 +2,18 @@
 //! find faults of the solver without the other packages (docs/mutation.md).
 
 mod accelerations;
+mod assembly_modes;
 mod energy;
 mod events;
 mod lanes;
 mod laws;
 mod methods;
 mod projection;
+mod ranks;
 mod redundant;
 mod runs;
 mod singular;
 mod skates;
+mod starts;
 mod stops;
+mod systems;

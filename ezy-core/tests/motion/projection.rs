@@ -1,5 +1,7 @@
 //! Back onto the constraints.
 
+use super::accelerations::hoist;
+use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 
 model! {
@@ -120,4 +122,47 @@ fn invariant_a_limit_on_drift_ends_a_run() {
     assert!(order(1.0).run().unwrap().outcome.reached_end());
     let run = order(1e-9).run().unwrap();
     assert!(matches!(run.outcome, Outcome::Stopped { t, .. } if t < 0.9), "{:?}", run.outcome);
+}
+
+/// In plain numbers, over rows of positions and of velocities: the only motion that is free, the wheel with the block on its rope, gets
+/// nothing of the correction.
+#[test]
+fn analytic_euclidean_velocity_correction_holds_every_kind_of_row() {
+    let scene = hoist::Falls::default();
+    for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
+        let mut system = System::new(&scene, backend).unwrap();
+        let q = [0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+        let before = [0.3, -0.2, 1.0, 0.1, 0.5, -0.4];
+        let mut v = before;
+        let solved = system.project_velocities(0.0, &q, &mut v, Metric::Euclidean).unwrap();
+        assert!(!solved.is_rank_deficient && system.velocity_residual(0.0, &q, &v) <= PROJECTED, "{backend:?}: {v:?}");
+        assert!((v[2] - before[2] - 0.25 * (v[4] - before[4])).abs() <= PROJECTED, "{backend:?}: {v:?}");
+    }
+}
+
+model! {
+    /// A stone that two equal rows hold, and one that no place fulfils.
+    pub model Nowhere {
+        count n = 1;
+        param a: m = 1;
+        body stone[n] { mass: 1, inertia: 1 }
+        for i in 0..n {
+            constraint first[i]: stone[i].y = 0;
+            constraint again[i]: 2 * stone[i].y = 0;
+            constraint far[i]: stone[i].x^2 = -a^2;
+        }
+        start here { for i in 0..n { stone[i] angle 0; } }
+        scene stays { start here; until 1 s; }
+    }
+}
+
+/// Rows are redundant, but it is not these that leave the residual: that is no contradiction of theirs.
+#[test]
+fn invariant_row_that_cannot_be_met_is_not_told_as_a_contradiction_of_others() {
+    let scene = nowhere::Stays::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut q = [0.7, 0.1, 0.0];
+    let error = system.project_positions(0.0, &mut q, Metric::Mass).unwrap_err();
+    let MotionError::ProjectionStalled { row, residual, passes, .. } = error else { panic!("{error}") };
+    assert!(row == "far[0]" && residual >= 1.0 && passes == 10 && q[1].abs() <= PROJECTED, "{row} {residual} {q:?}");
 }

@@ -90,3 +90,39 @@ fn invariant_restitution_beyond_one_ends_the_run() {
     };
     assert!((t - 1.0).abs() <= BOUNCED && *value == 1.5);
 }
+
+model! {
+    /// A stone on a floor that sinks with the acceleration `a`.
+    pub model Sinking {
+        param a: m/s^2 = 4;
+        param h: m = 0;
+        body stone { mass: 2, inertia: 1 }
+        slider rail: ground(0, 0) ~ stone(0, 0) along ground(0, 1);
+        stop floor: stone.y from h - a * t^2 / 2;
+        gravity (0, -10);
+        start resting { stone at (0, h) angle 0; at rest; }
+        scene sinks { start resting; until 1 s; }
+    }
+}
+
+/// Up to the acceleration of gravity the stone goes with the floor, which carries m (g − a); beyond that it falls freely and stays behind.
+#[test]
+fn analytic_floor_that_sinks_carries_what_falls_no_slower() {
+    for h in [0.0, 1e3, -1e3] {
+        for (a, sinks) in [(4.0, 4.0), (9.9, 9.9), (10.1, 10.0), (25.0, 10.0)] {
+            let scene = sinking::Sinks { a, h };
+            for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::rk4(1e-2)] {
+                let run = Simulation::new(&scene).method(method).run().unwrap();
+                let last = run.last();
+                let (y, v) = (last.get("stone.y").unwrap() - h, last.get("stone.vy").unwrap());
+                // rounding of a height of 1 km is 1e-13 m
+                assert!((y + 0.5 * sinks).abs() <= 1e-10 && (v + sinks).abs() <= 1e-10, "{method:?} {a} {h}: {y} {v}");
+                let carried = if a < 10.0 { 2.0 * (10.0 - a) } else { 0.0 };
+                let found = last.get("lambda.floor").unwrap();
+                assert!((found + carried).abs() <= 1e-9, "{method:?} {a} {h}: {found} {carried}");
+                let names: Vec<&str> = run.events().iter().map(|of| of.event.name).collect();
+                assert!(!names.contains(&"floor hits"), "{method:?} {a} {h}: {names:?}");
+            }
+        }
+    }
+}

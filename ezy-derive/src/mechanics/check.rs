@@ -14,6 +14,8 @@ mod assembled;
 mod basis;
 mod integrable;
 mod overfixed;
+#[cfg(test)]
+mod tests;
 
 use basis::{Basis, Row, largest};
 

@@ -218,4 +218,72 @@ mod tests {
         let back = k.mul(quotient, b);
         assert!(k.add(back, a.neg()).is_zero());
     }
+
+    #[test]
+    fn analytic_numbers_are_folded_and_signs_are_kept_apart() {
+        let mut k = Coefficients::new();
+        let number = |k: &Coefficients, x: Coefficient| k.as_number(x);
+        for (x, y) in [(2.0, 3.0), (2.0, -3.0), (-2.0, 0.5), (0.0, -1.5), (-1.0, 1.0), (4.0, 4.0), (-0.25, -0.25)] {
+            let (a, b) = (k.number(x), k.number(y));
+            let [sum, product, quotient] = [k.add(a, b), k.mul(a, b), k.div(a, b)];
+            let found = [sum, product, quotient].map(|made| number(&k, made));
+            assert_eq!(found, [x + y, x * y, x / y].map(|value| Some(value + 0.0)), "{x} {y}");
+            assert_eq!(number(&k, a.neg()), Some(0.0 - x));
+        }
+        let [zero, one, minus] = [0.0, 1.0, -1.0].map(|x| k.number(x));
+        assert_eq!((zero, one, minus), (Coefficient::ZERO, Coefficient::ONE, Coefficient::ONE.neg()));
+        assert!(zero.neg() == zero && one.is_unit() && minus.is_unit() && !zero.is_unit() && !one.is_zero());
+        // 0.1 + 0.2 keeps its exact value beside that of 0.3
+        let [tenth, fifth] = [0.1, 0.2].map(|x| k.number(x));
+        let sum = k.add(tenth, fifth);
+        let back = k.add(sum, fifth.neg());
+        assert_eq!(back, tenth);
+    }
+
+    #[test]
+    fn analytic_units_and_zeros_leave_a_parameter_as_it_is() {
+        let mut k = Coefficients::new();
+        let p = k.parameter(0);
+        let (zero, one, minus) = (Coefficient::ZERO, Coefficient::ONE, Coefficient::ONE.neg());
+        assert_eq!([k.add(p, zero), k.add(zero, p), k.mul(p, one), k.mul(one, p), k.div(p, one)], [p; 5]);
+        assert_eq!([k.mul(p, minus), k.mul(minus, p), k.div(p, minus), k.mul(p.neg(), one)], [p.neg(); 4]);
+        assert_eq!([k.mul(p, zero), k.mul(zero, p), k.div(zero, p)], [zero; 3]);
+        assert_eq!([k.div(p, p), k.div(p.neg(), p).neg(), k.mul(minus, minus)], [one; 3]);
+        assert_eq!((k.as_number(p), k.mul(p.neg(), p.neg())), (None, k.mul(p, p)));
+        assert_ne!(k.parameter(1), p);
+        assert_ne!(k.pi(), p);
+        let inverse = k.div(one, p);
+        assert!(inverse != p && k.mul(inverse, p) == one);
+    }
+
+    /// Calls of numbers are numbers where they are finite; others are kept, each once.
+    #[test]
+    fn analytic_calls_are_folded_where_they_have_a_value() {
+        let mut k = Coefficients::new();
+        let [two, minus, p] = [k.number(2.0), k.number(-1.0), k.parameter(0)];
+        let root = k.call(Function::Sqrt, vec![two]);
+        assert_eq!(k.as_number(root), Some(2.0_f64.sqrt()));
+        let undefined = k.call(Function::Sqrt, vec![minus]);
+        assert!(k.as_number(undefined).is_none() && matches!(k.node(undefined.id), CoefficientNode::Call(..)));
+        let of = |k: &mut Coefficients, function, x| k.call(function, vec![x]);
+        let (sin, again, cos, of_minus) = (
+            of(&mut k, Function::Sin, p),
+            of(&mut k, Function::Sin, p),
+            of(&mut k, Function::Cos, p),
+            of(&mut k, Function::Sin, p.neg()),
+        );
+        assert!(sin == again && sin != cos && sin != of_minus, "one node for one call");
+        assert_eq!(k.node(sin.id), &CoefficientNode::Call(Function::Sin, vec![p]));
+    }
+
+    #[test]
+    fn analytic_divisions_by_zero_are_kept() {
+        let mut k = Coefficients::new();
+        let p = k.parameter(0);
+        for top in [Coefficient::ZERO, Coefficient::ONE, p] {
+            let kept = k.div(top, Coefficient::ZERO);
+            assert_eq!(k.node(kept.id), &CoefficientNode::Div(top.id, Coefficient::ZERO.id));
+            assert!(k.as_number(kept).is_none());
+        }
+    }
 }

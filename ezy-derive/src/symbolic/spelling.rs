@@ -86,4 +86,26 @@ mod tests {
         assert_eq!(name("wheel_base").mathml, "<msub><mi>wheel</mi><mtext>base</mtext></msub>");
         assert_eq!(of_body("seat.vx", "x", "seat", true).latex, "\\dot{x}_{\\mathrm{seat}}");
     }
+
+    #[test]
+    fn analytic_indices_follow_an_underscore_or_are_digits() {
+        for (written, latex) in [
+            ("a_2", "a_{2}"),
+            ("a12", "a_{12}"),
+            ("wheel_base", "\\mathrm{wheel}_{\\mathrm{base}}"),
+            ("k_left_x", "k_{\\mathrm{left x}}"),
+            ("theta_0", "\\theta_{0}"),
+            ("wheel", "\\mathrm{wheel}"),
+            ("_a", "\\mathrm{\\_a}"),
+            ("a_", "\\mathrm{a\\_}"),
+        ] {
+            assert_eq!((name(written).latex, name(written).text), (latex.to_owned(), written.to_owned()));
+        }
+        assert_eq!(name("x").mathml, "<mi>x</mi>");
+        let angle = of_body("left_arm.phi", "phi", "left_arm", false);
+        assert_eq!(angle.latex, "\\varphi_{\\mathrm{left\\_arm}}");
+        assert_eq!(angle.mathml, "<msub><mi>φ</mi><mtext>left_arm</mtext></msub>");
+        let rate = of_body("left_arm.omega", "phi", "left_arm", true);
+        assert_eq!(rate.mathml, "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>left_arm</mtext></msub>");
+    }
 }

@@ -1,5 +1,10 @@
 //! Properties of the engine, each against evaluation at points.
 
+mod forms;
+mod notation;
+mod programs;
+mod trees;
+
 use super::evaluate::Point;
 use super::lower::{ConstantPool, Lowering};
 use super::program::{Node, Program, Value};

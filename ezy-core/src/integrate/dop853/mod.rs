@@ -226,7 +226,8 @@ impl<T: Scalar> Dop853<T> {
         self.weighted_error(h, tolerance)
     }
 
-    /// Error over tolerance of the last attempt by the embedded solution of order 5 alone, without the order that two of them have on a smooth motion.
+    /// Error over tolerance of the last attempt by the embedded solution of order 5 alone, where the motion is not smooth enough for what both
+    /// of them tell.
     pub(crate) fn error_of_order_5(&self, h: f64, tolerance: Tolerance) -> f64 {
         let n = 2 * self.n_q;
         let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());

@@ -49,7 +49,8 @@ impl Radau {
     }
 
     /// The residual of the equations where no stage stands, less what of it the estimate is: of order 5 for a motion that the step resolves,
-    /// and half of the estimate for another. Filtered as the estimate is, over the tolerance of values between steps; the estimate where that is larger, and for a stiff step.
+    /// and half of the estimate for another. Filtered as the estimate is, over the tolerance of values between steps; the estimate where
+    /// that is larger, and for a stiff step.
     pub(super) fn second_look<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
@@ -115,7 +116,7 @@ fn subtract_slopes(stages: &Stages, h: f64, of: &mut State) {
     add_combination(&weights, &stages.v, &mut of.v);
 }
 
-/// Sum of squares of forces, as the accelerations over their tolerances that they are; a coordinate without mass has none of its own.
+/// Size of forces, as accelerations in tolerances of a velocity, 1/s; a coordinate without mass has no acceleration of its own.
 fn size_of_forces(forces: &[f64], mass: &[f64], weights: &[f64]) -> f64 {
     let of_v = &weights[mass.len()..];
     let all = forces.iter().zip(mass).zip(of_v).filter(|((_, mass), _)| **mass > 0.0);

@@ -2,7 +2,8 @@
 
 use super::discontinuities::{Cut, Discontinuities};
 use super::step_limit::{StepLimit, is_too_short, limited_step};
-use crate::dynamics::{MotionError, State, System};
+use super::tolerances::steps::LARGEST_CORRECTION;
+use crate::dynamics::{MotionError, RESIDUAL_THAT_IS_ZERO, State, System};
 use crate::integrate::{Attempt, Node, Radau, RadauControl, Tolerance, tolerance_of_estimate};
 use crate::model::Scene;
 
@@ -10,17 +11,30 @@ use crate::model::Scene;
 pub(super) struct Implicit {
     method: Radau,
     control: RadauControl,
-    /// Of the error estimate.
+    /// As asked for.
     tolerance: Tolerance,
+    of_estimate: Tolerance,
     /// Length of the next step, s; none before the first.
     step_s: Option<f64>,
+    /// Velocities of the state that was found last, before its projection.
+    found: Vec<f64>,
+    /// For steps to samples; made when it is first needed.
+    to_sample: Option<Box<Radau>>,
     rejected: u64,
 }
 
 impl Implicit {
-    pub(super) fn new(method: Radau, tolerance: Tolerance) -> Self {
-        let tolerance = tolerance_of_estimate(tolerance);
-        Self { method, control: RadauControl::default(), tolerance, step_s: None, rejected: 0 }
+    pub(super) fn new(method: Radau, n_q: usize, tolerance: Tolerance) -> Self {
+        Self {
+            method,
+            control: RadauControl::default(),
+            tolerance,
+            of_estimate: tolerance_of_estimate(tolerance),
+            step_s: None,
+            found: vec![0.0; n_q],
+            to_sample: None,
+            rejected: 0,
+        }
     }
 
     /// Forgets the steps taken so far.
@@ -42,8 +56,36 @@ impl Implicit {
     }
 
     /// The state at `t` between the ends of the last step, not projected; its time is left alone.
-    pub(super) fn between(&self, from: &State, to: &State, t: f64, out: &mut State) {
+    pub(super) fn between(&mut self, from: &State, to: &State, t: f64, out: &mut State) {
         self.method.dense_at(from, to, (t - from.t) / (to.t - from.t), out);
+        self.found.copy_from_slice(&out.v);
+    }
+
+    /// Whether the projection of the state that was found last changed a velocity to `v` by more than errors within the tolerance should.
+    /// Where constraints make fast velocities of small errors of positions, such as of a wheel that trails its hinge by 1 mm, a long step
+    /// has errors that its estimate does not see.
+    pub(super) fn is_off_constraints(&self, v: &[f64]) -> bool {
+        let Tolerance { relative, absolute } = self.tolerance;
+        let largest = |v: f64| LARGEST_CORRECTION * (absolute + relative * v.abs()).max(RESIDUAL_THAT_IS_ZERO);
+        self.found.iter().zip(v).any(|(found, v)| (v - found).abs() > largest(*v))
+    }
+
+    /// The state at `t` in the last step, from a step of its own, not projected; `out` is left alone where that does not converge.
+    pub(super) fn step_to<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: Node<'_>,
+        t: f64,
+        out: &mut State,
+    ) -> Result<(), MotionError> {
+        if self.to_sample.is_none() {
+            self.to_sample = self.method.another(system.scene()).map(Box::new);
+        }
+        if let Some(method) = &mut self.to_sample {
+            method.restart();
+            method.attempt(system, from, t - from.state.t, self.of_estimate, out)?;
+        }
+        Ok(())
     }
 
     /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. It ends at a discontinuity.
@@ -57,7 +99,7 @@ impl Implicit {
     ) -> Result<(), MotionError> {
         let t = from.state.t;
         let left = end - t;
-        let mut length = self.step_s.unwrap_or_else(|| self.method.first_step(from, left, self.tolerance));
+        let mut length = self.step_s.unwrap_or_else(|| self.method.first_step(from, left, self.of_estimate));
         // the step length before a discontinuity, to continue with behind it
         let (mut whole, mut cut) = (None, None);
         loop {
@@ -65,7 +107,7 @@ impl Implicit {
             if is_too_short(t, h) && h < left {
                 return Err(MotionError::StepCollapsed { t, step_s: h });
             }
-            let attempt = self.method.attempt(system, from, h, self.tolerance, to)?;
+            let attempt = self.method.attempt(system, from, h, self.of_estimate, to)?;
             if matches!(attempt, Attempt::Solved { .. }) {
                 to.t = t_next;
                 let next_cut = match cut {
@@ -92,6 +134,7 @@ impl Implicit {
                         }
                     });
                     self.method.accept(h);
+                    self.found.copy_from_slice(&to.v);
                     if cut.is_some() {
                         self.method.turn();
                     }

@@ -29,7 +29,7 @@ impl<'s> Integrator<'s> {
                 None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),
             },
             Method::Radau(tolerance) => match Radau::new(scene, n_works).map_err(SystemError::from)? {
-                Some(radau) => Self::Radau(Box::new(Implicit::new(radau, tolerance))),
+                Some(radau) => Self::Radau(Box::new(Implicit::new(radau, n_q, tolerance))),
                 None => return Err(SetupError::NoJacobians { scene: info.name }),
             },
         })
@@ -161,5 +161,25 @@ impl<'s> Integrator<'s> {
             }
         }
         Ok(())
+    }
+
+    /// Whether the projection of the state that was found last changed a velocity to `v` by more than the tolerance explains. An explicit
+    /// method takes steps so short that it does not.
+    pub(super) fn is_off_constraints(&self, v: &[f64]) -> bool {
+        matches!(self, Self::Radau(implicit) if implicit.is_off_constraints(v))
+    }
+
+    /// The state at `t` between the ends of the last step, from a step of its own, not projected.
+    pub(super) fn step_to<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: Node<'_>,
+        t: f64,
+        out: &mut State,
+    ) -> Result<(), MotionError> {
+        match self {
+            Self::Radau(implicit) => implicit.step_to(system, from, t, out),
+            _ => Ok(()),
+        }
     }
 }

@@ -169,7 +169,8 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         Ok(true)
     }
 
-    /// A step that ends next to a singular position, or cannot be projected, is taken again shorter where the method chooses steps.
+    /// A step that ends next to a singular position, or cannot be projected, or only by large changes, is taken again shorter where the
+    /// method chooses steps.
     #[inline]
     fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         if !self.integrator.chooses_steps() {
@@ -179,6 +180,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         for _ in 0..MAX_SHORTENED {
             let shorter = match &outcome {
                 Ok(()) if self.ends_near_singular_position() => SHORTENED,
+                Ok(()) if self.integrator.is_off_constraints(&self.next.state.v) => QUARTERED,
                 Err(
                     MotionError::ProjectionStalled { .. }
                     | MotionError::ContradictoryRows { .. }
@@ -262,6 +264,12 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         if self.integrator.chooses_steps() {
             let State { q, v, .. } = &mut out.state;
             system.project(t, q, v, self.projection, self.metric)?;
+            let is_across = self.crossing.as_ref().is_some_and(|crossing| crossing.is_under_way);
+            if !is_across && self.integrator.is_off_constraints(v) {
+                self.integrator.step_to(system, self.now.node(), t, &mut out.state)?;
+                let State { q, v, .. } = &mut out.state;
+                system.project(t, q, v, self.projection, self.metric)?;
+            }
         }
         out.evaluate(system)
     }
@@ -279,9 +287,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
 
     /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
     pub(super) fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
-        if let Some(crossing) = &mut self.crossing
-            && crossing.is_under_way
-        {
+        if let Some(crossing) = self.crossing.as_mut().filter(|crossing| crossing.is_under_way) {
             crossing.between(t, out);
             return Ok(());
         }

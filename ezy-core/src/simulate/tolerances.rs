@@ -30,6 +30,11 @@ pub(crate) mod steps {
     /// Test: `cross_dop853_samples_between_steps_keep_to_the_tolerance`.
     pub(crate) const LARGEST_DENSE_ERROR: f64 = 10.0;
 
+    /// Largest change of a velocity by projection after a step of Radau. Over the shipped scenes it is at most 2.2 tolerances.
+    /// Unit: tolerances of a velocity.
+    /// Test: `cross_radau_follows_a_caster_on_a_trail_of_half_a_millimetre`.
+    pub(crate) const LARGEST_CORRECTION: f64 = 10.0;
+
     /// Accelerations of a series at the end of its step that differ from those of the equations by more than this, times the length of the
     /// step and for each order, are not the motion. Where they are, what is left out is about the tolerance, and its derivative as many times
     /// that as the series has orders: half of all steps have 0.5 to 1.3, one or two in a hundred more than 5.

@@ -4,7 +4,7 @@ use crate::scenes::{distance, stepped};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{Cost, SetupError};
 use ezy_core::testing::StepsBy;
-use ezy_models::{chain, double_pendulum, ezy_roller, roller_racer};
+use ezy_models::{chain, double_pendulum, ezy_roller, four_bar, roller_racer};
 use ezy_tests::garage::{case, load, rows, worse};
 use ezy_tests::hand_roller::HandRoller;
 
@@ -160,6 +160,33 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
             assert!(error <= bound, "{name}: {error:.1e} at {t} s");
         }
     }
+}
+
+/// An error of its angle by a tolerance is one of its rate by 40,000: samples in a step, and ends of steps.
+#[test]
+fn cross_radau_follows_a_caster_on_a_trail_of_half_a_millimetre() {
+    let scene = cart::Coast { trail: 5e-4 };
+    let samples = |method: Method| {
+        let start = [("cart.vx", 20.0), ("cart.omega", 8.0), ("caster.phi", 1.2)];
+        let order = Simulation::new(&scene).method(method).until(0.5).every(0.5 / 64.0).project_start();
+        start.iter().fold(order, |order, (name, value)| order.give(*name, *value)).run().unwrap()
+    };
+    let reference = samples(Method::dop853(1e-11));
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+        let run = samples(Method::radau(tolerance));
+        let of = |sample: Sample<'_>| [sample.coordinates, sample.velocities].concat();
+        let pairs = run.samples().zip(reference.samples());
+        let error = pairs.fold(0.0, |m: f64, (a, b)| worse(m, distance(&of(a), &of(b))));
+        println!("{tolerance:.0e}: {} steps, {:.1e} tolerances", run.cost.steps, error / tolerance);
+        assert!(error <= OVER_TURNS * tolerance, "{error:.1e} at {tolerance:.0e}");
+    }
+}
+
+/// Next to a singular position, rounding of positions is more of a velocity than the tolerance allows.
+#[test]
+fn invariant_radau_takes_no_rounding_for_an_error() {
+    let run = Simulation::new(&four_bar::Turning::default()).method(Method::radau(1e-14)).until(1.3).run().unwrap();
+    assert!(run.outcome.reached_end(), "{}", run.outcome);
 }
 
 /// Once the caster has aligned, steps are those of the cart.

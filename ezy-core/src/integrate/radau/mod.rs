@@ -144,6 +144,11 @@ impl Radau {
         }))
     }
 
+    /// Storage for other steps of the same scene; none without memory for the analysis of a large one.
+    pub(crate) fn another<S: Scene + ?Sized>(&self, scene: &S) -> Option<Self> {
+        Self::new(scene, self.n_works).ok().flatten()
+    }
+
     /// Forgets the stages and Jacobians of the steps before, which belong to another law.
     pub(crate) fn turn(&mut self) {
         self.before_s = None;

@@ -135,6 +135,8 @@ impl Case {
         let every_s = self.until_s / N_SAMPLES as f64;
         let order = Simulation::new(scene).method(method).until(self.until_s).every(every_s);
         let order = order.max_steps(MOST_STEPS).project_start();
+        // energy tells that a fixed step is too long, and takes works as the command line does
+        let order = if method.tolerance().is_none() { order.work() } else { order };
         self.given.iter().fold(order, |order, (name, value)| order.give(&**name, *value))
     }
 

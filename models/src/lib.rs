@@ -1,6 +1,7 @@
 //! The models of EZY, one a file, and the studies made with them.
 
 pub mod mechanisms;
+pub mod new;
 pub mod registry;
 pub mod study;
 pub mod vehicles;

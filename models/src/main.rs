@@ -1,7 +1,7 @@
 //! The `ezy` command line: the commands of every crate with models, and the study.
 
 use ezy_core::cli::CommandLine;
-use ezy_models::{registry::MODELS, study::command};
+use ezy_models::{new, registry::MODELS, study::command};
 
 const ABOUT: &str = "\
 Simulates planar mechanisms with wheels from equations that are derived when the program is compiled
@@ -13,6 +13,7 @@ fn main() -> std::process::ExitCode {
         .about(ABOUT)
         .version(env!("CARGO_PKG_VERSION"))
         .command(command::command(), command::run)
+        .command(new::command(), new::run)
         .default_command("study")
         .main()
 }

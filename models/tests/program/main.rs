@@ -3,6 +3,7 @@
 mod cli;
 mod faults;
 mod hostile;
+mod new;
 mod run;
 #[cfg(unix)]
 mod signals;

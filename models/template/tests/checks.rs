@@ -1,4 +1,4 @@
-//! The checks that every model can be given in one line.
+//! The checks that every model can be given in one line: Jacobians by finite differences, two solvers against each other, energy.
 
 use ezy_core::testing::check_model;
 

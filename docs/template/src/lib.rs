@@ -1,5 +1,0 @@
-//! A mechanism and its scenes.
-
-mod pendulum;
-
-pub use pendulum::pendulum::*;

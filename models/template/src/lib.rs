@@ -1,0 +1,5 @@
+//! A vehicle and its scenes.
+
+mod my_mechanism;
+
+pub use my_mechanism::my_mechanism::*;

@@ -1,0 +1,61 @@
+//! `ezy new`: the crate that it writes, and what it refuses. That the crate builds is a part of `.ci/run`.
+
+use crate::{assert_wrong_use, directory, ezy, text};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
+}
+
+#[test]
+fn invariant_new_crate_has_its_name_in_all_places() {
+    let folder = directory("new").join("my-2nd_robot");
+    let done = ezy(&["new", folder.to_str().unwrap()]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    assert!(text(&done.stdout).contains("run my2ndrobot/coast"), "{}", text(&done.stdout));
+    let written = files(&folder);
+    assert_eq!(written.len(), 9, "{written:?}");
+    for file in written {
+        let content = fs::read_to_string(&file).unwrap().to_lowercase();
+        assert!(!content.contains("mechanism\"") && !content.contains("my_mechanism"), "{}", file.display());
+        assert!(!content.contains("../../ezy-core"), "{}", file.display());
+    }
+    assert!(fs::read_to_string(folder.join("src/my_2nd_robot.rs")).unwrap().contains("pub model My2ndRobot {"));
+    let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
+    let core = Path::new(env!("CARGO_MANIFEST_DIR")).join("../ezy-core").canonicalize().unwrap();
+    assert!(
+        manifest.contains("name = \"my-2nd_robot\"") && manifest.contains(&format!("path = {core:?}")),
+        "{manifest}"
+    );
+}
+
+#[test]
+fn invariant_new_crate_takes_ezy_from_where_it_is_told() {
+    let folder = directory("new_from");
+    let sources =
+        [("https://example.org/ezy.git", "git = \"https://example.org/ezy.git\""), ("0.3", "version = \"0.3\"")];
+    for (i, (source, dependency)) in sources.into_iter().enumerate() {
+        let folder = folder.join(format!("trial{i}"));
+        assert!(ezy(&["new", folder.to_str().unwrap(), "--ezy", source]).status.success());
+        let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
+        assert!(manifest.contains(&format!("ezy-core = {{ {dependency}, features")), "{manifest}");
+    }
+}
+
+#[test]
+fn invariant_new_refuses_a_bad_name_a_folder_that_exists_and_a_source_that_is_none() {
+    let folder = directory("new_refused");
+    let of = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    for name in ["Robot", "3d", "my robot", "röbot", "-x"] {
+        assert_wrong_use(&["new", "--", &of(name)], "is no name of a crate");
+    }
+    for name in ["for", "test", "ezy-core"] {
+        assert_wrong_use(&["new", &of(name)], &format!("choose another, such as `my-{name}`"));
+    }
+    fs::create_dir(folder.join("robot")).unwrap();
+    assert_wrong_use(&["new", &of("robot")], "exists; choose another name");
+    assert_wrong_use(&["new", &of("other"), "--ezy", &of("nowhere")], "is not the folder of EZY");
+    assert_eq!(files(&folder), Vec::<PathBuf>::new());
+}

@@ -40,7 +40,7 @@ const COLUMNS: [Column; 25] = [
 ];
 
 impl WorkPrecision {
-    /// One row a setting, with 17 significant digits; what was not measured has no numbers.
+    /// One row a setting, numbers as short as gives back the same `f64`; what was not measured has no numbers.
     pub fn csv(&self) -> String {
         let mut rows = ::csv::Writer::from_writer(Vec::new());
         // writing into memory does not fail
@@ -64,7 +64,7 @@ impl WorkPrecision {
         };
         let what = [point.method.name(), &format!("{:e}", setting(point.method)), projection, metric, point.outcome()];
         let number =
-            |(_, value): Column| point.measured().map_or_else(String::new, |m| format!("{:.16e}", value(self, m)));
+            |(_, value): Column| point.measured().map_or_else(String::new, |m| format!("{:?}", value(self, m)));
         what.map(str::to_owned).into_iter().chain(COLUMNS.map(number)).collect()
     }
 }

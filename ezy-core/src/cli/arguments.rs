@@ -129,7 +129,7 @@ pub(super) struct RunArguments {
     /// begins with a line `# estimated error …`.
     #[arg(long)]
     pub estimate_error: bool,
-    /// Print one JSON object with 17 significant digits
+    /// Print one JSON object
     #[arg(long)]
     pub json: bool,
 }
@@ -223,7 +223,7 @@ pub(super) struct AccuracyArguments {
     /// Directory to write into; made if it does not exist [default: out/accuracy-MODEL-SCENE]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Print one JSON object with 17 significant digits
+    /// Print one JSON object
     #[arg(long)]
     pub json: bool,
 }

@@ -7,8 +7,8 @@ use std::io::{self, Write};
 /// Writes each sample as one row, and hands it to the file before the next is made, so that a run that is cut
 /// short leaves all its rows.
 ///
-/// The first row names the columns with their units, `seat.x [m]`; numbers have 17 significant digits, which
-/// give back the same `f64`. After an error nothing more is written, so that rows stay in order.
+/// The first row names the columns with their units, `seat.x [m]`; numbers are as short as gives back the
+/// same `f64`. After an error nothing more is written, so that rows stay in order.
 pub struct CsvWriter<W: Write> {
     file: W,
     /// Whether the row of names has been written.
@@ -49,7 +49,7 @@ impl<W: Write> CsvWriter<W> {
         }
         for (i, x) in sample.numbers().enumerate() {
             // writing to a string cannot fail
-            _ = write!(self.row, "{}{x:.16e}", if i > 0 { "," } else { "" });
+            _ = write!(self.row, "{}{x:?}", if i > 0 { "," } else { "" });
         }
         self.row.push('\n');
         let done = self.file.write_all(self.row.as_bytes()).and_then(|()| self.file.flush());

@@ -5,10 +5,10 @@ use crate::dynamics::{MotionError, MovedValue, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
 use crate::scalar::{legible, rounded};
+use std::fmt;
 use std::sync::Arc;
 
-/// A finished run: all that was computed, also when it stopped early.
-#[derive(Debug)]
+/// A finished run: all that was computed, also when it stopped early. `{:?}` prints how it ended, and how much there is.
 pub struct Run {
     /// How it ended.
     pub outcome: Outcome,
@@ -30,6 +30,19 @@ pub struct Run {
     pub(super) events: Vec<Occurrence>,
     /// Holds the start at least.
     pub(super) record: Record,
+}
+
+impl fmt::Debug for Run {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Run")
+            .field("scene", &self.info.name)
+            .field("outcome", &self.outcome)
+            .field("cost", &self.cost)
+            .field("n_samples", &self.samples().len())
+            .field("n_events", &self.events.len())
+            .field("n_moved", &self.moved.len())
+            .finish_non_exhaustive()
+    }
 }
 
 impl Run {

@@ -64,7 +64,7 @@ fn csv(columns: &[(&str, Vec<f64>)]) -> String {
         for (k, (_, values)) in columns.iter().enumerate() {
             text += if k > 0 { "," } else { "" };
             if let Some(value) = values.get(i) {
-                _ = write!(text, "{value:.16e}");
+                _ = write!(text, "{value:?}");
             }
         }
         text.push('\n');

@@ -156,7 +156,7 @@ fn invariant_run_csv_has_units_a_thousand_rows_and_the_end() {
     let text = std::fs::read_to_string(file).unwrap();
     assert!(text.starts_with("t [s],seat.x [m],seat.y [m],seat.phi [rad]"), "{}", &text[..80]);
     assert_eq!(text.lines().count(), 1 + 1001);
-    assert!(text.lines().last().unwrap().starts_with("1.0000000000000000e0,"));
+    assert!(text.lines().last().unwrap().starts_with("1.0,"));
 }
 
 #[test]
@@ -292,7 +292,7 @@ fn invariant_run_that_stops_early_exits_with_1_and_keeps_what_it_has() {
     assert!(object["outcome"].as_str().unwrap().starts_with(&format!("stopped at t = {t} s")), "{object}");
     assert_eq!(keys(&object["state"]), COORDINATES);
     let csv = std::fs::read_to_string(file).unwrap();
-    assert!(csv.lines().last().unwrap().starts_with(&format!("{t:.16e},")), "{csv}");
+    assert!(csv.lines().last().unwrap().starts_with(&format!("{t:?},")), "{csv}");
     assert!(text(&done.stderr).contains("smaller step"), "{}", text(&done.stderr));
 }
 

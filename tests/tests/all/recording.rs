@@ -24,6 +24,16 @@ fn invariant_recording_never_changes_the_motion() {
 }
 
 #[test]
+fn invariant_run_prints_itself_on_one_screen() {
+    for Case { route, scene } in all() {
+        let run = Simulation::new(&*scene).until(1.0).every(1e-3).run().unwrap();
+        let (line, lines) = (format!("{run:?}"), format!("{run:#?}"));
+        assert!(line.contains("ReachedEnd") && line.contains("n_samples: 1001"), "{route}: {line}");
+        assert!(lines.lines().count() <= 24, "{route}: {lines}");
+    }
+}
+
+#[test]
 fn invariant_samples_fall_on_the_grid_and_the_end() {
     for Case { route, scene } in driven() {
         for (step, every, until, expected) in [

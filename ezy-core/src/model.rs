@@ -20,7 +20,9 @@ pub use derived::{Derived, JacobianPlaces};
 pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind, StickSlipInfo, StopInfo};
-pub(crate) use pivots::{PIVOT_TOLERANCE, Pivots};
+#[cfg(feature = "sparse")]
+pub(crate) use pivots::PIVOT_TOLERANCE;
+pub(crate) use pivots::Pivots;
 pub(crate) use repeats::LARGEST_N_MEMBERS;
 pub use repeats::{CountInfo, LayoutFault};
 pub(crate) use repeats::{Repeats, TemplateInfo};

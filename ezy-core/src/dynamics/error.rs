@@ -65,6 +65,14 @@ pub enum SystemError {
         /// Largest number for the dense backend.
         limit: usize,
     },
+    /// The scene has counts, or was asked to use the sparse backend, and there is none.
+    #[error(
+        "scene `{scene}` is solved by sparse factors, and `ezy-core` is built without them; add \"sparse\" to its features in Cargo.toml"
+    )]
+    WithoutSparse {
+        /// Name of the scene.
+        scene: &'static str,
+    },
     /// The dense backend was asked for with too many equations.
     #[error("a system of {n} equations is too large for the dense backend (at most {limit}); use `auto` or `sparse`")]
     TooLargeForDense {

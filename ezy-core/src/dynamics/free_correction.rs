@@ -2,7 +2,7 @@
 
 use super::System;
 use super::tolerances::start::{DAMPING, LARGEST_DENSE_START, RANK_TOLERANCE};
-use crate::linalg::{KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
+use crate::linalg::{HAS_SPARSE, KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
 use crate::model::Scene;
 use crate::model::coordinate::is_angle;
 use nalgebra::{DMatrix, DVector};
@@ -27,7 +27,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     pub(super) fn starts_sparse(&self) -> bool {
-        self.info.n_coordinates() > LARGEST_DENSE_START
+        HAS_SPARSE && self.info.n_coordinates() > LARGEST_DENSE_START
     }
 
     /// By `[W Gᵀ; G −D] [δ; μ] = [0; −r]` over the free coordinates, with D a small share of `G W⁻¹ Gᵀ`.

@@ -5,7 +5,7 @@ use super::euclidean::Euclidean;
 use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
 use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RANGE};
-use crate::linalg::{Backend, LARGEST_DENSE, SparseKkt};
+use crate::linalg::{Backend, HAS_SPARSE, LARGEST_DENSE, SparseKkt};
 use crate::model::coordinate::{body_and_component, is_angle};
 use crate::model::{Name, Scene, SceneInfo, Start};
 use std::sync::Arc;
@@ -205,6 +205,9 @@ fn dense(info: &SceneInfo) -> Result<Solver, SystemError> {
 }
 
 fn sparse(info: &SceneInfo) -> Result<Solver, SystemError> {
+    if !HAS_SPARSE {
+        return Err(SystemError::WithoutSparse { scene: info.name });
+    }
     Ok(Solver::Sparse(Box::new(SparseKkt::new(info.n_coordinates(), &info.jacobian, info.n_rows())?)))
 }
 

@@ -118,6 +118,7 @@ pub(crate) fn weights(mass: &[f64]) -> Vec<f64> {
     mass.iter().enumerate().map(weight).collect()
 }
 
+#[cfg(feature = "sparse")]
 #[cfg(test)]
 mod tests {
     use super::super::SparseKkt;

@@ -15,32 +15,46 @@
 mod conditioning;
 mod damped;
 mod equation_residual;
+#[cfg(feature = "sparse")]
 mod lower;
 mod lu;
 mod null_space;
+#[cfg(feature = "sparse")]
 mod order;
 mod rank;
 mod singular;
+#[cfg(feature = "sparse")]
 mod sparse;
+#[cfg(feature = "sparse")]
 mod sparse_lu;
-#[cfg(test)]
+#[cfg(all(test, feature = "sparse"))]
 mod tests;
 mod tolerances;
+#[cfg(not(feature = "sparse"))]
+mod without_sparse;
 
 pub(crate) use conditioning::{ConditionEstimator, Conditioning};
 pub(crate) use damped::{DampedKkt, weights, write_diagonal};
 pub(crate) use equation_residual::EquationResidual;
 pub(crate) use lu::Lu;
 pub(crate) use null_space::NullSpaceKkt;
-#[doc(hidden)]
-pub use order::SparseKktError;
 pub(crate) use rank::{Independent, RankRevealing, undetermined_coordinates};
 pub(crate) use singular::singular_values;
+#[cfg(feature = "sparse")]
 #[doc(hidden)]
 pub use sparse::SparseKkt;
-pub(crate) use sparse_lu::SparseLu;
+#[cfg(feature = "sparse")]
+pub(crate) use sparse_lu::{SparseLu, SparseNumber};
 pub(crate) use tolerances::rank::{INDEPENDENT, INDEPENDENT_EXACTLY};
 pub(crate) use tolerances::sizes::{LARGEST_DENSE, LARGEST_DIAGNOSED};
+#[cfg(not(feature = "sparse"))]
+#[doc(hidden)]
+pub use without_sparse::SparseKkt;
+#[cfg(not(feature = "sparse"))]
+pub(crate) use without_sparse::{SparseLu, SparseNumber};
+
+/// Whether there are sparse factorisations.
+pub(crate) const HAS_SPARSE: bool = cfg!(feature = "sparse");
 
 /// Which solver of K a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -79,6 +93,17 @@ pub trait KktFactorization: Send {
 
     /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]`, with the factors of the last successful [`Self::factor`].
     fn solve(&mut self, right_side: &mut [f64]);
+}
+
+/// The symbolic factorisation failed.
+#[doc(hidden)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("the sparse factorisation of a system of {n} equations could not be prepared: {cause}; use the dense backend")]
+pub struct SparseKktError {
+    /// Size of K.
+    pub n: usize,
+    /// What faer answered.
+    pub cause: String,
 }
 
 /// A pivot is zero to working precision.

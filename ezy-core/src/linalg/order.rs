@@ -1,19 +1,10 @@
 //! In which order the sparse factorisation takes coordinates and rows.
 
+use super::SparseKktError;
 use super::tolerances::sizes::{HUB_ROWS, MAX_PAIRS};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMat;
 use faer::sparse::linalg::amd;
-
-/// The symbolic factorisation failed.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("the sparse factorisation of a system of {n} equations could not be prepared: {cause}; use the dense backend")]
-pub struct SparseKktError {
-    /// Size of K.
-    pub n: usize,
-    /// What faer answered.
-    pub cause: String,
-}
 
 /// A permutation of the `n_q + n_c` unknowns.
 pub(super) struct Order {

@@ -1,8 +1,8 @@
 //! Sparse LDLᵀ of K in an order known beforehand.
 
 use super::lower::LowerTriangle;
-use super::order::{Order, SparseKktError, bodies_before_rows};
-use super::{KktFactorization, VanishedPivot};
+use super::order::{Order, bodies_before_rows};
+use super::{KktFactorization, SparseKktError, VanishedPivot};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};

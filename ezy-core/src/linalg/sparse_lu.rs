@@ -8,6 +8,11 @@ use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::traits::ComplexField;
 use faer::{Conj, MatMut, Par, Spec};
 
+/// Numbers that sparse factors take.
+pub(crate) trait SparseNumber: ComplexField + Copy {}
+
+impl<T: ComplexField + Copy> SparseNumber for T {}
+
 /// A square matrix by rows, and factors in an order of its pattern that is found once.
 pub(crate) struct SparseLu<T> {
     /// Columns of the transposed matrix.

@@ -65,12 +65,14 @@ pub(crate) mod sizes {
     /// Test: `analytic_flat_linkage_names_its_rows_or_the_first_that_fails`.
     pub(crate) const LARGEST_DIAGNOSED: usize = 500;
 
+    #[cfg(feature = "sparse")]
     /// A coordinate in more rows than this is a hub: taken before its rows it would couple each of them with all others,
     /// so that a body with n joints would cost n². A hinge on each side of a body and a few more are no hub.
     /// Unit: rows.
     /// Test: `invariant_factors_of_any_tree_grow_with_its_size`.
     pub(crate) const HUB_ROWS: usize = 24;
 
+    #[cfg(feature = "sparse")]
     /// Beyond this many pairs of rows that share a coordinate the order with coordinates first is not tried.
     /// Unit: pairs.
     /// Test: `invariant_a_hub_that_couples_all_rows_is_refused_before_memory_is_full`.

@@ -3,7 +3,7 @@
 use super::probe::{Probe, RandomState, Worst};
 use super::{Check, CheckError};
 use crate::dynamics::{Metric, State, System, max_abs};
-use crate::linalg::{Backend, LARGEST_DENSE};
+use crate::linalg::{Backend, HAS_SPARSE, LARGEST_DENSE};
 use crate::model::Scene;
 
 /// ε times the condition of K, which is the square of that of the rows, 1e4, with a margin of a
@@ -64,8 +64,10 @@ pub(super) fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Ch
         against_dense("accelerations, generated against dense", &mut generated, solve_motion);
         against_dense("corrections, generated against dense", &mut generated, solve_correction);
     }
-    let mut sparse = probe.system(Backend::Sparse)?;
-    against_dense("accelerations, sparse against dense", &mut sparse, solve_motion);
+    if HAS_SPARSE {
+        let mut sparse = probe.system(Backend::Sparse)?;
+        against_dense("accelerations, sparse against dense", &mut sparse, solve_motion);
+    }
     Ok(checks)
 }
 

@@ -12,9 +12,17 @@ const DAMPING: f64 = 2.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     // parameters are fields with the declared defaults
-    let scene = Ridden { k: 0.5, ..Ridden::default() };
+    let scene = Ridden {
+        k: 0.5,
+        ..Ridden::default()
+    };
     let info = scene.info();
-    let place = |name: &str| info.coordinates.iter().position(|c| c.name == name).ok_or(format!("no `{name}`"));
+    let place = |name: &str| {
+        info.coordinates
+            .iter()
+            .position(|c| c.name == name)
+            .ok_or(format!("no `{name}`"))
+    };
     let (y, frame, fork) = (place("frame.y")?, place("frame.phi")?, place("fork.phi")?);
     let mut file = CsvWriter::new(File::create("controller.csv")?);
     let run = Simulation::new(&scene)
@@ -25,11 +33,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         .control(|_t, state, inputs| {
             let steering = state.q[fork] - state.q[frame];
             let wanted = (-0.2 * state.q[y] - 0.8 * state.q[frame]).clamp(-0.4, 0.4);
-            inputs[0] = STIFFNESS * (wanted - steering) - DAMPING * (state.v[fork] - state.v[frame]);
+            inputs[0] =
+                STIFFNESS * (wanted - steering) - DAMPING * (state.v[fork] - state.v[frame]);
         })
         .record_to(&mut file)
         .run()?;
     // a run that had to stop keeps what it computed and says why
-    println!("{}: {:.1e} m beside the line", run.outcome, run.last().get("frame.y")?);
+    println!(
+        "{}: {:.1e} m beside the line",
+        run.outcome,
+        run.last().get("frame.y")?
+    );
     Ok(())
 }

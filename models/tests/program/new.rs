@@ -40,7 +40,7 @@ fn invariant_new_crate_takes_ezy_from_where_it_is_told() {
         let folder = folder.join(format!("trial{i}"));
         assert!(ezy(&["new", folder.to_str().unwrap(), "--ezy", source]).status.success());
         let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
-        assert!(manifest.contains(&format!("ezy-core = {{ {dependency}, features")), "{manifest}");
+        assert!(manifest.contains(&format!("ezy-core = {{ {dependency}, default-features")), "{manifest}");
     }
 }
 

@@ -147,7 +147,7 @@ fn invariant_oldest_compiler_has_one_number() {
     for (page, sentence) in [
         ("README.md", format!("({oldest} or newer)")),
         ("ezy-core/README.md", format!("Rust {oldest} or newer")),
-        ("docs/template/Cargo.toml", format!("rust-version = \"{oldest}\"")),
+        ("models/template/manifest.toml", format!("rust-version = \"{oldest}\"")),
         (".github/workflows/ci.yml", format!("toolchain: [\"{oldest}\"]")),
         ("docs/semver.md", format!("Rust {oldest}")),
     ] {

@@ -3,7 +3,7 @@
 use super::convergence::ROUNDING;
 use super::factors::Factors;
 use crate::dynamics::Jacobians;
-use crate::linalg::SparseKktError;
+use crate::linalg::{SparseKktError, SparseNumber};
 use crate::model::{JacobianPlaces, SceneInfo};
 use nalgebra::{ComplexField, DMatrix};
 
@@ -129,7 +129,7 @@ impl Entries {
     /// [`SparseKktError`] when there is no memory for an analysis.
     pub(super) fn factors<T>(&self) -> Result<Factors<T>, SparseKktError>
     where
-        T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
+        T: ComplexField<RealField = f64> + SparseNumber,
     {
         Factors::new(&self.starts, &self.columns)
     }
@@ -137,7 +137,7 @@ impl Entries {
     /// Writes the scaled N(μ).
     pub(super) fn assemble<T>(&self, mu: T, factors: &mut Factors<T>)
     where
-        T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
+        T: ComplexField<RealField = f64> + SparseNumber,
     {
         let length = nalgebra::one::<T>() / mu;
         let rows = self.row_scale.iter().zip(self.starts.windows(2)).enumerate();
@@ -200,7 +200,7 @@ impl Entries {
     /// Solves N(μ) x = right side in place with factors of the scaled one.
     pub(super) fn solve<T>(&self, factors: &mut Factors<T>, x: &mut [T])
     where
-        T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy,
+        T: ComplexField<RealField = f64> + SparseNumber,
     {
         x.iter_mut().zip(&self.row_scale).for_each(|(x, scale)| *x = x.scale(*scale));
         factors.solve(x);

@@ -1,6 +1,6 @@
 //! Factors of a matrix of the simplified Newton iteration, dense or sparse.
 
-use crate::linalg::{Lu, SparseKktError, SparseLu};
+use crate::linalg::{HAS_SPARSE, Lu, SparseKktError, SparseLu, SparseNumber};
 use nalgebra::ComplexField;
 
 /// Dense for small matrices, sparse for others.
@@ -13,14 +13,14 @@ pub(super) enum Factors<T: ComplexField<RealField = f64>> {
 /// less than half, one of 100 a twentieth.
 const SPARSE_FROM: usize = 50;
 
-impl<T: ComplexField<RealField = f64> + faer::traits::ComplexField + Copy> Factors<T> {
+impl<T: ComplexField<RealField = f64> + SparseNumber> Factors<T> {
     /// Storage for a matrix with entries in `columns`, ascending in each row, which begin at `starts`.
     ///
     /// # Errors
     /// [`SparseKktError`] when there is no memory for an analysis.
     pub(super) fn new(starts: &[usize], columns: &[usize]) -> Result<Self, SparseKktError> {
         let n = starts.len() - 1;
-        if n < SPARSE_FROM {
+        if n < SPARSE_FROM || !HAS_SPARSE {
             Ok(Self::Dense(Lu::new(n)))
         } else {
             Ok(Self::Sparse(Box::new(SparseLu::new(starts, columns)?)))

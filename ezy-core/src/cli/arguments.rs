@@ -17,6 +17,8 @@ pub(super) enum Command {
     Run(RunArguments),
     Check(CheckArguments),
     Accuracy(AccuracyArguments),
+    Completions(CompletionsArguments),
+    Man(ManArguments),
 }
 
 #[derive(Debug, Args)]
@@ -132,6 +134,26 @@ pub(super) struct RunArguments {
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
+}
+
+/// Prints what a shell needs to complete commands and options; bash and zsh complete models and scenes, too
+///
+/// For bash: `ezy completions bash > ~/.local/share/bash-completion/completions/ezy`. For zsh a file `_ezy` in a folder of its
+/// `fpath`, for fish `~/.config/fish/completions/ezy.fish`.
+#[derive(Debug, Args)]
+pub(super) struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+}
+
+/// Prints the manual page of the program, or of a command
+///
+/// To read it: `ezy man run > run.1; man ./run.1`.
+#[derive(Debug, Args)]
+pub(super) struct ManArguments {
+    /// The command
+    pub command: Option<String>,
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]

@@ -9,7 +9,7 @@ use clap::{ArgMatches, FromArgMatches as _, Subcommand as _};
 use super::arguments::Command;
 use super::examples::Examples;
 use super::failure::Failure;
-use super::{Models, accuracy, check, list, run, show};
+use super::{Models, accuracy, check, list, run, shell, show};
 use crate::model::ModelInfo;
 
 /// What a command of the caller does with its arguments.
@@ -50,7 +50,7 @@ const VERSION: &str = concat!("with ezy-core ", env!("CARGO_PKG_VERSION"));
 const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end, 130 by Ctrl-C, 143 by SIGTERM (what was computed is kept); 2 wrong use.";
 
 impl<'m> CommandLine<'m> {
-    /// The commands `list`, `show`, `run`, `check`, `accuracy` and `help` for `models`.
+    /// The commands `list`, `show`, `run`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
     pub fn new(models: &'m [&'static ModelInfo]) -> Self {
         Self { models, about: ABOUT, version: VERSION, commands: Vec::new(), default: None }
     }
@@ -92,13 +92,13 @@ impl<'m> CommandLine<'m> {
         }
         let program = program_name(arguments.first());
         let matches = self.clap(&program).get_matches_from(arguments);
-        match self.act(&matches) {
+        match self.act(&program, &matches) {
             Ok(()) => ExitCode::SUCCESS,
             Err(failure) => failure.report(),
         }
     }
 
-    fn act(&self, matches: &ArgMatches) -> Result<(), Failure> {
+    fn act(&self, program: &str, matches: &ArgMatches) -> Result<(), Failure> {
         if let Some((name, arguments)) = matches.subcommand()
             && let Some((_, action)) = self.commands.iter().find(|(command, _)| command.get_name() == name)
         {
@@ -110,6 +110,8 @@ impl<'m> CommandLine<'m> {
             Command::Run(arguments) => run::run(self.models, &arguments),
             Command::Check(arguments) => check::check(self.models, &arguments),
             Command::Accuracy(arguments) => accuracy::accuracy(self.models, &arguments),
+            Command::Completions(arguments) => shell::completions(self.models, self.clap(program), &arguments),
+            Command::Man(arguments) => shell::man(self.clap(program), &arguments),
         }
     }
 
@@ -123,10 +125,13 @@ impl<'m> CommandLine<'m> {
             .after_help(format!("{}\n\n{EXIT_STATUS}", examples.of_program()))
             .subcommand_required(self.default.is_none())
             .arg_required_else_help(self.default.is_none())
-            .mut_subcommand("show", |show| show.after_help(examples.of_show()))
-            .mut_subcommand("run", |run| run.after_help(examples.of_run()))
-            .mut_subcommand("check", |check| check.after_help(examples.of_check()))
-            .mut_subcommand("accuracy", |accuracy| accuracy.after_help(examples.of_accuracy()));
+            .mut_subcommands(|command| match command.get_name() {
+                "show" => command.after_help(examples.of_show()),
+                "run" => command.after_help(examples.of_run()),
+                "check" => command.after_help(examples.of_check()),
+                "accuracy" => command.after_help(examples.of_accuracy()),
+                _ => command,
+            });
         commands.subcommands(self.commands.iter().map(|(command, _)| command.clone()))
     }
 }
@@ -158,7 +163,7 @@ mod tests {
     fn invariant_added_command_is_done() {
         let command_line = command_line();
         let matches = command_line.clap("trial").try_get_matches_from(["trial", "study"]).unwrap();
-        assert!(matches!(command_line.act(&matches), Err(Failure::Stopped(message)) if message == "studied"));
+        assert!(matches!(command_line.act("trial", &matches), Err(Failure::Stopped(message)) if message == "studied"));
     }
 
     #[test]

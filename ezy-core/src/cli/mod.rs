@@ -1,4 +1,4 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `check`, `accuracy` and `help`.
+//! The command line of a crate with models: `list`, `show`, `run`, `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
 //!
@@ -30,6 +30,7 @@ mod run_end;
 mod run_error;
 mod run_monitors;
 mod selection;
+mod shell;
 mod show;
 mod value;
 

@@ -548,3 +548,30 @@ fn invariant_motion_that_amplifies_errors_is_remarked_on() {
     assert!(output(&run).contains("remark: the motion makes a small change of its start "));
     assert!(!output(&[&run[..], &["--until", "1"]].concat()).contains("remark: the motion makes"));
 }
+
+#[test]
+fn invariant_completions_know_commands_options_and_scenes() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let text = output(&["completions", shell]);
+        // clap_complete gives some shells no values, and fish none of an argument
+        let values = match shell {
+            "bash" | "zsh" => &["dop853", "ezyroller/driven_on_tarmac"][..],
+            "fish" => &["dop853"],
+            _ => &[],
+        };
+        for word in ["study", "estimate-error"].iter().chain(values) {
+            assert!(text.contains(word), "{shell}: no {word}");
+        }
+    }
+    assert_wrong_use(&["completions", "dos"], "invalid value 'dos'");
+}
+
+#[test]
+fn invariant_each_command_has_a_manual_page() {
+    assert!(output(&["man"]).contains("ezy\\-accuracy(1)"), "{}", output(&["man"]));
+    for command in ["list", "show", "run", "check", "accuracy", "completions", "man", "study", "new"] {
+        let text = output(&["man", command]);
+        assert!(text.starts_with(".ie") && text.contains(&format!("ezy\\-{command}")), "{text}");
+    }
+    assert_wrong_use(&["man", "nope"], "no command `nope`; there are list, show, run");
+}

@@ -53,6 +53,9 @@ messages! {
         "expressions know no {word}",
         "write `smooth_step(x, from, to)`, `min`, `max` or `sign`; scenes choose between laws by their effects";
 
+    second_equals(at: Span):
+        "a value stands after `=`, not another `=`", "write one `=`: an equation is `left = right`";
+
     expression_too_large(at: Span, limit: usize):
         "this expression has more than {limit} parts",
         "name some of its parts with `let name = …;`";

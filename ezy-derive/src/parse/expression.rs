@@ -92,6 +92,9 @@ impl Parser {
         if input.peek(Token![if]) || input.peek(Token![match]) {
             return Err(syntax::no_conditions(input.span(), &found(input)));
         }
+        if input.peek(Token![=]) {
+            return Err(syntax::second_equals(input.span()));
+        }
         let owner = self.indexed(input, "a value")?;
         if input.peek(syn::token::Paren) && owner.indices.is_empty() {
             let function = owner.word;

@@ -66,7 +66,9 @@ impl Implicit {
     /// has errors that its estimate does not see.
     pub(super) fn is_off_constraints(&self, v: &[f64]) -> bool {
         let Tolerance { relative, absolute } = self.tolerance;
-        let largest = |v: f64| LARGEST_CORRECTION * (absolute + relative * v.abs()).max(RESIDUAL_THAT_IS_ZERO);
+        // what a residual of positions that counts as zero makes of a velocity
+        let rounding = RESIDUAL_THAT_IS_ZERO * v.iter().fold(1.0, |fastest: f64, v| fastest.max(v.abs()));
+        let largest = |v: f64| LARGEST_CORRECTION * (absolute + relative * v.abs()).max(rounding);
         self.found.iter().zip(v).any(|(found, v)| (v - found).abs() > largest(*v))
     }
 

@@ -226,7 +226,7 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
 #[ignore = "a tool: it writes files and checks nothing"]
 fn write_all_expansions() {
     let Some(folder) = std::env::var_os("EXPANSIONS").map(PathBuf::from) else { return };
-    let sources = ["models", "tests/src", "tests/tests", "ezy-core/src", "ezy-derive/tests", "docs/template/src"];
+    let sources = ["models", "tests/src", "tests/tests", "ezy-core/src", "ezy-derive/tests"];
     for file in sources.iter().flat_map(|source| files_below(&root().join(source))) {
         if file.extension().is_none_or(|extension| extension != "rs") {
             continue;

@@ -71,31 +71,36 @@ pub fn command() -> Command {
 /// [`Failure::Use`] when the name is none, the folder exists, or a file cannot be written.
 pub fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     let path: &PathBuf = arguments.get_one("path").ok_or_else(|| Failure::wrong_use("give the crate a name"))?;
-    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
+        let message = format!("`{}` names no new folder; write its name, such as `tricycle`", path.display());
+        return Err(Failure::wrong_use(message));
+    };
     check_name(name).map_err(Failure::wrong_use)?;
     let source = Source::of(arguments.get_one::<String>("ezy").map(String::as_str)).map_err(Failure::wrong_use)?;
     if path.exists() {
         return Err(Failure::wrong_use(format!("`{}` exists; choose another name, or move it away", path.display())));
     }
-    let names = Names::of(name);
+    let placeholders = placeholders(name, &source.dependency);
     for (file, text) in FILES {
-        let text = names.fill(&text.replace(SOURCE, &source.dependency));
-        write(&path.join(names.fill(file)), &text)?;
+        write(&path.join(filled(file, &placeholders)), &filled(text, &placeholders))?;
     }
     if let Some(lock) = source.lock_file {
         // the versions that EZY is tested with; without them Cargo chooses
         write(&path.join("Cargo.lock"), &lock)?;
     }
-    print(&format!(
-        "Wrote {0}: a small vehicle to start from, in src/{1}.rs\n\n\
-         cd {0}\n\
-         cargo run -- list                        # its scenes\n\
-         cargo run -- run {2}/coast --out coast.csv\n\
-         cargo run --example controller           # a run from Rust, steered by a law\n\
-         cargo test                               # equations against finite differences, energy\n",
-        path.display(),
-        names.module,
-        names.path,
+    print(&filled(
+        &format!(
+            "Wrote {}: a small vehicle to start from, in src/my_mechanism.rs. It takes ezy-core from {}.\n\n\
+             cd \"{}\"\n\
+             cargo run -- list                        # its scenes\n\
+             cargo run -- run mymechanism/coast --out coast.csv\n\
+             cargo run --example controller           # a run from Rust, steered by a law\n\
+             cargo test                               # equations against finite differences, energy\n",
+            path.display(),
+            source.dependency,
+            path.display(),
+        ),
+        &placeholders,
     ))
 }
 
@@ -107,12 +112,17 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
 
 /// Says what is wrong with a name, and how to mend it.
 fn check_name(name: &str) -> Result<(), String> {
-    let how = "write small letters, digits, `-` and `_`, and begin with a letter, such as `tricycle` or `my-robot`";
     let is_letter = |c: char| c.is_ascii_lowercase();
-    if !name.starts_with(is_letter)
-        || name.contains(|c: char| !(is_letter(c) || c.is_ascii_digit() || "-_".contains(c)))
-    {
-        return Err(format!("`{name}` is no name of a crate: {how}"));
+    // the macro makes the name of a module of that of the model, which must be that of the file again
+    let is_part = |part: &str| {
+        let of_signs = part.chars().all(|c| is_letter(c) || c.is_ascii_digit());
+        of_signs && part.starts_with(is_letter) && part.len() > 1
+    };
+    if !name.split(['-', '_']).all(is_part) {
+        return Err(format!(
+            "`{name}` is no name for a crate with a model: write words of small letters and digits, each with a letter first and of two \
+             signs at least, and `-` or `_` between them, such as `tricycle` or `my-robot2`"
+        ));
     }
     let module = name.replace('-', "_");
     if TAKEN.contains(&&*module) || KEYWORDS.split_whitespace().any(|keyword| keyword == module) {
@@ -132,49 +142,67 @@ struct Source {
 
 impl Source {
     fn of(given: Option<&str>) -> Result<Self, String> {
-        let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let pair = |key: &str, value: &str| Self { dependency: format!("{key} = {value:?}"), lock_file: None };
-        match given {
-            None => Ok(Self::folder(&built_in).unwrap_or_else(|_| pair("version", env!("CARGO_PKG_VERSION")))),
-            Some(address) if address.contains("://") || address.starts_with("git@") => Ok(pair("git", address)),
-            Some(version) if version.starts_with(|c: char| c.is_ascii_digit()) => Ok(pair("version", version)),
-            Some(folder) => Self::folder(Path::new(folder)),
+        let pair = |key: &str, value: &str| Self { dependency: format!("{key} = {}", quoted(value)), lock_file: None };
+        let Some(given) = given else {
+            let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Self::folder);
+            return Ok(built_in.and_then(Result::ok).unwrap_or_else(|| pair("version", env!("CARGO_PKG_VERSION"))));
+        };
+        let is_version = given.starts_with(|c: char| c.is_ascii_digit()) && !given.contains(['/', '\\']);
+        match Self::folder(Path::new(given)) {
+            Ok(folder) => Ok(folder),
+            Err(_) if given.contains("://") => Ok(pair("git", given)),
+            Err(_) if is_version => Ok(pair("version", given)),
+            Err(_) if given.starts_with("git@") => {
+                let url = given.replacen(':', "/", 1);
+                Err(format!("Cargo takes no address like `{given}`; write `ssh://{url}`"))
+            }
+            Err(error) => Err(error),
         }
     }
 
     fn folder(folder: &Path) -> Result<Self, String> {
         let core = folder.join("ezy-core");
-        let core = core.join("Cargo.toml").exists().then(|| core.canonicalize()).and_then(Result::ok);
+        let core = core.join("Cargo.toml").exists().then(|| std::path::absolute(&core)).and_then(Result::ok);
         let path = core.as_deref().and_then(Path::to_str);
         let path = path
             .ok_or_else(|| format!("`{}` is not the folder of EZY: it has no ezy-core/Cargo.toml", folder.display()))?;
-        Ok(Self {
-            dependency: format!("path = {path:?}"),
-            lock_file: fs::read_to_string(folder.join("Cargo.lock")).ok(),
-        })
+        let lock_file = fs::read_to_string(folder.join("Cargo.lock")).ok();
+        Ok(Self { dependency: format!("path = {}", quoted(path)), lock_file })
     }
 }
 
-/// The names of a crate.
-struct Names {
-    package: String,
-    module: String,
-    model: String,
-    /// Of the model on the command line.
-    path: String,
+/// A string of TOML.
+fn quoted(text: &str) -> String {
+    let signs = text.chars().map(|c| match c {
+        '"' | '\\' => format!("\\{c}"),
+        c if c.is_control() => format!("\\u{:04x}", u32::from(c)),
+        c => c.to_string(),
+    });
+    format!("\"{}\"", signs.collect::<String>())
 }
 
-impl Names {
-    fn of(name: &str) -> Self {
-        let capital = |part: &str| part[..1].to_uppercase() + &part[1..];
-        let model: String = name.split(['-', '_']).filter(|part| !part.is_empty()).map(capital).collect();
-        Self { package: name.to_owned(), module: name.replace('-', "_"), path: model.to_lowercase(), model }
-    }
+/// What stands for the names of the crate in its files, and for the source of `ezy-core`, with what takes its place.
+fn placeholders(name: &str, dependency: &str) -> [(&'static str, String); 5] {
+    let capital = |part: &str| part[..1].to_uppercase() + &part[1..];
+    let model: String = name.split(['-', '_']).map(capital).collect();
+    [
+        ("my-mechanism", name.to_owned()),
+        ("my_mechanism", name.replace('-', "_")),
+        ("mymechanism", model.to_lowercase()),
+        ("MyMechanism", model),
+        (SOURCE, dependency.to_owned()),
+    ]
+}
 
-    fn fill(&self, text: &str) -> String {
-        let Self { package, module, model, path } = self;
-        let names =
-            [("my-mechanism", package), ("my_mechanism", module), ("MyMechanism", model), ("mymechanism", path)];
-        names.iter().fold(text.to_owned(), |text, (placeholder, name)| text.replace(placeholder, name))
+/// Fills in the placeholders from the left to the right, so that nothing is replaced in what was filled in.
+fn filled(mut text: &str, placeholders: &[(&str, String)]) -> String {
+    let mut filled = String::new();
+    loop {
+        let found =
+            placeholders.iter().filter_map(|(placeholder, value)| Some((text.find(placeholder)?, placeholder, value)));
+        let Some((at, placeholder, value)) = found.min_by_key(|(at, ..)| *at) else { return filled + text };
+        filled += &text[..at];
+        filled += value;
+        text = &text[at + placeholder.len()..];
     }
 }

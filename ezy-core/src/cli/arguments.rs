@@ -138,8 +138,8 @@ pub(super) struct RunArguments {
 
 /// Prints what a shell needs to complete commands and options; bash and zsh complete models and scenes, too
 ///
-/// For bash: `ezy completions bash > ~/.local/share/bash-completion/completions/ezy`. For zsh a file `_ezy` in a folder of its
-/// `fpath`, for fish `~/.config/fish/completions/ezy.fish`.
+/// A shell looks for them in a file: bash in `~/.local/share/bash-completion/completions/PROGRAM`, zsh in `_PROGRAM` in a folder of its `fpath`, fish in
+/// `~/.config/fish/completions/PROGRAM.fish`.
 #[derive(Debug, Args)]
 pub(super) struct CompletionsArguments {
     /// The shell
@@ -149,7 +149,7 @@ pub(super) struct CompletionsArguments {
 
 /// Prints the manual page of the program, or of a command
 ///
-/// To read it: `ezy man run > run.1; man ./run.1`.
+/// To read the page of `run`: write what `man run` prints into `run.1`, and call `man ./run.1`.
 #[derive(Debug, Args)]
 pub(super) struct ManArguments {
     /// The command

@@ -65,7 +65,7 @@ pub enum SystemError {
         /// Largest number for the dense backend.
         limit: usize,
     },
-    /// The scene has counts, or was asked to use the sparse backend, and there is none.
+    /// The scene has counts, or a body in more than 24 rows, or was asked to use the sparse backend, and there is none.
     #[error(
         "scene `{scene}` is solved by sparse factors, and `ezy-core` is built without them; add \"sparse\" to its features in Cargo.toml"
     )]

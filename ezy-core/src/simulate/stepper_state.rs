@@ -29,7 +29,7 @@ pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     foreseen: Vec<f64>,
     /// Start and end of the last crossing step, s; none once it is recorded.
     pub crossed_s: Option<[f64; 2]>,
-    /// Steps taken again shorter next to a singular position.
+    /// Steps taken again shorter: next to a singular position, or far off the constraints.
     n_shortened: u64,
     /// Usual step length, s, of which single steps are cut short; zero before the first step.
     usual_s: f64,

@@ -30,7 +30,7 @@ pub(crate) mod steps {
     /// Test: `cross_dop853_samples_between_steps_keep_to_the_tolerance`.
     pub(crate) const LARGEST_DENSE_ERROR: f64 = 10.0;
 
-    /// Largest change of a velocity by projection after a step of Radau. Over the shipped scenes it is at most 2.2 tolerances.
+    /// Largest change of a velocity by projection after a step of Radau. In 494 of 495 runs of the shipped scenes no step has more.
     /// Unit: tolerances of a velocity.
     /// Test: `cross_radau_follows_a_caster_on_a_trail_of_half_a_millimetre`.
     pub(crate) const LARGEST_CORRECTION: f64 = 10.0;

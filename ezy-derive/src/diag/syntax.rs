@@ -53,8 +53,8 @@ messages! {
         "expressions know no {word}",
         "write `smooth_step(x, from, to)`, `min`, `max` or `sign`; scenes choose between laws by their effects";
 
-    second_equals(at: Span):
-        "a value stands after `=`, not another `=`", "write one `=`: an equation is `left = right`";
+    equals_for_value(at: Span):
+        "expected a value, found `=`", "leave this `=` out: an equation is `left = right`, and settings have none";
 
     expression_too_large(at: Span, limit: usize):
         "this expression has more than {limit} parts",

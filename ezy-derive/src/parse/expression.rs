@@ -93,7 +93,7 @@ impl Parser {
             return Err(syntax::no_conditions(input.span(), &found(input)));
         }
         if input.peek(Token![=]) {
-            return Err(syntax::second_equals(input.span()));
+            return Err(syntax::equals_for_value(input.span()));
         }
         let owner = self.indexed(input, "a value")?;
         if input.peek(syn::token::Paren) && owner.indices.is_empty() {

@@ -13,6 +13,7 @@ ezy_core::model! {
         constraint G: arm.theta = arm.y_dot;
         effect push { moment arm: if t < 1 { 2 } else { 0 }; dashpot arm(0, 0) ~ ground(0, 0): damping 1; }
         start here { arm at (0, 0) theta 0; }
+        spring arm(0, 0) ~ ground(0, 0): stiffness = 40;
         scene runs { start here; until 1 s; with push; }
     }
 }

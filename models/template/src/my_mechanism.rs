@@ -1,12 +1,12 @@
 //! A frame on a rear wheel, with a fork that steers its front wheel.
 //!
 //! ```text
-//!       l           l   trail
-//!  R ───────(frame)───────o──F        R, F wheels   o hinge `head`, drawn straight
+//!       l          l    trail
+//!  R ───────(frame)─────F──o        R, F wheels   o hinge `head`, drawn straight
 //! ```
 //!
 //! Coordinates: `frame.x frame.y frame.phi fork.x fork.y fork.phi`; rows: `head.x head.y rear front`.
-//! Degrees of freedom: 4 of positions, 2 of velocities: it rolls, and it steers.
+//! Degrees of freedom: 4 at position level, 2 at velocity level: it rolls, and it steers.
 //!
 //! This is a vehicle to start from: change it, or write your own in its place. All words of the language, with what they mean, are in
 //! `docs/language.md` of EZY.
@@ -61,8 +61,7 @@ model! {
             torque fork ~ frame: steer;
         }
 
-        // A start gives what is known. The constraints give the rest.
-        start straight { frame at (0, 0) angle 0 velocity (5, _) rate 0; fork angle 0; }
+        // A start gives what is known. The constraints give the rest; what they leave open changes from 0 as little as possible.
         start aside { frame at (0, 1) angle 0 velocity (5, _); fork angle 0.1; }
 
         /// It rolls out against the air.

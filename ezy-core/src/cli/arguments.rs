@@ -138,8 +138,8 @@ pub(super) struct RunArguments {
 
 /// Prints what a shell needs to complete commands and options; bash and zsh complete models and scenes, too
 ///
-/// A shell looks for them in a file: bash in `~/.local/share/bash-completion/completions/PROGRAM`, zsh in `_PROGRAM` in a folder of its `fpath`, fish in
-/// `~/.config/fish/completions/PROGRAM.fish`.
+/// A shell looks for them in a file: bash in `~/.local/share/bash-completion/completions/PROGRAM`, zsh in `_PROGRAM` in a folder of
+/// its `fpath`, fish in `~/.config/fish/completions/PROGRAM.fish`.
 #[derive(Debug, Args)]
 pub(super) struct CompletionsArguments {
     /// The shell

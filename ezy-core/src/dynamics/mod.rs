@@ -40,7 +40,6 @@ pub(crate) use solved::Rows;
 pub use solved::Solved;
 pub use strain::{Strain, StrainSource};
 pub use system::System;
-pub(crate) use tolerances::geometry::TOLERANCE as RESIDUAL_THAT_IS_ZERO;
 pub use worst::{Projected, Worst};
 
 use crate::model::{Name, SceneInfo};

@@ -2,8 +2,11 @@
 
 use super::discontinuities::{Cut, Discontinuities};
 use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::steps::LARGEST_CORRECTION;
-use crate::dynamics::{MotionError, RESIDUAL_THAT_IS_ZERO, State, System};
+use super::tolerances::{
+    singular::QUARTERED,
+    steps::{GROW_AGAIN, LARGEST_CORRECTION, RESOLVED},
+};
+use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Attempt, Node, Radau, RadauControl, Tolerance, tolerance_of_estimate};
 use crate::model::Scene;
 
@@ -16,11 +19,30 @@ pub(super) struct Implicit {
     of_estimate: Tolerance,
     /// Length of the next step, s; none before the first.
     step_s: Option<f64>,
+    /// The last step, until it is accepted.
+    made: Option<Made>,
     /// Velocities of the state that was found last, before its projection.
     found: Vec<f64>,
-    /// For steps to samples; made when it is first needed.
-    to_sample: Option<Box<Radau>>,
+    /// Correction of the step that is taken again.
+    refused: Option<f64>,
+    /// A correction that a shorter step left as it was: rounding of positions.
+    rounding: f64,
+    /// Length of the next step at most, s, after one that was taken again.
+    longest_s: f64,
+    /// For steps to samples, with the states at both ends; made when it is first needed.
+    to_sample: Option<Box<(Radau, State, State)>>,
     rejected: u64,
+}
+
+/// A step whose error is within the tolerance.
+struct Made {
+    length_s: f64,
+    error: f64,
+    n_passes: u32,
+    /// The step length before a discontinuity, s, to continue with behind it; where the step ends at one.
+    whole_s: Option<f64>,
+    /// Whether the step goes over a discontinuity, or has tried to.
+    is_cut: bool,
 }
 
 impl Implicit {
@@ -31,7 +53,11 @@ impl Implicit {
             tolerance,
             of_estimate: tolerance_of_estimate(tolerance),
             step_s: None,
+            made: None,
             found: vec![0.0; n_q],
+            refused: None,
+            rounding: 0.0,
+            longest_s: f64::INFINITY,
             to_sample: None,
             rejected: 0,
         }
@@ -42,6 +68,10 @@ impl Implicit {
         self.method.restart();
         self.control = RadauControl::default();
         self.step_s = None;
+        self.made = None;
+        self.refused = None;
+        self.rounding = 0.0;
+        self.longest_s = f64::INFINITY;
     }
 
     /// Forgets the steps taken so far, and begins with this step length, s.
@@ -61,33 +91,84 @@ impl Implicit {
         self.found.copy_from_slice(&out.v);
     }
 
-    /// Whether the projection of the state that was found last changed a velocity to `v` by more than errors within the tolerance should.
-    /// Where constraints make fast velocities of small errors of positions, such as of a wheel that trails its hinge by 1 mm, a long step
-    /// has errors that its estimate does not see.
-    pub(super) fn is_off_constraints(&self, v: &[f64]) -> bool {
+    /// The largest change of a velocity, to `v`, by the projection of the state that was found last, over what errors within the tolerance
+    /// explain. Where constraints make fast velocities of small errors of positions, such as of a wheel that trails its hinge by 1 mm, a long
+    /// step has errors that its estimate does not see.
+    fn correction(&self, v: &[f64]) -> f64 {
         let Tolerance { relative, absolute } = self.tolerance;
-        // what a residual of positions that counts as zero makes of a velocity
-        let rounding = RESIDUAL_THAT_IS_ZERO * v.iter().fold(1.0, |fastest: f64, v| fastest.max(v.abs()));
-        let largest = |v: f64| LARGEST_CORRECTION * (absolute + relative * v.abs()).max(rounding);
-        self.found.iter().zip(v).any(|(found, v)| (v - found).abs() > largest(*v))
+        let explained = |v: f64| LARGEST_CORRECTION * (absolute + relative * v.abs());
+        self.found.iter().zip(v).fold(0.0, |largest: f64, (found, v)| largest.max((v - found).abs() / explained(*v)))
     }
 
-    /// The state at `t` in the last step, from a step of its own, not projected; `out` is left alone where that does not converge.
+    /// Whether neither the tolerance nor rounding explains the correction of the state that was found last, to the velocities `v`.
+    pub(super) fn is_off_constraints(&self, v: &[f64]) -> bool {
+        self.correction(v) > self.rounding.max(1.0)
+    }
+
+    /// The state at `t` in the last step, from steps of its own, not projected: one, or so many that their iteration converges. `out` is left
+    /// alone, and the answer is false, where four do not.
     pub(super) fn step_to<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Node<'_>,
         t: f64,
         out: &mut State,
-    ) -> Result<(), MotionError> {
+    ) -> Result<bool, MotionError> {
+        let Node { state: start, a, power } = from;
         if self.to_sample.is_none() {
-            self.to_sample = self.method.another(system.scene()).map(Box::new);
+            self.to_sample =
+                self.method.another(system.scene()).map(|method| Box::new((method, start.clone(), start.clone())));
         }
-        if let Some(method) = &mut self.to_sample {
+        let Some((method, at, end)) = self.to_sample.as_deref_mut() else { return Ok(false) };
+        'parts: for n in [1, 2, 4] {
+            let h = (t - start.t) / f64::from(n);
             method.restart();
-            method.attempt(system, from, t - from.state.t, self.of_estimate, out)?;
+            end.copy_from(start);
+            for i in 0..n {
+                std::mem::swap(at, end);
+                at.t = start.t + f64::from(i) * h;
+                let from = Node { state: &*at, a, power };
+                if matches!(method.attempt(system, from, h, self.of_estimate, end)?, Attempt::Diverged { .. }) {
+                    continue 'parts;
+                }
+                method.accept(h);
+            }
+            out.copy_from(end);
+            out.t = t;
+            return Ok(true);
         }
-        Ok(())
+        Ok(false)
+    }
+
+    /// The length of the next try, s, where the projection changed the velocities of the last step, to `v`, by more than errors within the
+    /// tolerance explain. A change that stays in the shorter step is rounding.
+    pub(super) fn shorter_for_constraints(&mut self, v: &[f64]) -> Option<f64> {
+        let correction = self.correction(v);
+        if self.refused.take().is_some_and(|refused| correction > RESOLVED * refused) {
+            (self.rounding, self.longest_s) = (correction / RESOLVED, f64::INFINITY);
+        }
+        let made = self.made.as_ref()?;
+        if correction <= self.rounding.max(1.0) {
+            return None;
+        }
+        self.refused = Some(correction);
+        self.longest_s = QUARTERED * made.length_s;
+        Some(self.longest_s)
+    }
+
+    /// Accepts the last step: the next one starts at its end.
+    pub(super) fn accept(&mut self) {
+        let Some(Made { length_s, error, n_passes, whole_s, is_cut }) = self.made.take() else { return };
+        let keeps = self.method.keeps_factors();
+        let wanted_s = whole_s.unwrap_or_else(|| self.control.accept(length_s, error, n_passes, keeps));
+        self.longest_s *= GROW_AGAIN;
+        self.rounding /= GROW_AGAIN;
+        self.step_s = Some(wanted_s.min(self.longest_s));
+        self.refused = None;
+        self.method.accept(length_s);
+        if is_cut {
+            self.method.turn();
+        }
     }
 
     /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. It ends at a discontinuity.
@@ -128,18 +209,12 @@ impl Implicit {
             }
             match attempt {
                 Attempt::Solved { error, n_passes } if error <= 1.0 => {
-                    self.step_s = Some(match whole {
-                        Some(whole) => whole,
-                        None => {
-                            discontinuities.restart();
-                            self.control.accept(h, error, n_passes, self.method.keeps_factors())
-                        }
-                    });
-                    self.method.accept(h);
-                    self.found.copy_from_slice(&to.v);
-                    if cut.is_some() {
-                        self.method.turn();
+                    if whole.is_none() {
+                        discontinuities.restart();
                     }
+                    let is_cut = cut.is_some();
+                    self.made = Some(Made { length_s: h, error, n_passes, whole_s: whole, is_cut });
+                    self.found.copy_from_slice(&to.v);
                     return Ok(());
                 }
                 Attempt::Solved { error, n_passes } => length = self.control.reject(h, error, n_passes),

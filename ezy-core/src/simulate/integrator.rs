@@ -94,10 +94,21 @@ impl<'s> Integrator<'s> {
         }
     }
 
-    /// The next step starts at the state that was evaluated last.
+    /// The next step starts at the state that was evaluated last, the end of the last step if there was one.
     pub(super) fn accept(&mut self) {
-        if let Self::Taylor(series) = self {
-            series.taylor.accept();
+        match self {
+            Self::Taylor(series) => series.taylor.accept(),
+            Self::Radau(implicit) => implicit.accept(),
+            Self::Rk4(_) | Self::Dop853(_) => {}
+        }
+    }
+
+    /// The length of the next try, s, where the projection changed the velocities of the last step, to `v`, by more than the tolerance
+    /// explains. An explicit method takes steps so short that it does not.
+    pub(super) fn shorter_for_constraints(&mut self, v: &[f64]) -> Option<f64> {
+        match self {
+            Self::Radau(implicit) => implicit.shorter_for_constraints(v),
+            _ => None,
         }
     }
 
@@ -163,23 +174,23 @@ impl<'s> Integrator<'s> {
         Ok(())
     }
 
-    /// Whether the projection of the state that was found last changed a velocity to `v` by more than the tolerance explains. An explicit
-    /// method takes steps so short that it does not.
+    /// Whether the projection of the state that was found last changed its velocities, to `v`, by more than the tolerance explains.
     pub(super) fn is_off_constraints(&self, v: &[f64]) -> bool {
         matches!(self, Self::Radau(implicit) if implicit.is_off_constraints(v))
     }
 
-    /// The state at `t` between the ends of the last step, from a step of its own, not projected.
+    /// The state at `t` between the ends of the last step, from a step of its own, not projected; `out` is left alone, and the answer is
+    /// false, where the iteration of that step does not converge, and by a method that needs no such step.
     pub(super) fn step_to<S: Scene + ?Sized>(
         &mut self,
         system: &mut System<'_, S>,
         from: Node<'_>,
         t: f64,
         out: &mut State,
-    ) -> Result<(), MotionError> {
+    ) -> Result<bool, MotionError> {
         match self {
             Self::Radau(implicit) => implicit.step_to(system, from, t, out),
-            _ => Ok(()),
+            _ => Ok(false),
         }
     }
 }

@@ -234,8 +234,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
     /// Ends the run within a step; monitors do not see the rest of the step.
     fn end(&mut self, end: Passage) -> Result<Passage, StopReason> {
         let state = &mut self.between.state;
-        self.stepper.inside(end.t, state)?;
-        self.stepper.project(state)?;
+        self.stepper.find(end.t, state)?;
         let StepperState { system, projected, now, .. } = &mut self.stepper;
         self.watch.look(system, now.state.t, state, projected, true)?;
         self.detector.keep(&mut self.stepper)?;

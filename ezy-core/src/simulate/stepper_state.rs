@@ -178,18 +178,21 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         }
         let mut outcome = self.step(h, t_next);
         for _ in 0..MAX_SHORTENED {
+            let State { t, .. } = self.now.state;
+            let made = self.next.state.t - t;
             let shorter = match &outcome {
-                Ok(()) if self.ends_near_singular_position() => SHORTENED,
-                Ok(()) if self.integrator.is_off_constraints(&self.next.state.v) => QUARTERED,
+                Ok(()) if self.ends_near_singular_position() => SHORTENED * made,
+                Ok(()) => match self.integrator.shorter_for_constraints(&self.next.state.v) {
+                    Some(shorter) => shorter,
+                    None => break,
+                },
                 Err(
                     MotionError::ProjectionStalled { .. }
                     | MotionError::ContradictoryRows { .. }
                     | MotionError::SingularPosition { .. },
-                ) => QUARTERED,
-                _ => break,
+                ) => QUARTERED * made,
+                Err(_) => break,
             };
-            let t = self.now.state.t;
-            let shorter = shorter * (self.next.state.t - t);
             outcome = self.step(shorter, t + shorter);
             self.n_shortened += 1;
         }
@@ -259,19 +262,12 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
 
     /// A state between `now` and `next`, both evaluated; projected and evaluated like them.
     pub(super) fn between(&mut self, t: f64, out: &mut Snapshot) -> Result<(), MotionError> {
-        self.inside(t, &mut out.state)?;
-        let system = &mut self.system;
         if self.integrator.chooses_steps() {
-            let State { q, v, .. } = &mut out.state;
-            system.project(t, q, v, self.projection, self.metric)?;
-            let is_across = self.crossing.as_ref().is_some_and(|crossing| crossing.is_under_way);
-            if !is_across && self.integrator.is_off_constraints(v) {
-                self.integrator.step_to(system, self.now.node(), t, &mut out.state)?;
-                let State { q, v, .. } = &mut out.state;
-                system.project(t, q, v, self.projection, self.metric)?;
-            }
+            self.find(t, &mut out.state)?;
+        } else {
+            self.inside(t, &mut out.state)?;
         }
-        out.evaluate(system)
+        out.evaluate(&mut self.system)
     }
 
     /// Whether the method chooses the length of its steps.
@@ -294,8 +290,21 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         self.integrator.between(&mut self.system, self.now.node(), self.next.node(), t, out)
     }
 
+    /// The state at `t` between `now` and `next`, both evaluated; projected as the ends of steps are. Where the projection changes more than
+    /// the tolerance explains, it is the end of a step of its own.
+    pub(super) fn find(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
+        self.inside(t, out)?;
+        self.project(out)?;
+        let is_across = self.crossing.as_ref().is_some_and(|crossing| crossing.is_under_way);
+        let is_off = !is_across && self.integrator.is_off_constraints(&out.v);
+        if is_off && self.integrator.step_to(&mut self.system, self.now.node(), t, out)? {
+            self.project(out)?;
+        }
+        Ok(())
+    }
+
     /// Projects a state as the ends of steps are.
-    pub(super) fn project(&mut self, state: &mut State) -> Result<(), MotionError> {
+    fn project(&mut self, state: &mut State) -> Result<(), MotionError> {
         let State { t, q, v, .. } = state;
         self.projected = self.system.project(*t, q, v, self.projection, self.metric)?;
         Ok(())
@@ -303,8 +312,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
 
     /// Ends the motion at `t` between `now` and `next`: `next` becomes the state there, projected and evaluated.
     pub(super) fn end_at(&mut self, t: f64, state: &mut State) -> Result<(), MotionError> {
-        self.inside(t, state)?;
-        self.project(state)?;
+        self.find(t, state)?;
         std::mem::swap(&mut self.next.state, state);
         self.next.evaluate(&mut self.system)
     }

@@ -35,6 +35,16 @@ pub(crate) mod steps {
     /// Test: `cross_radau_follows_a_caster_on_a_trail_of_half_a_millimetre`.
     pub(crate) const LARGEST_CORRECTION: f64 = 10.0;
 
+    /// What a step of a quarter of the length leaves at most of a correction that is an error of the step; a method of order 1 leaves a quarter.
+    /// Unit: 1.
+    /// Test: `invariant_radau_takes_no_rounding_for_an_error`.
+    pub(crate) const RESOLVED: f64 = 0.5;
+
+    /// Growth of steps after one that was taken again for such a correction: four steps later they are as long again.
+    /// Unit: 1.
+    /// Test: `invariant_radau_seldom_repeats_steps_in_a_steady_circle`.
+    pub(crate) const GROW_AGAIN: f64 = 1.5;
+
     /// Accelerations of a series at the end of its step that differ from those of the equations by more than this, times the length of the
     /// step and for each order, are not the motion. Where they are, what is left out is about the tolerance, and its derivative as many times
     /// that as the series has orders: half of all steps have 0.5 to 1.3, one or two in a hundred more than 5.

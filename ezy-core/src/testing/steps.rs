@@ -42,6 +42,8 @@ pub struct GivenSteps<'s, S: Scene + ?Sized> {
     a: Vec<f64>,
     power: Vec<f64>,
     lambda: Vec<f64>,
+    /// Length of the step that was taken last, s; none once the method goes on from it.
+    taken_s: Option<f64>,
 }
 
 impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
@@ -56,12 +58,13 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
             StepsBy::Taylor(order) => Method::Taylor(Box::new(Taylor::new(scene, order, n_works)?)),
         };
         let (a, power, lambda) = (vec![0.0; n_q], vec![0.0; n_works], vec![0.0; n_c]);
-        Some(Self { system, method, other: state.clone(), state, a, power, lambda })
+        Some(Self { system, method, other: state.clone(), state, a, power, lambda, taken_s: None })
     }
 
     /// Begins anew at `state`: what rounding cut off and the steps before are forgotten.
     pub fn place(&mut self, state: &State) {
         self.state.copy_from(state);
+        self.taken_s = None;
         match &mut self.method {
             Method::Rk4(rk4) => rk4.restart(),
             Method::Dop853(dop853) => dop853.restart(),
@@ -75,7 +78,10 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
     /// # Errors
     /// [`MotionError`] of a stage.
     pub fn attempt(&mut self, h: f64) -> Result<Option<&State>, MotionError> {
-        let Self { system, method, state, other, a, power, lambda } = self;
+        let Self { system, method, state, other, a, power, lambda, taken_s } = self;
+        if let (Method::Radau(radau), Some(taken_s)) = (&mut *method, taken_s.take()) {
+            radau.accept(taken_s);
+        }
         if let Method::Taylor(taylor) = method {
             taylor.expand(system, state, a, lambda)?;
             taylor.accept();
@@ -106,11 +112,10 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
         if self.attempt(h)?.is_none() {
             return Ok(None);
         }
-        match &mut self.method {
-            Method::Dop853(dop853) => dop853.accept(),
-            Method::Radau(radau) => radau.accept(h),
-            Method::Rk4(_) | Method::Taylor(_) => {}
+        if let Method::Dop853(dop853) = &mut self.method {
+            dop853.accept();
         }
+        self.taken_s = Some(h);
         std::mem::swap(&mut self.state, &mut self.other);
         Ok(Some(&self.state))
     }
@@ -120,7 +125,7 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
     /// # Errors
     /// [`MotionError`] of a stage.
     pub fn middle(&mut self) -> Result<State, MotionError> {
-        let Self { system, method, state, other: from, a, power, lambda } = self;
+        let Self { system, method, state, other: from, a, power, lambda, .. } = self;
         let (mut middle, h) = (from.clone(), state.t - from.t);
         let (mut a_end, mut power_end) = (a.clone(), power.clone());
         system.accelerations(state.t, &state.q, &state.v, &mut a_end, lambda)?;

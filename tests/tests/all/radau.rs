@@ -4,7 +4,7 @@ use crate::scenes::{distance, stepped};
 use ezy_core::prelude::*;
 use ezy_core::simulate::{Cost, SetupError};
 use ezy_core::testing::StepsBy;
-use ezy_models::{chain, double_pendulum, ezy_roller, four_bar, roller_racer};
+use ezy_models::{chain, double_pendulum, ezy_roller, four_bar, road_train, roller_racer};
 use ezy_tests::garage::{case, load, rows, worse};
 use ezy_tests::hand_roller::HandRoller;
 
@@ -31,7 +31,11 @@ model! {
         skate rear: at cart(-0.4, 0) along cart(1, 0);
         skate wheel: at caster(-trail, 0) along caster(1, 0);
         start askew { cart at (0.4, 0) angle 0 velocity (1, _) rate 0.4; caster angle 1.2; }
+        param halt: s = 0.2345;
+        event half: t > halt/2;
+        event halted: t > halt;
         scene coast { start askew; until 2 s; }
+        scene halted_coast { start askew; until 2 s; until halted; }
     }
 }
 
@@ -145,7 +149,7 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
     // bound of the reference at a tolerance of 1e-9
     let bound = 1e-7;
     for (name, trail) in [("caster_trail_1e-2", 0.01), ("caster_trail_1e-3", 0.001)] {
-        let scene = cart::Coast { trail };
+        let scene = cart::Coast { trail, ..Default::default() };
         for state in case(&file, name)["states"].as_array().unwrap() {
             let t = state["t"].as_f64().unwrap();
             let run = Simulation::new(&scene).method(Method::radau(1e-9)).until(t).run().unwrap();
@@ -162,15 +166,18 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
     }
 }
 
-/// An error of its angle by a tolerance is one of its rate by 40,000: samples in a step, and ends of steps.
+/// A start from which an error of the caster's angle by a tolerance is one of its rate by 40,000.
+fn fast<'s, S: Scene>(scene: &'s S, method: Method) -> Simulation<'s, S> {
+    let start = [("cart.vx", 20.0), ("cart.omega", 8.0), ("caster.phi", 1.2)];
+    let order = Simulation::new(scene).method(method).until(0.5).project_start();
+    start.iter().fold(order, |order, (name, value)| order.give(*name, *value))
+}
+
+/// Samples in a step, and ends of steps.
 #[test]
 fn cross_radau_follows_a_caster_on_a_trail_of_half_a_millimetre() {
-    let scene = cart::Coast { trail: 5e-4 };
-    let samples = |method: Method| {
-        let start = [("cart.vx", 20.0), ("cart.omega", 8.0), ("caster.phi", 1.2)];
-        let order = Simulation::new(&scene).method(method).until(0.5).every(0.5 / 64.0).project_start();
-        start.iter().fold(order, |order, (name, value)| order.give(*name, *value)).run().unwrap()
-    };
+    let scene = cart::Coast { trail: 5e-4, ..Default::default() };
+    let samples = |method: Method| fast(&scene, method).every(0.5 / 64.0).without_events().run().unwrap();
     let reference = samples(Method::dop853(1e-11));
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
         let run = samples(Method::radau(tolerance));
@@ -180,6 +187,42 @@ fn cross_radau_follows_a_caster_on_a_trail_of_half_a_millimetre() {
         println!("{tolerance:.0e}: {} steps, {:.1e} tolerances", run.cost.steps, error / tolerance);
         assert!(error <= OVER_TURNS * tolerance, "{error:.1e} at {tolerance:.0e}");
     }
+}
+
+/// States of events, and the end at an event, are as good as samples.
+#[test]
+fn cross_radau_events_of_a_caster_keep_to_the_tolerance() {
+    // one event time in a step for each tolerance would be chance
+    for halt in (1..=8).map(|i| 0.05 * f64::from(i) + 0.0123) {
+        let scene = cart::HaltedCoast { trail: 5e-4, halt };
+        let states = |method: Method| {
+            let run = fast(&scene, method).run().unwrap();
+            assert_eq!(run.events().len(), 2, "{}", run.outcome);
+            run.events()
+                .iter()
+                .map(|event| [&event.state.q[..], &event.state.v].concat())
+                .chain([numbers_at_end(&run)])
+                .collect::<Vec<_>>()
+                .concat()
+        };
+        let reference = states(Method::dop853(1e-11));
+        for tolerance in [1e-4, 1e-6, 1e-8] {
+            let found = states(Method::radau(tolerance));
+            let pairs = found.iter().zip(&reference);
+            let error = pairs.fold(0.0, |m: f64, (x, truth)| worse(m, (x - truth).abs() / (1.0 + truth.abs())));
+            println!("{halt} s, {tolerance:.0e}: {:.1e} tolerances", error / tolerance);
+            assert!(error <= OVER_TURNS * tolerance, "{halt} s: {error:.1e} at {tolerance:.0e}");
+        }
+    }
+}
+
+/// A step that the projection rejects is not tried again and again.
+#[test]
+fn invariant_radau_seldom_repeats_steps_in_a_steady_circle() {
+    let scene = road_train::Circling { l: 7e-4, n: 1, ..Default::default() };
+    let cost = Simulation::new(&scene).method(Method::radau(1e-8)).until(5.0).run().unwrap().cost;
+    // one in four, and those of the beginning
+    assert!(cost.rejected <= cost.steps / 3, "{} of {} steps", cost.rejected, cost.steps);
 }
 
 /// Next to a singular position, rounding of positions is more of a velocity than the tolerance allows.
@@ -193,7 +236,7 @@ fn invariant_radau_takes_no_rounding_for_an_error() {
 #[test]
 fn analytic_radau_steps_are_not_held_by_a_caster() {
     let trail = 1e-3;
-    let scene = cart::Coast { trail };
+    let scene = cart::Coast { trail, ..Default::default() };
     let steps =
         |until_s: f64| Simulation::new(&scene).method(Method::radau(1e-6)).until(until_s).run().unwrap().cost.steps;
     // the caster aligns in a few trail/v, 1 ms each
@@ -307,7 +350,7 @@ fn analytic_radau_refuses_a_scene_without_jacobians() {
 /// DOP853 counts slopes at the edge of its stability and says so.
 #[test]
 fn analytic_dop853_says_that_stiffness_holds_it() {
-    let scene = cart::Coast { trail: 1e-3 };
+    let scene = cart::Coast { trail: 1e-3, ..Default::default() };
     let run = Simulation::new(&scene).method(Method::dop853(1e-6)).run().unwrap();
     let since = run.stiff_since_s.expect("a remark");
     // the caster aligns in a few milliseconds; fifty steps pass until one is looked at, and fifteen more
@@ -354,6 +397,10 @@ fn reference_radau_over_a_steep_knee_of_friction() {
             assert!(steps <= FEW_STEPS, "{knee:.0e} at {tolerance:.0e}: {steps} steps");
         }
     }
+}
+
+fn numbers_at_end(run: &Run) -> Vec<f64> {
+    [run.last().coordinates, run.last().velocities].concat()
 }
 
 /// What errors of steps add up to.

@@ -93,8 +93,7 @@ impl EventDetector {
     /// Keeps the events of the step that was sampled last.
     pub(super) fn keep<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) -> Result<(), MotionError> {
         for Passage { t, event } in self.passages.drain(..) {
-            stepper.inside(t, &mut self.place)?;
-            stepper.project(&mut self.place)?;
+            stepper.find(t, &mut self.place)?;
             self.occurred.push(Occurrence { event, state: self.place.clone() });
         }
         Ok(())

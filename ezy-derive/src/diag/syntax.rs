@@ -124,17 +124,13 @@ pub fn keyword_as_name(at: Span, name: &str) -> syn::Error {
 /// A unit behind the value of a declaration.
 pub fn value_with_unit(at: Span, keyword: &str, name: &Ident, written: &str, unit: &str, value: &str) -> syn::Error {
     let help = format!("write `{keyword} {name}: {unit} = {value};`");
-    fault_with_help(at, format_args!("numbers carry no unit, but `{written}` stands behind one"), help)
+    fault_with_help(at, format_args!("the unit `{written}` stands behind the value of `{name}`"), help)
 }
 
-/// A unit behind a number in an expression.
-pub fn number_with_unit(at: Span, written: &str, unit: &str, value: &str) -> syn::Error {
-    let help = if unit == "deg" {
-        format!("write `{value}*pi/180`, or declare `param angle: deg = {value};` and write `angle`")
-    } else {
-        format!("declare `param a: {unit} = {value};` and write `a`, or `{value}*{written}` for a product")
-    };
-    fault_with_help(at, format_args!("numbers carry no unit, but `{written}` stands behind one"), help)
+/// A unit that the language does not know behind a number.
+pub fn other_unit(at: Span, written: &str, unit: &str, value: &str) -> syn::Error {
+    let unit = if unit.contains(['*', '/']) { format!("({unit})") } else { unit.to_owned() };
+    fault_with_help(at, format_args!("`{written}` is no unit"), format_args!("write `{value} {unit}`"))
 }
 
 pub fn number_too_large(at: Span, text: &str) -> syn::Error {

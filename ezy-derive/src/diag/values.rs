@@ -63,6 +63,14 @@ messages! {
     name_in_constant(at: impl Into<Extent>, name: &str, of: &str, instead: &str):
         "{of} cannot use `{name}`", "write numbers, `pi` and operators; {instead}";
 
+    unit_in_constant(at: Extent, unit: &str, of: &str):
+        "{of} is a number without unit, but `{unit}` stands behind one",
+        "write numbers alone; the unit of a declaration stands behind its name, as in `param l: mm = 5;`";
+
+    unit_or_value(name: &Ident, unit: &str):
+        "`{name}` in `{unit}` is a unit here, and a declared name",
+        "write `({unit})` for the unit, or the value first: `{name} * …`";
+
     constant_not_finite(at: Extent, of: &str, value: f64):
         "{of} is {value}", "write a finite number";
 

@@ -16,6 +16,7 @@ pub fn constant(expr: &ast::Expr, of: &str, instead: &str) -> Result<f64> {
 fn evaluate(expr: &ast::Expr, of: &str, instead: &str) -> Result<f64> {
     match expr {
         ast::Expr::Number { value, .. } => Ok(*value),
+        ast::Expr::Quantity { unit, .. } => Err(values::unit_in_constant(expr.extent(), &unit.text, of)),
         ast::Expr::Name(name) if name == "pi" => Ok(PI),
         ast::Expr::Name(name) => Err(values::name_in_constant(name, &name.to_string(), of, instead)),
         ast::Expr::Indexed(name) => Err(values::name_in_constant(&**name, &name.word.to_string(), of, instead)),

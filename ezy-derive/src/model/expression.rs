@@ -30,6 +30,7 @@ impl Context<'_> {
     fn unchecked_value(&mut self, expr: &ast::Expr, purpose: &Purpose) -> Option<Value> {
         match expr {
             ast::Expr::Number { value, .. } => Some(Value::scalar(Expr::Number(*value), Measure::Unknown)),
+            ast::Expr::Quantity { value, unit, .. } => self.quantity(*value, unit, purpose),
             ast::Expr::Name(name) => self.name(name, purpose),
             ast::Expr::Indexed(name) => {
                 self.indexed_value(name, purpose.scope);
@@ -49,6 +50,19 @@ impl Context<'_> {
                 self.diag.keep(result)
             }
         }
+    }
+
+    /// A number of a unit, in SI units.
+    fn quantity(&mut self, value: f64, unit: &ast::Unit, purpose: &Purpose) -> Option<Value> {
+        // behind `*` and `/` a name may be meant as a value, unless brackets say that it is none
+        let behind_signs = if unit.text.starts_with('(') { &[] } else { unit.factors.get(1..).unwrap_or_default() };
+        for ast::UnitFactor { name, .. } in behind_signs {
+            if self.names.lookup(purpose.scope, name).is_some() {
+                return self.diag.refuse(values::unit_or_value(name, &unit.text));
+            }
+        }
+        let unit = Unit::resolve(unit, self.diag)?;
+        Some(Value::scalar(unit.expr_of_number(value), unit.dimension))
     }
 
     /// A scalar of this dimension; `what` it is, for the message.

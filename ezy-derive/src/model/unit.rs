@@ -110,6 +110,14 @@ impl Unit {
         value * self.times * PI.powi(self.pi) / self.over
     }
 
+    /// A number of this unit, in SI units; pi stays a symbol.
+    pub fn expr_of_number(self, value: f64) -> Expr {
+        match self.pi {
+            0 => Expr::Number(self.to_si(value)),
+            _ => self.expr_to_si(Expr::Number(value)),
+        }
+    }
+
     /// A value in SI units, in this unit.
     pub fn expr_from_si(self, value: Expr) -> Expr {
         Self { times: self.over, over: self.times, pi: -self.pi, ..self }.expr_to_si(value)

@@ -259,14 +259,14 @@ pub struct OnBody {
 }
 
 /// A product of powers of units.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Unit {
     /// As written, blanks removed.
     pub text: String,
     pub factors: Vec<UnitFactor>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct UnitFactor {
     pub name: Ident,
     pub exponent: i32,
@@ -277,6 +277,13 @@ pub enum Expr {
     Number {
         value: f64,
         span: Span,
+    },
+    /// A number with a unit behind it.
+    Quantity {
+        value: f64,
+        unit: Unit,
+        start: Span,
+        end: Span,
     },
     Name(Ident),
     /// A name with indices and no member.
@@ -339,7 +346,7 @@ impl Expr {
             Self::Indexed(name) => (&**name).into(),
             Self::Member { owner, member } => Extent { first: owner.span(), last: member.span() },
             Self::Call { function, end, .. } => Extent { first: function.span(), last: *end },
-            Self::Vector { start, end, .. } => Extent { first: *start, last: *end },
+            Self::Quantity { start, end, .. } | Self::Vector { start, end, .. } => Extent { first: *start, last: *end },
             Self::Negative { sign, operand } => Extent { first: *sign, last: operand.extent().last },
             Self::Binary { left, right, .. } => Extent { first: left.extent().first, last: right.extent().last },
         }

@@ -186,17 +186,21 @@ impl Parser {
                 false => syntax::number_with_suffix(span, digits, suffix),
             });
         }
-        // `t` is the time in expressions, and no tonne
-        if !self.before_unit
-            && !peek_word(input, "t")
-            && let Some(Misplaced { at, written, unit, value }) = unit::behind(digits, input)
-        {
-            return Err(syntax::number_with_unit(at, &written, &unit, &value));
-        }
         // the decimal digits as written: the nearest f64
-        match digits.parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(Expr::Number { value, span }),
-            _ => Err(syntax::number_too_large(span, digits)),
+        let value = match digits.parse::<f64>() {
+            Ok(value) if value.is_finite() => value,
+            _ => return Err(syntax::number_too_large(span, digits)),
+        };
+        if self.before_unit {
+            return Ok(Expr::Number { value, span });
+        }
+        if let Some((unit, end)) = unit::of_number(input)? {
+            return Ok(Expr::Quantity { value, unit, start: span, end });
+        }
+        // `t` is the time in expressions, and no tonne
+        match unit::behind(digits, input).filter(|_| !peek_word(input, "t")) {
+            Some(Misplaced { at, written, unit, value }) => Err(syntax::other_unit(at, &written, &unit, &value)),
+            None => Ok(Expr::Number { value, span }),
         }
     }
 }

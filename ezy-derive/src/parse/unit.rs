@@ -3,7 +3,7 @@
 use super::ast::{Unit, UnitFactor};
 use super::token::{end, expected, name, parenthesised, take, take_one_of};
 use crate::units::{self, Spelling};
-use proc_macro2::Span;
+use proc_macro2::{Delimiter, Span};
 use syn::parse::ParseStream;
 use syn::{Lit, LitInt, Result, Token};
 
@@ -27,6 +27,43 @@ pub fn unit(input: ParseStream) -> Result<Unit> {
     let mut unit = Unit { text: String::new(), factors: Vec::new() };
     product(input, 1, 0, &mut unit)?;
     Ok(unit)
+}
+
+/// The unit behind a number in an expression, and its last token: `30 deg`, `5 m/s^2`, `5 (N*m)`. It goes on behind `*` and `/` as long as names
+/// of units follow; in an expression `t` is the time.
+pub fn of_number(input: ParseStream) -> Result<Option<(Unit, Span)>> {
+    let mut unit = Unit { text: String::new(), factors: Vec::new() };
+    if input.peek(syn::token::Paren) {
+        let brackets = parenthesised(input)?;
+        product(&brackets.inside, 1, 1, &mut unit)?;
+        end(&brackets.inside, ")")?;
+        unit.text = format!("({})", unit.text);
+        return Ok(Some((unit, brackets.close)));
+    }
+    if !begins_unit(input) {
+        return Ok(None);
+    }
+    power(input, 1, MAX_BRACKETS, &mut unit)?;
+    loop {
+        let behind_sign = input.fork();
+        let sign = take_one_of(&behind_sign, &[('*', ('*', 1)), ('/', ('/', -1))]);
+        let Some(((sign, exponent), _)) = sign.filter(|_| begins_unit(&behind_sign)) else { break };
+        take_one_of(input, &[('*', ()), ('/', ())]);
+        unit.text.push(sign);
+        power(input, exponent, MAX_BRACKETS, &mut unit)?;
+    }
+    let end = unit.factors.last().map_or_else(Span::call_site, |factor| factor.name.span());
+    Ok(Some((unit, end)))
+}
+
+/// Whether the name of a unit follows, and not of something else.
+fn begins_unit(input: ParseStream) -> bool {
+    let Some((name, behind)) = input.cursor().ident() else { return false };
+    let is_value = behind.punct().is_some_and(|(sign, _)| sign.as_char() == '.')
+        || behind.group(Delimiter::Parenthesis).is_some()
+        || behind.group(Delimiter::Bracket).is_some();
+    let name = name.to_string();
+    name != "t" && units::is_known(&name) && !is_value
 }
 
 fn product(input: ParseStream, exponent: i32, depth: usize, unit: &mut Unit) -> Result<()> {
@@ -81,7 +118,7 @@ fn whole_number(input: ParseStream, unit: &mut Unit) -> Result<i32> {
     }
 }
 
-/// A unit behind a number, where none can stand.
+/// A unit behind a number, where none can stand, or that is none of the language.
 pub struct Misplaced {
     pub at: Span,
     /// As written.

@@ -116,6 +116,26 @@ fn analytic_units_count_in_si() {
 }
 
 #[test]
+fn analytic_numbers_take_units() {
+    for (written, si) in [
+        ("200 mm / (1 m)", 0.2),
+        ("90 deg", PI / 2.0),
+        ("-3 kN*cm", -30.0),
+        ("20 (g*cm^2) * 1e6", 2.0),
+        ("36 km/h", 10.0),
+        ("2 m^2 / 4 s", 0.5),
+        ("7200 (1/min^2)", 2.0),
+        ("5 s^-1", 5.0),
+    ] {
+        // a factor without unit makes it a value of any unit
+        assert_eq!(value("", &format!("1 * ({written})")), si, "{written}");
+    }
+    // brackets end a unit where a name follows that is a value, too
+    assert_eq!(value("param m: m = 3;", "2 (N) * m"), 6.0);
+    assert_eq!(value("param l: m = 2;", "3 * l * 4 mm"), 0.024);
+}
+
+#[test]
 fn analytic_si_units_leave_no_operation() {
     let model = with_torque("param f: kg*m^2/s^2 = 3;", "f");
     assert!(matches!(torque(&model), Expr::Parameter(_)));

@@ -14,7 +14,11 @@ messages! {
 
     not_an_index(at: Extent):
         "this is no index",
-        "write whole numbers, counts and indices of `for`, with `+`, `-` and `*`";
+        "write whole numbers, counts and indices of `for`, with `+`, `-`, `*`, and `/` by a number above zero";
+
+    quotient_as_value(name: &Ident):
+        "`{name}` is an index with `/` where this is used, and no number",
+        "write the point anew in the place of its name";
 
     /// `what`: "an array of bodies".
     without_index(name: &Ident, what: &str):

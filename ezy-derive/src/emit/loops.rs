@@ -50,6 +50,10 @@ pub fn whole(model: &Model, value: &Whole) -> TokenStream {
             let (a, b) = (whole(model, a), whole(model, b));
             quote!((#a * #b))
         }
+        Whole::Quotient(a, b) => {
+            let (a, b) = (whole(model, a), Literal::i64_unsuffixed(*b));
+            quote!((#a).div_euclid(#b))
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use super::names::Symbol;
 use super::unit::Unit;
 use super::value::{Form, Value};
 use super::{Direction, Expr};
-use crate::diag::{names, rules, values};
+use crate::diag::{names, repeats, rules, values};
 use crate::function::Operator;
 use crate::parse::ast;
 use proc_macro2::{Ident, Span};
@@ -165,7 +165,10 @@ impl Context<'_> {
             return Some(Value::scalar(Expr::Time, Dimension::TIME));
         }
         if let Some(index) = self.index_value(name) {
-            return Some(Value::scalar(index.to_expr(), Measure::Unknown));
+            return match index.to_expr() {
+                Some(index) => Some(Value::scalar(index, Measure::Unknown)),
+                None => self.diag.refuse(repeats::quotient_as_value(name)),
+            };
         }
         match self.names.lookup(purpose.scope, name) {
             Some(Symbol::Count(id)) => Some(Value::scalar(Expr::Count(id), Measure::Unknown)),

@@ -72,16 +72,16 @@ impl Context<'_> {
                 self.whole(operand).map(|value| Whole::difference(Whole::Number(0), value))
             }
             ast::Expr::Binary { operator, left, right, .. } => {
-                let make = match operator {
-                    Operator::Add => Whole::sum,
-                    Operator::Subtract => Whole::difference,
-                    Operator::Multiply => Whole::product,
-                    Operator::Divide | Operator::Power => {
-                        return self.diag.refuse(repeats::not_an_index(expr.extent()));
-                    }
-                };
                 let (left, right) = (self.whole(left), self.whole(right));
-                Some(make(left?, right?))
+                let (left, right) = (left?, right?);
+                let made = match operator {
+                    Operator::Add => Some(Whole::sum(left, right)),
+                    Operator::Subtract => Some(Whole::difference(left, right)),
+                    Operator::Multiply => Some(Whole::product(left, right)),
+                    Operator::Divide => Whole::quotient(left, right),
+                    Operator::Power => None,
+                };
+                made.or_else(|| self.diag.refuse(repeats::not_an_index(expr.extent())))
             }
             _ => self.diag.refuse(repeats::not_an_index(expr.extent())),
         }

@@ -18,6 +18,8 @@ pub enum Whole {
     Sum(Box<Whole>, Box<Whole>),
     Difference(Box<Whole>, Box<Whole>),
     Product(Box<Whole>, Box<Whole>),
+    /// By a number above zero, rounded down: the member in the middle is `link[n/2]`.
+    Quotient(Box<Whole>, i64),
 }
 
 /// Values of counts and indices by their ids; `None` for an index that has none now.
@@ -43,19 +45,21 @@ impl Whole {
             Self::Sum(a, b) => both(a, b).and_then(|(a, b)| a.checked_add(b)),
             Self::Difference(a, b) => both(a, b).and_then(|(a, b)| a.checked_sub(b)),
             Self::Product(a, b) => both(a, b).and_then(|(a, b)| a.checked_mul(b)),
+            Self::Quotient(a, b) => a.evaluate(values)?.checked_div_euclid(*b),
         }
     }
 
-    /// As a value of the model language.
-    pub fn to_expr(&self) -> Expr {
-        match self {
+    /// As a value of the model language, which has no quotients that are rounded down.
+    pub fn to_expr(&self) -> Option<Expr> {
+        Some(match self {
             Self::Number(number) => Expr::Number(*number as f64),
             Self::Count(id) => Expr::Count(*id),
             Self::Index(id) => Expr::Index(*id),
-            Self::Sum(a, b) => a.to_expr() + b.to_expr(),
-            Self::Difference(a, b) => a.to_expr() - b.to_expr(),
-            Self::Product(a, b) => a.to_expr() * b.to_expr(),
-        }
+            Self::Sum(a, b) => a.to_expr()? + b.to_expr()?,
+            Self::Difference(a, b) => a.to_expr()? - b.to_expr()?,
+            Self::Product(a, b) => a.to_expr()? * b.to_expr()?,
+            Self::Quotient(..) => return None,
+        })
     }
 
     /// As written: `i-1`.
@@ -73,7 +77,11 @@ impl Whole {
                 Self::Sum(..) | Self::Difference(..) => format!("{}-({})", a.text(names), b.text(names)),
                 _ => format!("{}-{}", a.text(names), b.text(names)),
             },
-            Self::Product(a, b) => format!("{}*{}", in_product(a), in_product(b)),
+            Self::Product(a, b) => match **b {
+                Self::Quotient(..) => format!("{}*({})", in_product(a), b.text(names)),
+                _ => format!("{}*{}", in_product(a), in_product(b)),
+            },
+            Self::Quotient(a, b) => format!("{}/{b}", in_product(a)),
         }
     }
 
@@ -99,6 +107,16 @@ impl Whole {
             (Self::Number(a), Self::Number(b)) => Self::Number(a.saturating_mul(b)),
             (a, Self::Number(1)) | (Self::Number(1), a) => a,
             (a, b) => Self::Product(Box::new(a), Box::new(b)),
+        }
+    }
+
+    /// `None` where the divisor is no number above zero.
+    pub fn quotient(a: Self, b: Self) -> Option<Self> {
+        match (a, b) {
+            (a, Self::Number(1)) => Some(a),
+            (Self::Number(a), Self::Number(b)) if b > 0 => Some(Self::Number(a.div_euclid(b))),
+            (a, Self::Number(b)) if b > 0 => Some(Self::Quotient(Box::new(a), b)),
+            _ => None,
         }
     }
 }

@@ -88,6 +88,31 @@ model! {
     }
 }
 
+model! {
+    /// Members by indices that divide.
+    model Halves {
+        count n = 5;
+        body bead[n] { mass: 1, inertia: 1 }
+        force at bead[n/2](0, 0): (1, 0);
+        for i in 0..n { force at bead[(i+1)/3](0, 0): (0, 1); }
+        start s { at rest; }
+        scene run { start s; until 1 s; }
+    }
+}
+
+#[test]
+fn analytic_indices_that_divide_are_rounded_down() {
+    for n in 1..8 {
+        let run = Simulation::new(&halves::Run { n, ..Default::default() }).run().unwrap();
+        let a = run.last().accelerations;
+        for member in 0..n {
+            let above = (0..n).filter(|i| (i + 1) / 3 == member).count();
+            let expected = [f64::from(u8::from(member == n / 2)), above as f64];
+            assert_eq!(a[3 * member..3 * member + 2], expected, "bead[{member}] of {n}");
+        }
+    }
+}
+
 #[test]
 fn fd_members_met_twice_in_a_row_count_twice() {
     for n in [2, 4] {

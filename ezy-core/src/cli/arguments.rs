@@ -117,6 +117,9 @@ pub(super) struct RunArguments {
     /// Seconds between the rows of --out; needs --out [default: a thousandth of the run]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
+    /// Seconds at which --out has rows, besides the start and the end: 0.1,0.25,2; needs --out
+    #[arg(long, value_name = "T,T,…", value_parser = parse_number, value_delimiter = ',', allow_negative_numbers = true, conflicts_with = "every")]
+    pub at: Vec<f64>,
     /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, inputs, outputs, work, energies,
     /// residuals
     ///

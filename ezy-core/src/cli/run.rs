@@ -33,6 +33,9 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
             "--every is the time between the rows of --out; add --out FILE.csv, or leave --every",
         ));
     }
+    if !arguments.at.is_empty() && arguments.out.is_none() {
+        return Err(Failure::wrong_use("--at gives the times of the rows of --out; add --out FILE.csv, or leave --at"));
+    }
     let scene = scene_with(model, entry, &arguments.set)?;
     let method = method(arguments)?;
     let interruption = Interruption::listen();
@@ -158,7 +161,9 @@ fn simulate(
     }
     if let Some(out) = &mut out {
         let default_every = || (until_s > 0.0).then_some(until_s / N_ROWS);
-        if let Some(every) = arguments.every.or_else(default_every) {
+        if !arguments.at.is_empty() {
+            simulation = simulation.sample_at(arguments.at.iter().copied());
+        } else if let Some(every) = arguments.every.or_else(default_every) {
             simulation = simulation.every(every);
         }
         simulation = simulation.stream_to(out);

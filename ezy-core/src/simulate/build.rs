@@ -5,6 +5,7 @@ use super::given::give;
 use super::modes::Modes;
 use super::monitor::Watch;
 use super::run_loop::{Plan, RunLoop};
+use super::sample_times::SampleTimes;
 use super::schedule::Schedule;
 use super::simulation::{Hooks, Settings};
 use super::stepper_state::StepperState;
@@ -56,14 +57,15 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let schedule = self.schedule(start.t, control.is_idle())?;
         let limits = self.settings.limits.checked()?;
         let events = if self.settings.watched { self.scene.info().events } else { &[] };
-        let Settings { every_s, wanted, streamed, start_moved_by, .. } = self.settings;
+        let sample_times = self.settings.sample_times.of_run(start.t, self.settings.until_s)?;
+        let Settings { wanted, streamed, start_moved_by, .. } = self.settings;
         let interrupts = self.hooks.interrupts.clone();
         let mut state = system.consistent_start(&start)?;
         let moved = system.moved_values(&start, &state);
         if start_moved_by > 0.0 {
             state = system.consistent_start(&estimated_run::beside(&state, start_moved_by))?;
         }
-        let plan = Plan { schedule, every_s, wanted, streamed, interrupts, moved, events };
+        let plan = Plan { schedule, sample_times, wanted, streamed, interrupts, moved, events };
         let mut stepper = self.stepper_in(system)?;
         stepper.place(&state);
         let watch =
@@ -146,10 +148,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         if !(until_s.is_finite() && until_s >= start_s) {
             return Err(SetupError::Until { until_s, start_s });
         }
-        if let Some(every_s) = self.settings.every_s {
-            if every_s.is_nan() || every_s <= 0.0 {
-                return Err(SetupError::Every { every_s });
-            }
+        if let SampleTimes::Every(every_s) = self.settings.sample_times.of_run(start_s, until_s)? {
             let samples = (until_s - start_s) / every_s;
             let info = self.scene.info();
             let n_numbers = (3 * info.n_coordinates() + info.n_rows()).max(1) as f64;

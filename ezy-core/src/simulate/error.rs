@@ -169,6 +169,19 @@ pub enum SetupError {
         /// The interval, s.
         every_s: f64,
     },
+    /// A sample is asked for at a time that the run does not reach.
+    #[error(
+        "a sample is asked for at {} s, but the run goes from {} s to {} s; leave that time out, or change the end",
+        legible(*.t), legible(*.start_s), legible(*.until_s)
+    )]
+    SampleTime {
+        /// Time of the sample, s.
+        t: f64,
+        /// The start, s.
+        start_s: f64,
+        /// The end, s.
+        until_s: f64,
+    },
     /// More samples than are kept or streamed.
     #[error(
         "{samples:.1e} samples {} s apart lie between the start and the end; at most {limit:.0e} are possible: give a longer interval",

@@ -21,6 +21,7 @@ mod processor_time;
 mod rank_watch;
 mod root;
 mod run_loop;
+mod sample_times;
 mod sampler;
 mod schedule;
 mod sensitivity;

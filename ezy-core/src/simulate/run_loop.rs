@@ -6,6 +6,7 @@ use super::modes::Modes;
 use super::monitor::Watch;
 use super::processor_time;
 use super::rank_watch::RankRecord;
+use super::sample_times::SampleTimes;
 use super::sampler::Sampler;
 use super::schedule::Schedule;
 use super::snapshot::Snapshot;
@@ -22,7 +23,7 @@ use std::time::Instant;
 /// The checked settings of a run.
 pub(super) struct Plan<'s> {
     pub schedule: Schedule,
-    pub every_s: Option<f64>,
+    pub sample_times: SampleTimes,
     pub wanted: Wanted,
     /// Whether samples go to the recorder alone.
     pub streamed: bool,
@@ -274,8 +275,7 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
 
     /// Time of the next sample; infinite when only start and end are kept.
     fn next_sample(&self) -> f64 {
-        let start = self.plan.schedule.start();
-        self.plan.every_s.map_or(f64::INFINITY, |every_s| start + self.sampler.n_kept() as f64 * every_s)
+        self.plan.sample_times.next(self.plan.schedule.start(), self.sampler.n_kept())
     }
 
     /// Whether a sample falls into the step from `now` to `next`, not on its end.

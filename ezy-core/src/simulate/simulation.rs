@@ -3,6 +3,7 @@
 use super::InputTable;
 use super::control::Law;
 use super::monitor::Limits;
+use super::sample_times::SampleTimes;
 use crate::dynamics::{Metric, Projection, State};
 use crate::integrate::Method;
 use crate::linalg::Backend;
@@ -31,7 +32,7 @@ pub struct Simulation<'s, S: Scene + ?Sized> {
 pub(super) struct Settings {
     pub method: Method,
     pub until_s: f64,
-    pub every_s: Option<f64>,
+    pub sample_times: SampleTimes,
     pub projection: Projection,
     pub metric: Metric,
     pub backend: Backend,
@@ -63,7 +64,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let settings = Settings {
             method: Method::default(),
             until_s: scene.info().until_s,
-            every_s: None,
+            sample_times: SampleTimes::Never,
             projection: Projection::default(),
             metric: Metric::default(),
             backend: Backend::default(),
@@ -94,14 +95,39 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self
     }
 
-    /// Keeps a sample every `every_s`, besides the start and the end.
+    /// Keeps a sample every `every_s` seconds, besides the start and the end. It replaces [`Simulation::sample_at`].
     ///
     /// Recording never changes the motion. A sample that falls on a step is the state of that step; one in between
     /// is interpolated ([`crate::integrate::interpolate`]), and its accelerations and multipliers are solved for at
     /// the interpolated state.
     #[must_use]
     pub fn every(mut self, every_s: f64) -> Self {
-        self.settings.every_s = Some(every_s);
+        self.settings.sample_times = SampleTimes::Every(every_s);
+        self
+    }
+
+    /// Keeps samples at these times, s, in any order, besides the start and the end. It replaces [`Simulation::every`].
+    ///
+    /// ```
+    /// use ezy_core::prelude::*;
+    ///
+    /// model! {
+    ///     pub model Throw {
+    ///         body ball { mass: 1, inertia: 1 }
+    ///         gravity (0, -10);
+    ///         start up { ball at (0, 0) velocity (3, 12); }
+    ///         scene flight { start up; until 2 s; }
+    ///     }
+    /// }
+    ///
+    /// let run = Simulation::new(&throw::Flight::default()).sample_at([1.5, 0.25]).run()?;
+    /// let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
+    /// assert_eq!(times, [0.0, 0.25, 1.5, 2.0]);
+    /// # Ok::<(), ezy_core::simulate::SetupError>(())
+    /// ```
+    #[must_use]
+    pub fn sample_at(mut self, times_s: impl IntoIterator<Item = f64>) -> Self {
+        self.settings.sample_times = SampleTimes::At(times_s.into_iter().collect());
         self
     }
 

@@ -163,12 +163,16 @@ fn invariant_run_csv_has_units_a_thousand_rows_and_the_end() {
 fn invariant_run_every_sets_the_rows() {
     let file = directory("every").join("motion.csv");
     output(&["run", "ezyroller/coast", "--every", "0.25", "--out", file.to_str().unwrap()]);
-    assert_eq!(std::fs::read_to_string(file).unwrap().lines().count(), 1 + 5);
+    assert_eq!(std::fs::read_to_string(&file).unwrap().lines().count(), 1 + 5);
+    output(&["run", "ezyroller/coast", "--at", "0.125,0.75", "--out", file.to_str().unwrap()]);
+    let rows = std::fs::read_to_string(&file).unwrap();
+    let times: Vec<&str> = rows.lines().skip(1).filter_map(|row| row.split(',').next()).collect();
+    assert_eq!(times, ["0.0", "0.125", "0.75", "1.0"], "{rows}");
 }
 
 #[test]
 fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
-    let cases: [(&[&str], &str); 26] = [
+    let cases: [(&[&str], &str); 29] = [
         (&["run", "ezyroler/coast"], "did you mean `ezyroller`?"),
         (&["run", "ezyroller/cost"], "did you mean `coast`?"),
         (&["run", "ezyroller"], "run one of: ezyroller/coast"),
@@ -189,6 +193,9 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["run", "ezyroller/coast", "--out", "/no/such/directory/x.csv"], "in a directory that exists"),
         (&["run", "ezyroller/coast", "--every", "0"], "give a positive interval"),
         (&["run", "ezyroller/coast", "--every", "0.1"], "add --out FILE.csv"),
+        (&["run", "ezyroller/coast", "--at", "0.1"], "add --out FILE.csv"),
+        (&["run", "ezyroller/coast", "--at", "0.1", "--every", "1", "--out", "x.csv"], "cannot be used with"),
+        (&["run", "ezyroller/coast", "--at", "0.1,7", "--out", "/dev/null"], "the run goes from 0 s to 1 s"),
         (&["run", "ezyroller/coast", "--step", "1e-300"], "steps of 1e-300 s"),
         (&["run", "ezyroller/coast", "--set", "a=1", "--set", "b=1", "--set", "a=2"], "`--set a` is given twice"),
         (&["run", "ezyroller/coast", "--start", "seat.x=1", "--start", "seat.x=1"], "`--start seat.x` is given twice"),

@@ -3,6 +3,7 @@
 use crate::scenes::{Case, all, distance, driven};
 use ezy_core::prelude::*;
 use ezy_core::record::columns;
+use ezy_core::simulate::SetupError;
 use ezy_tests::reference::load;
 use std::io::Write;
 
@@ -161,5 +162,30 @@ fn invariant_recorder_gets_every_sample_once() {
         let mut times = Times::default();
         let run = Simulation::new(&*scene).until(1.0).every(0.07).record_to(&mut times).run().unwrap();
         assert_eq!(times.0, run.samples().map(|s| s.t).collect::<Vec<_>>(), "{route}");
+    }
+}
+
+/// Times in any order, and those of start and end again, give each sample once; it is that of a run with these times at equal intervals.
+#[test]
+fn cross_samples_at_given_times_are_those_at_equal_intervals() {
+    for Case { route, scene } in driven() {
+        for method in [Method::rk4(3e-3), Method::dop853(1e-8)] {
+            let order = || Simulation::new(&*scene).method(method).until(1.0);
+            let (grid, given) = (order().every(0.25), order().sample_at([0.75, 1.0, 0.25, 0.0, 0.25]));
+            let (grid, given) = (grid.run().unwrap(), given.run().unwrap());
+            let bits = |sample: Sample<'_>| sample.numbers().map(f64::to_bits).collect::<Vec<_>>();
+            let expected: Vec<_> = [0, 1, 3, 4].into_iter().filter_map(|i| grid.samples().nth(i)).map(bits).collect();
+            assert_eq!(given.samples().map(bits).collect::<Vec<_>>(), expected, "{route}: {method:?}");
+        }
+    }
+}
+
+#[test]
+fn analytic_sample_times_outside_of_the_run_are_refused() {
+    for Case { scene, .. } in driven() {
+        for t in [-0.1, 1.5, f64::NAN] {
+            let error = Simulation::new(&*scene).until(1.0).sample_at([0.5, t]).run().unwrap_err();
+            assert!(matches!(error, SetupError::SampleTime { .. }), "{error}");
+        }
     }
 }

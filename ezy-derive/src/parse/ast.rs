@@ -155,8 +155,16 @@ pub struct Given {
     pub quantity: Quantity,
     /// The word that gives it.
     pub word: Ident,
-    /// One value, or two for a vector; `None` where a component is left free.
-    pub values: Vec<Option<Expr>>,
+    pub values: GivenValues,
+}
+
+/// What a start gives.
+#[derive(Debug)]
+pub enum GivenValues {
+    /// One value, or two for a pair; `None` where a component is left free.
+    Each(Vec<Option<Expr>>),
+    /// Both components by one expression.
+    Vector(Expr),
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,14 +1,14 @@
 //! `start name { body at (x, y) angle e velocity (vx, vy) rate w; body near angle e; …; at rest; }`
 
 use super::Log;
-use super::ast::{Expr, Given, ItemKind, Loop, Name, Quantity, Start};
+use super::ast::{Expr, Given, GivenValues, ItemKind, Loop, Name, Quantity, Start};
 use super::expression::{expression, indexed};
 use super::place::pair;
 use super::repeat::repeated;
-use super::token::{braced, expected, name, peek_word, sign, skip_statement, take, take_word, word};
+use super::token::{braced, expected, name, peek_number, peek_word, sign, skip_statement, take, take_word, word};
 use crate::diag::nearest::nearest;
 use crate::diag::syntax;
-use proc_macro2::Ident;
+use proc_macro2::{Delimiter, Ident};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
@@ -104,13 +104,23 @@ fn given(input: ParseStream, body: &Name, loops: &[Loop], first: bool) -> Result
         return Err(syntax::body_at_rest(input.span(), body));
     }
     let values = match quantity {
-        Quantity::Position | Quantity::Velocity => {
+        Quantity::Position | Quantity::Velocity if is_pair(input) => {
             let (x, y) = pair(input, free_or_value)?;
-            vec![x, y]
+            GivenValues::Each(vec![x, y])
         }
-        _ => vec![Some(expression(input)?)],
+        Quantity::Position | Quantity::Velocity => GivenValues::Vector(expression(input)?),
+        _ => GivenValues::Each(vec![Some(expression(input)?)]),
     };
     Ok(Given { loops: loops.to_vec(), body: body.clone(), near: false, quantity: *quantity, word, values })
+}
+
+/// Whether brackets alone follow, and not a longer expression such as `(1, 2) * k`.
+fn is_pair(input: ParseStream) -> bool {
+    let Some((_, _, behind)) = input.cursor().group(Delimiter::Parenthesis) else {
+        let is_value = |(word, _): (Ident, _)| QUANTITIES.iter().all(|(known, _)| word != known);
+        return !(peek_number(input) || input.peek(Token![-]) || input.cursor().ident().is_some_and(is_value));
+    };
+    behind.punct().is_none_or(|(sign, _)| sign.as_char() == ';')
 }
 
 /// `_` leaves a component free.

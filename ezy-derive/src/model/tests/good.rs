@@ -2,7 +2,7 @@
 
 use super::{EZY_ROLLER, good};
 use crate::model::constant::at_defaults;
-use crate::model::{Component, Expr, Model};
+use crate::model::{Component, Expr, Model, StartValue};
 use std::f64::consts::PI;
 
 /// A body, parameters and values, and a torque whose value is looked at.
@@ -66,6 +66,27 @@ fn analytic_start_gives_what_it_says() {
         model.starts[0].values.iter().map(|value| (value.body.0, value.component, value.rate)).collect();
     let (x, y, phi) = (Component::X, Component::Y, Component::Phi);
     assert_eq!(given, [(0, x, false), (0, y, false), (0, phi, false), (1, phi, false)]);
+}
+
+#[test]
+fn analytic_start_takes_vectors_from_expressions() {
+    let given = |seat: &str| {
+        let items = format!("param v: m/s = 2; param a: deg = 30; start more {{ seat {seat}; }}");
+        let model = with_torque(&items, "0");
+        let start = model.starts.iter().find(|start| start.name == "more").expect("the start");
+        let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+        let value =
+            |value: &StartValue| (value.component, value.rate, at_defaults(&value.value, &defaults).expect("a number"));
+        start.values.iter().map(value).collect::<Vec<_>>()
+    };
+    for (vector, pair) in [
+        ("velocity v * (3, -1)", "velocity (3 * v, -v)"),
+        ("velocity (3, -1) * v rate 2", "velocity (3 * v, -v) rate 2"),
+        ("at -(1, 2) + (0, 4 mm)", "at (-1, -1.996)"),
+        ("at (1, 2) velocity -(1, 0) * v", "at (1, 2) velocity (-v, 0)"),
+    ] {
+        assert_eq!(given(vector), given(pair), "{vector}");
+    }
 }
 
 #[test]

@@ -181,3 +181,59 @@ fn amplification(one: &Run, moved: &Run, by: f64) -> f64 {
     let at_start = apart((one.first(), moved.first())).max(by);
     pairs(one, moved).map(apart).fold(1.0, |most: f64, apart| most.max(apart / at_start))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The second run has a hundredth of the tolerance, and where that is rounding another method; a third choice has ten times the tolerance.
+    #[test]
+    fn analytic_tolerances_of_second_runs() {
+        assert_eq!(seconds(Method::rk4(0.01)), [Method::rk4(0.005)]);
+        let relative_of = |method: Method| {
+            let of_seconds = seconds(method).into_iter().map(|method| {
+                let Tolerance { relative, absolute } = method.tolerance().unwrap();
+                // the ratio of both is kept
+                assert!((absolute / relative - 1.0).abs() <= 1e-15);
+                (method.name(), relative)
+            });
+            of_seconds.collect::<Vec<_>>()
+        };
+        let expected = [("dop853", 1e-8 * 1e-2), ("dop853", 1e-8 * 10.0)];
+        assert_eq!(relative_of(Method::dop853(1e-8)), expected);
+        assert_eq!(relative_of(Method::dop853(2e-13))[0].0, "dop853");
+        assert_eq!(relative_of(Method::dop853(0.5e-13)), [("taylor", 1e-15), ("dop853", 0.5e-13 * 10.0)]);
+        assert_eq!(relative_of(Method::taylor(0.5e-13))[0], ("dop853", 1e-15));
+        assert_eq!(relative_of(Method::radau(2e-11))[0].0, "radau");
+        assert_eq!(relative_of(Method::radau(0.5e-11))[0].0, "dop853");
+        assert_eq!(relative_of(Method::radau(0.5))[1], ("radau", 1.0));
+        let with = Method::Dop853(Tolerance { relative: 1e-6, absolute: 1e-3 });
+        let Method::Dop853(Tolerance { absolute, .. }) = seconds(with)[0] else { panic!() };
+        assert!((absolute / 1e-5 - 1.0).abs() <= 1e-15, "{absolute:e}");
+    }
+
+    /// A thousand tolerances, and 1e-9 at least.
+    #[test]
+    fn analytic_starts_are_moved_by_more_than_errors() {
+        for (method, expected) in
+            [(Method::dop853(1e-8), 1e-5), (Method::dop853(1e-14), 1e-9), (Method::rk4(1.0), 1e-9)]
+        {
+            assert!((length_of_move(method) / expected - 1.0).abs() <= 1e-14, "{method:?}");
+        }
+        let state = State { t: 2.0, q: vec![0.0, 9.0, -1.0], v: vec![0.0, 3.0, 99.0], work: vec![] };
+        let moved = beside(&state, 0.01);
+        assert_eq!(moved.t, 2.0);
+        let parts: Vec<f64> = moved
+            .q
+            .iter()
+            .chain(&moved.v)
+            .zip(state.q.iter().chain(&state.v))
+            .map(|(moved, x)| (moved - x) / (0.01 * (1.0 + x.abs())))
+            .collect();
+        // numbers fill the interval from -1 to 1 evenly: the golden ratio, twice, …, without whole parts
+        for (i, part) in parts.iter().enumerate() {
+            let whole = (i + 1) as f64 * 0.5 * (1.0 + 5.0_f64.sqrt());
+            assert!((part - (2.0 * (whole - whole.floor()) - 1.0)).abs() <= 1e-12, "{parts:?}");
+        }
+    }
+}

@@ -236,4 +236,52 @@ mod tests {
             assert!((part - (2.0 * (whole - whole.floor()) - 1.0)).abs() <= 1e-12, "{parts:?}");
         }
     }
+
+    crate::model! {
+        /// A puck that nothing holds.
+        pub model Puck {
+            param v: m/s = 2;
+            param far: m = 5;
+            body puck { mass: 1, inertia: 1 }
+            event far_away: puck.x = far;
+            start here { puck at (0, 0) angle 0 velocity (v, 0) rate 0; }
+            scene glides { start here; until 2 s; }
+            scene leaves { start here; until 9 s; until far_away; }
+        }
+    }
+
+    fn run<S: Scene>(scene: &S) -> Run {
+        Simulation::new(scene).method(Method::rk4(0.25)).every(0.5).run().unwrap()
+    }
+
+    /// Two pucks at 2 m/s and 2.25 m/s: 0.25 m/s apart at once, and 0.5 m after 2 s.
+    #[test]
+    fn analytic_errors_of_runs_are_how_far_they_part() {
+        let (one, other) = (run(&puck::Glides::default()), run(&puck::Glides { v: 2.25, ..Default::default() }));
+        let found = errors(&one, &other);
+        let of = |quantity: &str, unit: &str| {
+            let error = found.iter().find(|error| error.quantity == quantity && error.unit == unit).unwrap();
+            [error.at_end, error.largest, error.t]
+        };
+        assert_eq!((of("positions", "m"), of("velocities", "m/s")), ([0.5, 0.5, 2.0], [0.25, 0.25, 0.0]));
+        assert_eq!((of("positions", "rad"), of("velocities", "rad/s")), ([0.0; 3], [0.0; 3]));
+        assert_eq!(found.len(), 4);
+        assert_eq!(pairs(&one, &other).count(), 5);
+        // a run that ends at an event: 5 m are reached after 2.5 s and 2 s
+        let [one, other] = [2.0, 2.5].map(|v| run(&puck::Leaves { v, ..Default::default() }));
+        let found = errors(&one, &other);
+        let end = &found[found.len() - 1];
+        assert_eq!((end.quantity, &*end.unit), ("end", "s"));
+        assert!([end.at_end - 0.5, end.largest - 0.5, end.t - 2.5].iter().all(|x| x.abs() <= 1e-12), "{end:?}");
+    }
+
+    /// Over their sizes in the run, 1 + 4 m and 1 + 2 m/s, they part by 0.1 and 0.25/3 from 0.25/3 on. A start moved by more counts.
+    #[test]
+    fn analytic_amplification_is_how_much_farther_runs_part_than_they_start() {
+        let (one, other) = (run(&puck::Glides::default()), run(&puck::Glides { v: 2.25, ..Default::default() }));
+        for (by, at_start) in [(1e-3, 0.25 / 3.0), (0.09, 0.09), (0.2, 0.1)] {
+            let found = amplification(&one, &other, by);
+            assert!((found - 0.1 / at_start).abs() <= 1e-12, "{found}");
+        }
+    }
 }

@@ -37,6 +37,8 @@ fn order_is_kept_across_a_discontinuity() {
     for (method, bound) in [(Method::dop853(1e-10), 1e-8), (Method::radau(1e-9), 1e-7)] {
         let error = largest_error(method);
         assert!(error <= bound, "{method:?}: {error:.1e}");
+        let cost = Simulation::new(&buffer::Bounces::default()).method(method).run().unwrap().cost;
+        assert!(cost.rejected >= 2 && cost.rejected <= cost.steps, "{method:?}: each discontinuity takes back a step");
     }
     let error = Simulation::new(&buffer::Bounces::default()).method(Method::taylor(1e-9)).run().expect_err("`max`");
     assert!(error.to_string().contains("max"), "{error}");

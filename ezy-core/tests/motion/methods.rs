@@ -123,6 +123,23 @@ fn analytic_stiff_damper_costs_radau_nothing() {
     assert!(run.cost.steps <= 200, "{} steps", run.cost.steps);
 }
 
+/// Stability limits steps of an explicit method beside a damper of 1e3 N s/m: it says since when. An implicit one does not, nor does a motion
+/// that is not stiff.
+#[test]
+fn invariant_stiffness_is_told_by_the_method_that_suffers_from_it() {
+    let stiff_since = |scene: &driven::Shaken, method| {
+        let run = Simulation::new(scene).method(method).until(3.0).run().unwrap();
+        (run.stiff_since_s, run.last().t)
+    };
+    let stiff = driven::Shaken { k: 1e3, c: 1e3 };
+    let (since, end) = stiff_since(&stiff, Method::dop853(1e-6));
+    assert!(since.is_some_and(|since| since > 0.0 && since < 0.5 * end), "{since:?}");
+    assert_eq!(stiff_since(&stiff, Method::radau(1e-6)).0, None);
+    for method in [Method::dop853(1e-6), Method::rk4(1e-2), Method::taylor(1e-6)] {
+        assert_eq!(stiff_since(&driven::Shaken::default(), method).0, None, "{method:?}");
+    }
+}
+
 /// A start beside the slow motion is drawn on to it within microseconds: steps begin short and become long.
 #[test]
 fn analytic_radau_leaves_a_layer_behind() {

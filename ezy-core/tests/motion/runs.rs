@@ -59,7 +59,9 @@ fn analytic_feedback_is_asked_once_a_step() {
         Simulation::new(&scene).method(Method::rk4(0.1)).until(1.0).give("cart.vx", 1.0).control(law).run().unwrap();
     let v = run.last().velocities[0];
     assert!((v - 0.8_f64.powi(10)).abs() <= ROUNDING, "{v}");
-    assert!(times.len() >= 10 && times.windows(2).all(|pair| pair[0] <= pair[1]), "{times:?}");
+    // at the beginning of each step, and not at the end of the run
+    assert_eq!(times.len(), 10, "{times:?}");
+    assert!(times.iter().enumerate().all(|(n, t)| (t - 0.1 * n as f64).abs() <= 1e-15), "{times:?}");
 }
 
 #[test]

@@ -194,4 +194,11 @@ mod tests {
         }
         assert!(found.iter().all(|entry| (entry - 1.0).abs() <= 0.05), "{found:?}");
     }
+
+    /// Five coordinates that nothing holds do not count beside the one that is: K⁻¹ has column sums of two and ones.
+    #[test]
+    fn analytic_free_coordinates_do_not_matter() {
+        let found = ConditionEstimator::new(&[1.0; 6], &ONE_ROW).estimate(&[1.0; 6], &ONE_ROW, &[1.0]);
+        assert_estimates(found, 4.0);
+    }
 }

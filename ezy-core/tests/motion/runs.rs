@@ -71,6 +71,7 @@ fn invariant_samples_come_at_their_times_and_at_the_end() {
         let run = Simulation::new(&scene).method(method).every(0.3).until(1.0).run().unwrap();
         let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
         assert_eq!(times.len(), 5, "{method:?}: {times:?}");
+        assert!(run.sample(3).is_some_and(|sample| sample.t == times[3]) && run.sample(5).is_none(), "{method:?}");
         for (sample, expected) in run.samples().zip([0.0, 0.3, 0.6, 0.9, 1.0]) {
             assert!((sample.t - expected).abs() <= 1e-15, "{method:?}: {times:?}");
             let t = sample.t;

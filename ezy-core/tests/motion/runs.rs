@@ -207,3 +207,17 @@ fn analytic_motion_that_ends_is_followed_to_its_end_and_says_so() {
         assert!((t - 1.0).abs() <= 1e-3, "{method:?}: {t}");
     }
 }
+
+/// Progress is told for each hundredth of a run, and at its end.
+#[test]
+fn analytic_progress_is_told_for_each_hundredth() {
+    let scene = cart::Pushed::default();
+    let mut told = Vec::new();
+    let order = Simulation::new(&scene).method(Method::rk4(0.005)).until(2.0).on_progress(|done| told.push(done));
+    assert_eq!(order.run().unwrap().cost.steps, 400);
+    assert!(told.len() >= 99 && told.len() <= 101 && told[told.len() - 1] == 1.0, "{} times", told.len());
+    for pair in told.windows(2) {
+        // a step is a quarter of a hundredth
+        assert!((pair[1] - pair[0] - 0.01).abs() <= 0.003, "{pair:?}");
+    }
+}

@@ -115,12 +115,13 @@ mod tests {
     use crate::linalg::Backend;
 
     crate::model! {
-        /// A puck in a guide that follows a wall where the puck is upright: slopes (1, 0, 0) and (1, 0, w φ).
+        /// A puck in a guide that follows a wall at the angle Ω t of the puck: slopes (1, 0, 0) and (1, 0, w (φ − Ω t)).
         pub model Guided {
             param w: m = 1;
+            param rate: rad/s = 0;
             body puck { mass: 1, inertia: 1 }
             constraint wall: puck.x = 0;
-            constraint guide: puck.x + w * puck.phi^2 / 2 = 0;
+            constraint guide: puck.x + w * (puck.phi^2 / 2 - rate * t * puck.phi) = 0;
             start here { puck at (0, 0) angle 0; at rest; }
             scene turns { start here; until 1 s; }
         }
@@ -167,23 +168,31 @@ mod tests {
         assert_eq!(ahead(&mut system, [0.04, 0.0], 0.5), None, "it has vanished");
     }
 
-    /// From 0.1 rad at −1 rad/s the guide follows the wall after 0.1 s, as the square of the pivot there tells.
+    /// From 0.1 rad beside Ω t, and towards it by 1 rad/s, the guide follows the wall after 0.1 s, as the square of the pivot there tells.
     #[test]
     fn analytic_singular_position_is_found_where_the_pivot_vanishes() {
+        let q = &mut [0.0; 3];
+        // sixteen golden sections
+        let located = 0.25 * GOLDEN.powi(16);
+        for rate in [0.5, 0.0] {
+            let scene = guided::Turns { rate, ..Default::default() };
+            let mut system = System::new(&scene, Backend::Dense).unwrap();
+            let info = scene.info();
+            let pivot = system.pivot_at(3.0, &[0.0, 0.0, 3.0 * rate + 0.1]);
+            let now = at(&info, 3.0, 3.0 * rate + 0.1, rate - 1.0, pivot);
+            let approach = Approach { now: &now, before: &now };
+            for within in [0.0..0.25, 0.02..0.16, 0.05..0.25] {
+                let found = approach.find(&mut system, q, within.clone()).unwrap();
+                assert!((found - 0.1).abs() <= located, "{within:?}: {found}");
+            }
+        }
         let scene = guided::Turns::default();
         let mut system = System::new(&scene, Backend::Dense).unwrap();
         let info = scene.info();
         let pivot = system.pivot_at(0.0, &[0.0, 0.0, 0.1]);
         let mut now = at(&info, 3.0, 0.1, -1.0, pivot);
         let before = at(&info, 2.9, 0.2, -1.0, 4.0 * pivot);
-        let q = &mut [0.0; 3];
         let approach = Approach { now: &now, before: &before };
-        // sixteen golden sections
-        let located = 0.25 * GOLDEN.powi(16);
-        for within in [0.0..0.25, 0.02..0.16, 0.05..0.25] {
-            let found = approach.find(&mut system, q, within.clone()).unwrap();
-            assert!((found - 0.1).abs() <= located, "{within:?}: {found}");
-        }
         // at a fifth of the angle the pivot is 4 % of what it was: it does not vanish up to there
         assert_eq!(approach.find(&mut system, q, 0.0..0.08), None);
         assert!(approach.find(&mut system, q, 0.0..0.09).is_some());

@@ -195,4 +195,24 @@ mod tests {
             }
         }
     }
+
+    /// Rows are lost where some are redundant; where that is not known, where one is named.
+    #[test]
+    fn invariant_rank_is_lost_where_rows_are_redundant_or_named() {
+        let loss = |n_redundant, rows: &[&'static str]| RankLoss {
+            n_coordinates: 9,
+            n_rows: 8,
+            n_redundant,
+            rows: rows.iter().map(|row| (*row).into()).collect(),
+        };
+        for (n, rows, is_lost, freedom) in [
+            (Some(0), &[][..], false, Some(1)),
+            (Some(2), &["A.x", "B.x"], true, Some(3)),
+            (None, &[], false, None),
+            (None, &["A.x"], true, None),
+        ] {
+            let loss = loss(n, rows);
+            assert_eq!((loss.is_lost(), loss.freedom()), (is_lost, freedom), "{loss:?}");
+        }
+    }
 }

@@ -11,7 +11,7 @@ fn order(scene: &cart::Pushed) -> Simulation<'_, cart::Pushed> {
 }
 
 fn refused(order: Simulation<'_, cart::Pushed>) -> SetupError {
-    order.run().err().expect("it is refused")
+    order.run().expect_err("it is refused")
 }
 
 #[test]

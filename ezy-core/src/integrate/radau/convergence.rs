@@ -136,6 +136,15 @@ mod tests {
         assert_eq!(convergence.n_passes(), 4);
     }
 
+    /// A residual that is gone does not end the iteration while stages still change.
+    #[test]
+    fn invariant_changes_count_where_nothing_is_left_of_the_residual() {
+        let mut convergence = Convergence::new(TOLERANCE, 1.0);
+        for change in [1.0, 0.1, 0.01] {
+            assert!(matches!(convergence.judge(change, 0.0), Verdict::GoOn), "{change}");
+        }
+    }
+
     /// From the third pass on the rate is the geometric mean of the last two: √(0.1 · 0.001).
     #[test]
     fn analytic_rate_is_the_mean_of_two_passes() {

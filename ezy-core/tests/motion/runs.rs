@@ -99,6 +99,10 @@ fn invariant_a_limit_on_steps_ends_a_run_with_what_it_has() {
             run.cost
         );
     }
+    // where the last good state was sampled, it is not sampled again
+    let run = Simulation::new(&scene).method(Method::rk4(0.01)).every(0.01).max_steps(7).run().unwrap();
+    let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
+    assert!(times.len() == 8 && times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
     let whole = Simulation::new(&scene).method(Method::rk4(0.01)).max_steps(200).run().unwrap();
     assert!(whole.outcome.reached_end() && whole.cost.steps == 200, "{:?}", whole.cost);
     assert_eq!(whole.cost.evaluations, 4 * 200 + 1);

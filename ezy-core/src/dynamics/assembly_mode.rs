@@ -176,3 +176,25 @@ impl<'a> Partition<'a> {
         is_reached
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::tests::linkage;
+    use crate::linalg::Backend;
+
+    /// Near values come first, angles before lengths, those that moved least before others; then what is not given, places before angles.
+    #[test]
+    fn invariant_drivers_are_chosen_among_near_values_that_moved_least() {
+        let scene = linkage::Turns::default();
+        let system = System::new(&scene, Backend::Auto).unwrap();
+        let mut start = Start::free(9);
+        for i in [2, 3, 5, 7, 8] {
+            (start.q_given[i], start.q_near[i]) = (true, i != 2);
+        }
+        let guess = [0.0; 9];
+        let found = [0.5, 0.4, 0.0, 0.3, -0.1, -0.2, 0.6, 0.1, 0.05];
+        // near: angles 8 (0.05) and 5 (0.2), lengths 7 (0.1) and 3 (0.3); not given: 4, 1, 0, 6; 2 is given
+        assert_eq!(system.drivers(&start, &guess, &found), [8, 5, 7, 3, 4, 1, 0, 6]);
+    }
+}

@@ -113,3 +113,124 @@ fn worst(x: impl Iterator<Item = f64>) -> f64 {
 fn largest(x: impl Iterator<Item = f64>) -> f64 {
     x.fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::System;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// A rod on a hinge 0.75 m from its centre, a wheel on it, and a block that nothing holds.
+        pub model Lever {
+            param ratio: m = 3;
+            body rod { mass: 1, inertia: 0.2 }
+            body block { mass: 1, inertia: 0.2 }
+            hinge pivot: ground(0, 0) ~ rod(-0.75, 0);
+            constraint rolls: block.x = ratio * rod.phi;
+            start level { rod angle 0; block at (0, 5) angle 0; at rest; }
+            scene swings { start level; until 1 s; }
+        }
+    }
+
+    /// Rows of sizes 4, 1/2 and 1 of a mechanism of 2 m, with a lever of 3 m.
+    fn geometry() -> Geometry {
+        Geometry { length: 2.0, sizes: vec![4.0, 0.5, 1.0], units: vec![1.0, 1.0, 3.0] }
+    }
+
+    /// Rounding of a product or two.
+    const ROUNDING: f64 = 1e-14;
+
+    fn close(x: f64, y: f64) {
+        assert!((x - y).abs() <= ROUNDING * y.abs(), "{x:e} {y:e}");
+    }
+
+    /// Slopes of the hinge are 1 along x and y, and 0.75 m for a turn; of the second constraint 1 for x, 3 m for a turn. Lengths are measured by the
+    /// longest lever, angles by their own; one without rows by the longest.
+    #[test]
+    fn analytic_lengths_are_levers_of_the_rows() {
+        let scene = lever::Swings::default();
+        let geometry = System::new(&scene, Backend::Auto).unwrap().geometry;
+        close(geometry.length, 3.0);
+        assert_eq!(geometry.units, [1.0, 1.0, 3.0, 1.0, 1.0, 3.0]);
+        // a row changes by 3 m where a body moves by that; a turn changes the hinge by 0.75 m
+        assert_eq!(geometry.sizes, [3.0; 3]);
+        let short = lever::Swings { ratio: 0.25 };
+        let geometry = System::new(&short, Backend::Auto).unwrap().geometry;
+        close(geometry.length, 0.75);
+        assert_eq!((geometry.units[2], geometry.units[5]), (0.75, 0.75));
+        assert_eq!(geometry.sizes, [0.75; 3]);
+    }
+
+    #[test]
+    fn analytic_extent_and_length_of_coordinates() {
+        let geometry = geometry();
+        assert_eq!(
+            [[-4.0, 1.0, 1.5], [1.0, -3.0, 1.0], [0.5, 0.5, -7.0]].map(|x| geometry.extent(&x)),
+            [2.0, 1.5, 7.0]
+        );
+        assert_eq!([[-4.0, 1.0, 1.5], [9.0, -3.0, 1.0]].map(|x| geometry.length_of(&x)), [4.5, 9.0]);
+    }
+
+    /// 1e-12 of the size of a row, at most 1e-12, or eight roundings of coordinates up to 1e9 times its size.
+    #[test]
+    fn analytic_residuals_that_count_as_zero() {
+        let (geometry, rounding) = (geometry(), 8.0 * f64::EPSILON);
+        for (row, extent, expected) in [
+            (0, 0.0, 1e-12),
+            (1, 0.0, 0.5e-12),
+            (0, 1e6, rounding * 1e6 * 4.0),
+            (1, 1e6, rounding * 1e6 * 0.5),
+            (1, 1e12, rounding * 1e9 * 0.5),
+        ] {
+            close(geometry.position_tolerance(row, extent), expected);
+        }
+        for (row, extent, expected) in [
+            (1, 1.0, 0.5e-12),
+            (1, 0.1, 0.05e-12),
+            (0, 10.0, 1e-12),
+            (0, 1e6, rounding * 4e6),
+            (2, 1e12, rounding * 1e12),
+        ] {
+            close(geometry.velocity_tolerance(row, extent), expected);
+        }
+        close(tolerance_at(1.0), 1e-12);
+        close(tolerance_at(1e7), rounding * 1e7);
+        close(tolerance_at(1e12), rounding * 1e9);
+    }
+
+    /// The worst row in units of its tolerance, or of its size.
+    #[test]
+    fn analytic_residuals_in_units_of_what_counts_as_zero() {
+        let geometry = geometry();
+        let rest = [0.0; 3];
+        close(geometry.position_excess(&[2e-12, -3e-12, 1e-12], &rest), 6.0);
+        close(geometry.position_excess(&[-8e-12, 3e-12, 1e-12], &rest), 8.0);
+        close(geometry.velocity_excess(&[2e-12, -3e-12, 1e-12], 1.0), 6.0);
+        assert_eq!(geometry.velocity_excess(&[0.0; 3], 0.0), 0.0, "what rests and leaves nothing");
+        assert_eq!(geometry.velocity_excess(&[0.0, 1e-300, 0.0], 0.0), f64::INFINITY);
+        close(geometry.share(&[2.0, -3.0, 1.0]), 6.0);
+        assert!(
+            geometry.share(&[2.0, f64::NAN, 1.0]).is_nan()
+                && geometry.position_excess(&[f64::NAN, 0.0, 0.0], &rest).is_nan()
+        );
+        for (residual, is_met) in [
+            ([1e-12, 0.5e-12, -1e-12], true),
+            ([1.1e-12, 0.0, 0.0], false),
+            ([0.0, -0.6e-12, 0.0], false),
+            ([0.0, 0.0, f64::NAN], false),
+        ] {
+            assert_eq!(geometry.is_met(&residual), is_met, "{residual:?}");
+        }
+    }
+
+    /// The inertia of 18 kg m² on a lever of 3 m is felt like 2 kg.
+    #[test]
+    fn analytic_lightest_mass_by_what_levers_feel() {
+        let lightness = |mass: [f64; 3]| geometry().lightness(&mass);
+        close(lightness([4.0, 4.0, 18.0]), 0.5);
+        close(lightness([1.0, 4.0, 18.0]), 0.25);
+        close(lightness([1.0, 1.0, 90.0]), 0.1);
+        assert_eq!((lightness([0.0, 1.0, 9.0]), lightness([0.0; 3])), (0.0, 0.0));
+    }
+}

@@ -25,6 +25,8 @@ mod solved;
 mod start;
 mod strain;
 mod system;
+#[cfg(test)]
+mod tests;
 mod tolerances;
 mod worst;
 

@@ -146,3 +146,73 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// A puck that is held along two lines.
+        pub model Tilted {
+            param angle: rad = 0.1;
+            body puck { mass: 3, inertia: 1 }
+            constraint first: puck.x = 0;
+            constraint second: 5 * cos(angle) * puck.x + 5 * sin(angle) * puck.y = 0;
+            start here { puck at (0, 0) angle 0; at rest; }
+            scene rests { start here; until 1 s; }
+        }
+    }
+
+    /// At an angle of δ the second row, its largest entry made one, keeps tan δ beside the first: below 0.1 they nearly depend on each other.
+    #[test]
+    fn analytic_independence_of_two_directions() {
+        for (angle, is_near) in [(0.01_f64, true), (0.098, true), (0.102, false), (0.3, false)] {
+            let scene = tilted::Rests { angle };
+            let mut system = System::new(&scene, Backend::Dense).unwrap();
+            let q = [0.0; 3];
+            let independence = system.independence(0.0, &q).unwrap();
+            assert!((independence / angle.tan().powi(2) - 1.0).abs() <= 1e-12, "{angle}: {independence}");
+            assert_eq!(
+                (system.is_nearly_singular(0.0, &q), system.is_far_from_singular(0.0, &q)),
+                (is_near, !is_near),
+                "{angle}"
+            );
+            let stalled = || MotionError::ProjectionStalled {
+                t: 0.0,
+                residual: 1.0,
+                row: "first".into(),
+                passes: 10,
+                tolerance: 1e-12,
+            };
+            let locked = system.locked_up(0.0, &q, stalled());
+            match &locked {
+                MotionError::LockedUp { rows, smallest_pivot, cause, .. } => {
+                    assert!(is_near && rows[..] == ["first", "second"] && **cause == stalled(), "{locked}");
+                    assert_eq!(*smallest_pivot, independence);
+                }
+                other => assert!(!is_near && *other == stalled(), "{angle}: {other}"),
+            }
+        }
+    }
+
+    /// Rows are lost where some are redundant; where that is not known, where one is named.
+    #[test]
+    fn invariant_rank_is_lost_where_rows_are_redundant_or_named() {
+        let loss = |n_redundant, rows: &[&'static str]| RankLoss {
+            n_coordinates: 9,
+            n_rows: 8,
+            n_redundant,
+            rows: rows.iter().map(|row| (*row).into()).collect(),
+        };
+        for (n, rows, is_lost, freedom) in [
+            (Some(0), &[][..], false, Some(1)),
+            (Some(2), &["A.x", "B.x"], true, Some(3)),
+            (None, &[], false, None),
+            (None, &["A.x"], true, None),
+        ] {
+            let loss = loss(n, rows);
+            assert_eq!((loss.is_lost(), loss.freedom()), (is_lost, freedom), "{loss:?}");
+        }
+    }
+}

@@ -38,3 +38,29 @@ impl<S: Scene + ?Sized> System<'_, S> {
         (acceleration, f64::EPSILON * terms)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::tests::linkage;
+    use crate::linalg::Backend;
+
+    /// The coupler's end at 1.5 m from its centre is on the crank's at 1 m: both accelerate by a − ω² r along, and α r across, their directions.
+    #[test]
+    fn analytic_acceleration_of_a_hinge_and_its_rounding() {
+        let scene = linkage::Turns::default();
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let (crank, coupler) = (0.4_f64, -0.3_f64);
+        let q = [0.1, 0.2, crank, 2.0, 0.5, coupler, 0.0, 0.0, 0.0];
+        let v = [0.0, 0.0, 2.0, 0.0, 0.0, -3.0, 0.0, 0.0, 0.0];
+        let a = [0.5, -0.7, 1.1, 0.2, 0.3, -0.4, 0.0, 0.0, 0.0];
+        let row = system.info.rows.iter().position(|row| row.name == "B.x").unwrap();
+        let (acceleration, rounding) = system.row_acceleration(&SystemRow { row, t: 0.0, q: &q, v: &v }, &a);
+        let of_crank = a[0] - a[2] * crank.sin() - 4.0 * crank.cos();
+        let of_coupler = a[3] + 1.5 * (a[5] * coupler.sin() + 9.0 * coupler.cos());
+        assert!((acceleration.abs() - (of_crank - of_coupler).abs()).abs() <= 1e-14, "{acceleration}");
+        // each coordinate times its slope
+        let terms = q[0] + crank.sin() * crank + q[3] + 1.5 * (coupler.sin() * coupler).abs();
+        assert!((rounding / (f64::EPSILON * terms) - 1.0).abs() <= 1e-14, "{rounding:e}");
+    }
+}

@@ -253,3 +253,43 @@ impl<S: Scene + ?Sized> System<'_, S> {
         positions.chain(velocities.map(|(((_, c), given), got)| MovedValue::of_velocity(c, *given, *got))).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::tests::linkage;
+    use crate::linalg::Backend;
+
+    /// Guesses that fail are moved: angles by at most a fifth of a radian and lengths by the share of the longest lever that the residual is, each
+    /// time by other amounts, which fill these intervals evenly.
+    #[test]
+    fn analytic_moved_guesses_fill_the_neighbourhood() {
+        let scene = linkage::Turns::default();
+        let system = System::new(&scene, Backend::Auto).unwrap();
+        let (share, longest) = (0.1, system.geometry.length);
+        let mut given = [false; 9];
+        given[2] = true;
+        let mut parts = Vec::new();
+        for n in 0..25 {
+            let mut q = [5.0; 9];
+            system.perturb(&mut q, &given, share, n);
+            assert_eq!(q[2], 5.0, "what is given stays");
+            let moved = q.iter().enumerate().filter(|(i, _)| *i != 2);
+            parts.extend(moved.map(|(i, q)| (q - 5.0) / if i % 3 == 2 { LARGEST_TURN } else { share * longest }));
+        }
+        assert!(parts.iter().all(|part| part.abs() <= 1.0 + 1e-12), "{parts:?}");
+        parts.sort_by(f64::total_cmp);
+        // two hundred parts of an interval of 2, evenly to a factor of 4
+        let widest = parts.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+        assert!(
+            widest <= 4.0 * 2.0 / parts.len() as f64 && parts[0] <= -0.96 && parts[parts.len() - 1] >= 0.96,
+            "{widest}"
+        );
+        // a residual that is no number tells no size: the longest lever is taken
+        let mut q = [0.0; 9];
+        system.perturb(&mut q, &given, f64::NAN, 0);
+        let mut by_one = [0.0; 9];
+        system.perturb(&mut by_one, &given, 1.0, 0);
+        assert_eq!(q, by_one);
+    }
+}

@@ -106,3 +106,15 @@ fn norm(x: impl Iterator<Item = f64>) -> f64 {
 fn largest(x: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
     x.enumerate().filter(|(_, x)| x.is_finite() && *x > 0.0).max_by(|(_, x), (_, y)| x.total_cmp(y))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_largest_of_the_finite_and_positive() {
+        assert_eq!(largest([1.0, f64::INFINITY, 3.0, 2.0, f64::NAN].into_iter()), Some((2, 3.0)));
+        assert_eq!(largest([0.0, -1.0].into_iter()), None);
+        assert_eq!(norm([3.0, f64::INFINITY, -4.0, f64::NAN].into_iter()), 5.0);
+    }
+}

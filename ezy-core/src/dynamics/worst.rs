@@ -36,3 +36,20 @@ pub struct Projected {
     /// How velocities were corrected, where they were.
     pub solved: Option<Solved>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first of equal ones; what is not a number is worst.
+    #[test]
+    fn analytic_worst_row() {
+        for (residual, value, row) in
+            [(&[1.0, -3.0, 3.0][..], 3.0, 1), (&[0.0, 0.0], 0.0, 0), (&[], 0.0, 0), (&[-2.0, 1.0], 2.0, 0)]
+        {
+            assert_eq!(Worst::of(residual), Worst { value, row }, "{residual:?}");
+        }
+        let worst = Worst::of(&[7.0, f64::NAN, 2.0]);
+        assert!(worst.value.is_nan() && worst.row == 1, "{worst:?}");
+    }
+}

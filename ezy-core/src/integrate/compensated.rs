@@ -21,3 +21,25 @@ pub(super) fn add_each(to: &mut [f64], from: &[f64], increment: &[f64], rest: &m
         *to = add(*from, *increment, rest);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A hundred thousand increments of 1e-9: each alone would lose up to 1e-16.
+    #[test]
+    fn analytic_sums_of_many_small_increments_keep_their_last_digit() {
+        let (mut sum, mut rest) = (1.0, 0.0);
+        for _ in 0..100_000 {
+            sum = add(sum, 1e-9, &mut rest);
+        }
+        assert!((sum - 1.0001).abs() <= f64::EPSILON, "{sum}");
+        // what is cut off is known exactly: 1 + 2^-60 is 1 and the rest
+        let mut rest = 0.0;
+        assert_eq!((add(1.0, 2.0_f64.powi(-60), &mut rest), rest), (1.0, 2.0_f64.powi(-60)));
+        let mut rest = [0.0, 2.0_f64.powi(-53)];
+        let mut to = [0.0; 2];
+        add_each(&mut to, &[1.0, 1.0], &[2.0_f64.powi(-53), 2.0_f64.powi(-53)], &mut rest);
+        assert_eq!((to, rest), ([1.0, 1.0 + f64::EPSILON], [2.0_f64.powi(-53), 0.0]));
+    }
+}

@@ -53,3 +53,48 @@ pub(crate) fn interpolate(from: Node<'_>, to: Node<'_>, t: f64, out: &mut State)
     }
     out.t = t;
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounding of sums of numbers of some tens.
+    const ROUNDING: f64 = 1e-13;
+
+    /// A quintic q, with its slope and curvature; a cubic work, with its power.
+    fn quintic(t: f64) -> [f64; 3] {
+        let coefficients = [0.7, -1.1, 0.4, 2.3, -1.7, 0.9];
+        std::array::from_fn(|derivative| {
+            let falling = |k: usize| (0..derivative).fold(1.0, |product, i| product * (k as f64 - i as f64));
+            let terms = coefficients.iter().enumerate().skip(derivative);
+            terms.map(|(k, c)| c * falling(k) * t.powi((k - derivative) as i32)).sum()
+        })
+    }
+
+    fn cubic(t: f64) -> [f64; 2] {
+        [0.3 + t * (1.2 + t * (-0.8 + 0.5 * t)), 1.2 + t * (-1.6 + 1.5 * t)]
+    }
+
+    /// Quintic motions and cubic works are reproduced, and their slopes.
+    #[test]
+    fn analytic_interpolation_of_a_quintic_motion_and_a_cubic_work() {
+        let (begin, end) = (-0.4, 1.1);
+        let at = |t: f64| {
+            let mut state = State::zero(1, 1);
+            (state.t, state.q[0], state.v[0], state.work[0]) = (t, quintic(t)[0], quintic(t)[1], cubic(t)[0]);
+            (state, [quintic(t)[2]], [cubic(t)[1]])
+        };
+        let ((from, a, power), (to, a_to, power_to)) = (at(begin), at(end));
+        let nodes = [Node { state: &from, a: &a, power: &power }, Node { state: &to, a: &a_to, power: &power_to }];
+        for t in [begin, -0.1, 0.3, 0.9, end] {
+            let mut found = State::zero(1, 1);
+            interpolate(nodes[0], nodes[1], t, &mut found);
+            let (expected, _, _) = at(t);
+            assert_eq!(found.t, t);
+            for (x, y) in [(found.q[0], expected.q[0]), (found.v[0], expected.v[0]), (found.work[0], expected.work[0])]
+            {
+                assert!((x - y).abs() <= ROUNDING, "at {t}: {x} {y}");
+            }
+        }
+    }
+}

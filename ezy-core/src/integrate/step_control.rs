@@ -93,3 +93,62 @@ impl Clock {
         if n + 1 < self.n_steps { self.step } else { self.end - self.time(n) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounding of a power.
+    const ROUNDING: f64 = 1e-13;
+
+    fn close(x: f64, y: f64) {
+        assert!((x - y).abs() <= ROUNDING * y.abs(), "{x} {y}");
+    }
+
+    /// Steady errors ε ask for 0.9 ε^(0.04 + 0.2 · 0.04 − 1/8): with 0.9 ε^(−0.077) one becomes a step of its own length.
+    #[test]
+    fn analytic_steady_errors_ask_for_their_eighth_root_less_what_damps() {
+        for error in [1.0, 0.1, 1e-2] {
+            let mut control = StepControl::new(8);
+            control.accept(error);
+            close(control.accept(error), 0.9 * error.powf(0.04 + 0.008 - 0.125));
+        }
+    }
+
+    /// An error that grows from 1e-3 to 1e-1 asks for 100^(−0.04) of what a steady one of 1e-1 asks for.
+    #[test]
+    fn analytic_growing_errors_shorten_the_step_ahead() {
+        let mut control = StepControl::new(8);
+        control.accept(1e-3);
+        let growing = control.accept(1e-1);
+        close(growing / control.accept(1e-1), 100_f64.powf(-0.04));
+    }
+
+    #[test]
+    fn analytic_steps_change_by_six_and_a_third_at_most() {
+        let mut control = StepControl::new(8);
+        assert_eq!(control.accept(0.0), 6.0);
+        // an error below 1e-4 is remembered as 1e-4
+        close(control.accept(1.0), 0.9 * 1e-4_f64.powf(0.04));
+        assert_eq!(control.reject(1e8), 1.0 / 3.0);
+        assert_eq!(control.reject(f64::NAN), 1.0 / 3.0);
+        close(control.reject(4.0), 0.9 * 4.0_f64.powf(-0.125));
+        assert_eq!(control.accept(0.0), 1.0, "the step after a rejected one does not grow");
+        assert_eq!(control.accept(0.0), 6.0);
+    }
+
+    /// 1 s in steps of 0.3 s: three of them and 0.1 s; in steps of 0.1 s ten, since what rounding adds is none.
+    #[test]
+    fn analytic_clock_lands_on_its_end() {
+        let clock = Clock::new(2.0, 3.0, 0.3);
+        assert_eq!(clock.n_steps(), 4);
+        let times: Vec<f64> = (0..6).map(|n| clock.time(n)).collect();
+        assert_eq!(times, [2.0, 2.3, 2.6, 2.0 + 3.0 * 0.3, 3.0, 3.0]);
+        for (n, length) in [0.3, 0.3, 0.3, 0.1].into_iter().enumerate() {
+            assert!((clock.step(n as u64) - length).abs() <= 1e-15, "{n}");
+        }
+        let tenths = Clock::new(0.0, 0.1 + 0.2, 0.1);
+        assert_eq!((tenths.n_steps(), tenths.time(3)), (3, 0.1 + 0.2));
+        assert_eq!(Clock::new(1.0, 1.0, 0.1).n_steps(), 0);
+    }
+}

@@ -161,4 +161,44 @@ mod tests {
             ConditionEstimator::new(&[1.0; 2], &TWO_ROWS).estimate(&[1.0, 1.0], &TWO_ROWS, &[1.0, 0.0, 1.0, 0.0]);
         assert_eq!((found.condition, found.row), (f64::INFINITY, None));
     }
+
+    /// Largest column sums of [2 0 4; 0 3 5; 4 5 0] and of [2 0 1 7; 0 3 1 0; 1 1 0 0; 7 0 0 0].
+    #[test]
+    fn analytic_norm_is_the_largest_column_sum() {
+        const BOTH: SparsityPattern = SparsityPattern::new(&[0, 2], &[0, 1]);
+        assert_eq!(ConditionEstimator::new(&[1.0; 2], &BOTH).norm(&[2.0, 3.0], &BOTH, &[4.0, -5.0]), 9.0);
+        const SECOND: SparsityPattern = SparsityPattern::new(&[0, 2, 3], &[0, 1, 0]);
+        let mut estimator = ConditionEstimator::new(&[1.0; 2], &SECOND);
+        assert_eq!(estimator.norm(&[2.0, 3.0], &SECOND, &[1.0, -1.0, 7.0]), 10.0);
+        assert_eq!(estimator.norm(&[2.0, 3.0], &SECOND, &[9.0, -9.0, 1.0]), 18.0);
+        estimator.scale = vec![0.5, 1.0, 1.0, 2.0];
+        // with D: [0.5 0 0.5 7; 0 3 1 0; 0.5 1 0 0; 7 0 0 0]
+        assert_eq!(estimator.norm(&[2.0, 3.0], &SECOND, &[1.0, -1.0, 7.0]), 8.0);
+    }
+
+    /// Whatever the units, the largest entry of each row and column of D K D is one but for a few percent.
+    #[test]
+    fn invariant_equilibrated_rows_have_entries_of_one() {
+        const PATTERN: SparsityPattern = SparsityPattern::new(&[0, 2, 4], &[0, 1, 1, 2]);
+        let (mass, jacobian) = ([1e6, 3e-4, 20.0], [1e3, 2e-5, -40.0, 7e8]);
+        let (mut d, mut largest) = (vec![0.0; 5], vec![0.0; 5]);
+        equilibrate(&mass, &PATTERN, &jacobian, &mut d, &mut largest);
+        let mut found = [0.0_f64; 5];
+        for (i, m) in mass.iter().enumerate() {
+            found[i] = d[i] * m * d[i];
+        }
+        for (k, (row, column)) in [(0, 0), (0, 1), (1, 1), (1, 2)].into_iter().enumerate() {
+            let entry = (d[3 + row] * jacobian[k] * d[column]).abs();
+            found[column] = found[column].max(entry);
+            found[3 + row] = found[3 + row].max(entry);
+        }
+        assert!(found.iter().all(|entry| (entry - 1.0).abs() <= 0.05), "{found:?}");
+    }
+
+    /// Five coordinates that nothing holds do not count beside the one that is: K⁻¹ has column sums of two and ones.
+    #[test]
+    fn analytic_free_coordinates_do_not_matter() {
+        let found = ConditionEstimator::new(&[1.0; 6], &ONE_ROW).estimate(&[1.0; 6], &ONE_ROW, &[1.0]);
+        assert_estimates(found, 4.0);
+    }
 }

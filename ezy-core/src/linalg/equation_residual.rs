@@ -114,4 +114,23 @@ mod tests {
         });
         assert!(of_rounding <= 1e-12 && of_an_error > 1e-12, "{of_rounding:e} {of_an_error:e}");
     }
+
+    /// Of `[2 0 4; 0 3 5; 4 5 0] [x; λ] = r`: what is left of each equation, over the sum of the magnitudes of its terms.
+    #[test]
+    fn analytic_parts_that_a_solution_leaves() {
+        let pattern = SparsityPattern::new(&[0, 2], &[0, 1]);
+        let mut equations = EquationResidual::new(2, 1, &pattern);
+        let (mass, jacobian) = ([2.0, 3.0], [4.0, 5.0]);
+        let (right_side, solution) = ([7.0, -1.0, 2.0], [1.0, -2.0, 0.5]);
+        equations.write(&mass, &jacobian, &right_side, &solution);
+        assert_eq!(equations.left, [7.0 - 2.0 - 2.0, -1.0 + 6.0 - 2.5, 2.0 - 4.0 + 10.0]);
+        assert_eq!(equations.share(), (3.0_f64 / 11.0).max(2.5 / 9.5).max(8.0 / 16.0));
+        // the row, its largest entry made one: 8/5 of 5 m/s² of the second coordinate, or 7/2 of the first one's free fall
+        let left = equations.rows_left(&mass, &jacobian, &[1.0, 1.0], &right_side, &solution, |_| true);
+        assert_eq!((left.rows, left.scale), (8.0 / 5.0, 3.5));
+        let left = equations.rows_left(&mass, &jacobian, &[1.0, 0.5], &right_side, &solution, |_| true);
+        assert_eq!((left.rows, left.scale), (8.0 / 10.0, 3.5));
+        let left = equations.rows_left(&mass, &jacobian, &[1.0, 4.0], &[0.0; 3], &solution, |_| false);
+        assert_eq!((left.rows, left.scale), (0.0, 8.0));
+    }
 }

@@ -368,4 +368,15 @@ mod tests {
         assert_eq!(undetermined_coordinates(&[0.0, 0.0, 1.0], &pattern, &[1.0, 1.0]), Some(vec![0, 1]));
         assert_eq!(undetermined_coordinates(&[0.0, 1.0, 1.0], &pattern, &[1.0, 1.0]), Some(vec![]));
     }
+
+    /// Of two coordinates in a row the lighter one is made dependent: 6 kg m² on a lever of 2 m are felt like 1.5 kg.
+    #[test]
+    fn analytic_the_coordinate_that_feels_lightest_depends_on_others() {
+        const ROW: SparsityPattern = SparsityPattern::new(&[0, 2], &[0, 1]);
+        for (mass, dependent) in [([2.0, 6.0], 1), ([1.0, 6.0], 0)] {
+            let mut rank = RankRevealing::new(1, 2, &ROW);
+            assert!(rank.factor(&[1.0, 1.0], &[1.0, 2.0], &mass, Independent::Above(INDEPENDENT)));
+            assert_eq!(rank.columns[0], dependent, "{mass:?}");
+        }
+    }
 }

@@ -230,3 +230,132 @@ fn follow(from: Node<'_>, t: f64, out: &mut State) {
         out.v[i] = v[i] + t * a;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// A puck that a spring pushes from x = 0 on, and from x = 4 m on another one.
+        pub model Buffer {
+            param k: N/m = 16;
+            body puck { mass: 1, inertia: 1 }
+            effect wall { force at puck(0, 0): (-k * max(puck.x, 0) - k * max(puck.x - 4, 0), 0); }
+            start near { puck at (-1, 0) angle 0; at rest; }
+            scene bounces { start near; until 1 s; with wall; }
+        }
+    }
+
+    /// At 3 s, with this place, velocity and acceleration.
+    struct At {
+        state: State,
+        a: [f64; 3],
+    }
+
+    impl At {
+        fn new(x: f64, v: f64, a: f64) -> Self {
+            let mut state = State::zero(3, 0);
+            (state.t, state.q[0], state.v[0]) = (3.0, x, v);
+            Self { state, a: [a, 0.0, 0.0] }
+        }
+
+        /// Where it is after `h`.
+        fn after(&self, h: f64) -> State {
+            let mut out = State::zero(3, 0);
+            follow(self.node(), h, &mut out);
+            out.t = self.state.t + h;
+            out
+        }
+
+        fn node(&self) -> Node<'_> {
+            Node { state: &self.state, a: &self.a, power: &[] }
+        }
+    }
+
+    /// Roots are located to 1e-12 s and more of the time.
+    const LOCATED: f64 = 1e-11;
+
+    #[test]
+    fn analytic_states_ahead_lie_on_a_parabola() {
+        let found = At::new(-1.0, 2.0, 6.0).after(0.5);
+        assert_eq!((found.q[0], found.v[0]), (-1.0 + 1.0 + 0.75, 5.0));
+    }
+
+    /// From −1 m at 1 m/s the discontinuity at 0 is 1 s away: steps of a lower order stop before it by 1/32 of that part of the usual step.
+    #[test]
+    fn analytic_fixed_steps_stop_before_a_discontinuity() {
+        let scene = buffer::Bounces::default();
+        let system = System::new(&scene, Backend::Auto).unwrap();
+        let from = At::new(-1.0, 1.0, 0.0);
+        for (h, whole) in [(1.5, 1.5), (2.0, 4.0)] {
+            let mut discontinuities = Discontinuities::new(system.info());
+            let cut = discontinuities.cut(&system, from.node(), &[&from.after(h)], whole);
+            let Some(Cut::Before(length)) = cut else { panic!("{cut:?}") };
+            assert!((length - (1.0 - 1.0 / 32.0 / whole)).abs() <= LOCATED, "{length}");
+            assert_eq!(discontinuities.chattering, CUT);
+        }
+        let mut discontinuities = Discontinuities::new(system.info());
+        assert_eq!(discontinuities.cut(&system, from.node(), &[&from.after(0.9)], 1.0), None);
+        // the first one of two, 1 s and 5 s away
+        let cut = discontinuities.cut(&system, from.node(), &[&from.after(6.0)], 6.0);
+        let Some(Cut::Before(length)) = cut else { panic!("{cut:?}") };
+        assert!((length - (1.0 - 1.0 / 192.0)).abs() <= LOCATED, "{length}");
+        // just before it, over it: within ten times what is located
+        let from = At::new(-5e-12, 1.0, 0.0);
+        let cut = discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5);
+        assert!(matches!(cut, Some(Cut::Over(length)) if length > 5e-12 && length < 2e-11), "{cut:?}");
+        // on it, to the side to which it moves
+        let from = At::new(0.0, 1.0, 0.0);
+        let cut = discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5);
+        assert!(matches!(cut, Some(Cut::Over(length)) if length > 0.0 && length < 1e-11), "{cut:?}");
+        // who chatters is not cut any more
+        discontinuities.chattering = CHATTERING_GUARD;
+        assert_eq!(discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5), None);
+        discontinuities.rest();
+        assert_eq!(discontinuities.chattering, CHATTERING_GUARD - 1);
+        discontinuities.restart();
+        discontinuities.rest();
+        assert_eq!(discontinuities.chattering, 0);
+    }
+
+    /// A stage beyond the discontinuity counts, also where the end of the step is not; the parabola then misses it, and half of the step is taken.
+    #[test]
+    fn invariant_stages_beyond_a_discontinuity_cut_a_step() {
+        let scene = buffer::Bounces::default();
+        let system = System::new(&scene, Backend::Auto).unwrap();
+        let from = At::new(-1.0, 1.0, 0.0);
+        let (end, stage) = (from.after(0.8), from.after(1.2));
+        let mut discontinuities = Discontinuities::new(system.info());
+        assert!(discontinuities.are_crossed(&system, &from.state, &[&end, &stage]));
+        assert!(!discontinuities.are_crossed(&system, &from.state, &[&end]));
+        let cut = discontinuities.cut(&system, from.node(), &[&end, &stage], 0.8);
+        let Some(Cut::Before(length)) = cut else { panic!("{cut:?}") };
+        assert!((length - 0.4 * (1.0 - 0.5 / 32.0)).abs() <= LOCATED, "{length}");
+    }
+
+    /// A step of high order ends just behind the first discontinuity, which its interpolant locates.
+    #[test]
+    fn analytic_steps_of_high_order_end_behind_a_discontinuity() {
+        let scene = buffer::Bounces::default();
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut discontinuities = Discontinuities::new(system.info());
+        let from = At::new(-1.0, 1.0, 0.0);
+        let length = |passage| if let Passage::Ends(length) = passage { length } else { f64::NAN };
+        // no force up to the wall, where the end is taken from: the interpolant is that of the force at the end
+        let mut end = from.after(1.0 + 1e-6);
+        let found = length(discontinuities.passage(&mut system, from.node(), &end));
+        assert!((found - 1.0).abs() <= 1e-9 && found > 1.0, "{found}");
+        assert_eq!(discontinuities.passage(&mut system, from.node(), &from.after(0.9)), Passage::Smooth);
+        // an end so near behind it that nothing is gained
+        end = from.after(1.0 + 2e-12);
+        assert_eq!(discontinuities.passage(&mut system, from.node(), &end), Passage::Smooth);
+    }
+
+    #[test]
+    fn analytic_a_step_that_still_crosses_is_halved_as_long_as_halves_are_located() {
+        assert_eq!(Cut::nearer(1.0, 0.5), Cut::Before(0.25));
+        assert_eq!(Cut::nearer(0.0, 1.9e-11), Cut::Over(1.9e-11));
+        assert_eq!(Cut::nearer(0.0, 2.1e-11), Cut::Before(0.5 * 2.1e-11));
+    }
+}

@@ -181,3 +181,107 @@ fn amplification(one: &Run, moved: &Run, by: f64) -> f64 {
     let at_start = apart((one.first(), moved.first())).max(by);
     pairs(one, moved).map(apart).fold(1.0, |most: f64, apart| most.max(apart / at_start))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The second run has a hundredth of the tolerance, and where that is rounding another method; a third choice has ten times the tolerance.
+    #[test]
+    fn analytic_tolerances_of_second_runs() {
+        assert_eq!(seconds(Method::rk4(0.01)), [Method::rk4(0.005)]);
+        let relative_of = |method: Method| {
+            let of_seconds = seconds(method).into_iter().map(|method| {
+                let Tolerance { relative, absolute } = method.tolerance().unwrap();
+                // the ratio of both is kept
+                assert!((absolute / relative - 1.0).abs() <= 1e-15);
+                (method.name(), relative)
+            });
+            of_seconds.collect::<Vec<_>>()
+        };
+        let expected = [("dop853", 1e-8 * 1e-2), ("dop853", 1e-8 * 10.0)];
+        assert_eq!(relative_of(Method::dop853(1e-8)), expected);
+        assert_eq!(relative_of(Method::dop853(2e-13))[0].0, "dop853");
+        assert_eq!(relative_of(Method::dop853(0.5e-13)), [("taylor", 1e-15), ("dop853", 0.5e-13 * 10.0)]);
+        assert_eq!(relative_of(Method::taylor(0.5e-13))[0], ("dop853", 1e-15));
+        assert_eq!(relative_of(Method::radau(2e-11))[0].0, "radau");
+        assert_eq!(relative_of(Method::radau(0.5e-11))[0].0, "dop853");
+        assert_eq!(relative_of(Method::radau(0.5))[1], ("radau", 1.0));
+        let with = Method::Dop853(Tolerance { relative: 1e-6, absolute: 1e-3 });
+        let Method::Dop853(Tolerance { absolute, .. }) = seconds(with)[0] else { panic!() };
+        assert!((absolute / 1e-5 - 1.0).abs() <= 1e-15, "{absolute:e}");
+    }
+
+    /// A thousand tolerances, and 1e-9 at least.
+    #[test]
+    fn analytic_starts_are_moved_by_more_than_errors() {
+        for (method, expected) in
+            [(Method::dop853(1e-8), 1e-5), (Method::dop853(1e-14), 1e-9), (Method::rk4(1.0), 1e-9)]
+        {
+            assert!((length_of_move(method) / expected - 1.0).abs() <= 1e-14, "{method:?}");
+        }
+        let state = State { t: 2.0, q: vec![0.0, 9.0, -1.0], v: vec![0.0, 3.0, 99.0], work: vec![] };
+        let moved = beside(&state, 0.01);
+        assert_eq!(moved.t, 2.0);
+        let parts: Vec<f64> = moved
+            .q
+            .iter()
+            .chain(&moved.v)
+            .zip(state.q.iter().chain(&state.v))
+            .map(|(moved, x)| (moved - x) / (0.01 * (1.0 + x.abs())))
+            .collect();
+        // numbers fill the interval from -1 to 1 evenly: the golden ratio, twice, …, without whole parts
+        for (i, part) in parts.iter().enumerate() {
+            let whole = (i + 1) as f64 * 0.5 * (1.0 + 5.0_f64.sqrt());
+            assert!((part - (2.0 * (whole - whole.floor()) - 1.0)).abs() <= 1e-12, "{parts:?}");
+        }
+    }
+
+    crate::model! {
+        /// A puck that nothing holds.
+        pub model Puck {
+            param v: m/s = 2;
+            param far: m = 5;
+            body puck { mass: 1, inertia: 1 }
+            event far_away: puck.x = far;
+            start here { puck at (0, 0) angle 0 velocity (v, 0) rate 0; }
+            scene glides { start here; until 2 s; }
+            scene leaves { start here; until 9 s; until far_away; }
+        }
+    }
+
+    fn run<S: Scene>(scene: &S) -> Run {
+        Simulation::new(scene).method(Method::rk4(0.25)).every(0.5).run().unwrap()
+    }
+
+    /// Two pucks at 2 m/s and 2.25 m/s: 0.25 m/s apart at once, and 0.5 m after 2 s.
+    #[test]
+    fn analytic_errors_of_runs_are_how_far_they_part() {
+        let (one, other) = (run(&puck::Glides::default()), run(&puck::Glides { v: 2.25, ..Default::default() }));
+        let found = errors(&one, &other);
+        let of = |quantity: &str, unit: &str| {
+            let error = found.iter().find(|error| error.quantity == quantity && error.unit == unit).unwrap();
+            [error.at_end, error.largest, error.t]
+        };
+        assert_eq!((of("positions", "m"), of("velocities", "m/s")), ([0.5, 0.5, 2.0], [0.25, 0.25, 0.0]));
+        assert_eq!((of("positions", "rad"), of("velocities", "rad/s")), ([0.0; 3], [0.0; 3]));
+        assert_eq!(found.len(), 4);
+        assert_eq!(pairs(&one, &other).count(), 5);
+        // a run that ends at an event: 5 m are reached after 2.5 s and 2 s
+        let [one, other] = [2.0, 2.5].map(|v| run(&puck::Leaves { v, ..Default::default() }));
+        let found = errors(&one, &other);
+        let end = &found[found.len() - 1];
+        assert_eq!((end.quantity, &*end.unit), ("end", "s"));
+        assert!([end.at_end - 0.5, end.largest - 0.5, end.t - 2.5].iter().all(|x| x.abs() <= 1e-12), "{end:?}");
+    }
+
+    /// Over their sizes in the run, 1 + 4 m and 1 + 2 m/s, they part by 0.1 and 0.25/3 from 0.25/3 on. A start moved by more counts.
+    #[test]
+    fn analytic_amplification_is_how_much_farther_runs_part_than_they_start() {
+        let (one, other) = (run(&puck::Glides::default()), run(&puck::Glides { v: 2.25, ..Default::default() }));
+        for (by, at_start) in [(1e-3, 0.25 / 3.0), (0.09, 0.09), (0.2, 0.1)] {
+            let found = amplification(&one, &other, by);
+            assert!((found - 0.1 / at_start).abs() <= 1e-12, "{found}");
+        }
+    }
+}

@@ -107,3 +107,37 @@ impl From<f64> for InputTable {
         Self { times: vec![0.0], values: vec![value] }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_values_between_beside_and_at_jumps() {
+        let table = InputTable::new(vec![1.0, 3.0, 3.0, 4.0], vec![2.0, 6.0, -1.0, 0.0]).unwrap();
+        for (t, value) in [(0.0, 2.0), (1.0, 2.0), (2.5, 5.0), (3.0, -1.0), (3.25, -0.75), (4.0, 0.0), (9.0, 0.0)] {
+            assert_eq!(table.at(t), value, "at {t}");
+        }
+        let held = InputTable::held(vec![1.0, 3.0, 4.0], vec![2.0, 6.0, 5.0]).unwrap();
+        for (t, value) in [(0.0, 2.0), (2.9, 2.0), (3.0, 6.0), (3.9, 6.0), (4.0, 5.0), (9.0, 5.0)] {
+            assert_eq!(held.at(t), value, "held, at {t}");
+        }
+        assert_eq!(
+            (table.constant(), InputTable::from(3.0).constant(), InputTable::from(3.0).at(-1.0)),
+            (None, Some(3.0), 3.0)
+        );
+    }
+
+    #[test]
+    fn invariant_tables_that_cannot_be_used_name_the_row() {
+        let table = |times: &[f64], values: &[f64]| InputTable::new(times.to_vec(), values.to_vec()).unwrap_err();
+        assert_eq!(table(&[0.0], &[]), TableError::Lengths { n_times: 1, n_values: 0 });
+        assert_eq!(table(&[], &[]), TableError::Lengths { n_times: 0, n_values: 0 });
+        assert_eq!(table(&[0.0, 1.0, 0.5], &[0.0; 3]), TableError::Backwards { row: 3, t: 0.5 });
+        assert_eq!(
+            table(&[0.0, 1.0], &[0.0, f64::INFINITY]),
+            TableError::NotFinite { row: 2, t: 1.0, value: f64::INFINITY }
+        );
+        assert!(matches!(table(&[f64::NAN], &[1.0]), TableError::NotFinite { row: 1, .. }));
+    }
+}

@@ -215,3 +215,25 @@ pub struct Cost {
     /// Time that a processor worked for the loop, s; where the system does not tell it, as on Windows, the wall time.
     pub processor_seconds: f64,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest acceleration explains a motion that became too fast: steps that collapse, numbers that overflow, a limit of steps or energy. It
+    /// says nothing about constraints that drift, or a file that cannot be written.
+    #[test]
+    fn invariant_only_what_speed_can_explain_asks_for_the_largest_acceleration() {
+        let drift = ExceededLimit::Drift { t: 0.0, level: "position", row: "pin.x".into(), value: 1.0, limit: 0.1 };
+        for (reason, asks) in [
+            (StopReason::Motion(MotionError::StepCollapsed { t: 0.0, step_s: 1e-15 }), true),
+            (StopReason::Motion(MotionError::NotFinite { t: 0.0, quantity: "x".into() }), true),
+            (StopReason::Motion(MotionError::EuclideanTooLarge { n: 4000, limit: 3000 }), false),
+            (StopReason::Limit(ExceededLimit::Steps { limit: 3, step_s: 0.1 }), true),
+            (StopReason::Limit(drift), false),
+            (StopReason::NoNumber { column: "x".into(), value: f64::NAN }, false),
+        ] {
+            assert_eq!(reason.asks_for_strain(), asks, "{reason}");
+        }
+    }
+}

@@ -107,3 +107,23 @@ impl std::fmt::Display for RankRecord {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A crossing in several steps is one stretch; 16 of them are told, and how many came after.
+    #[test]
+    fn analytic_crossings_are_joined_and_counted() {
+        let mut record = RankRecord::default();
+        for i in 0..19 {
+            let from = 10.0 * f64::from(i) + 1.0;
+            record.see_crossing(from, from + 1.0);
+            record.see_crossing(from + 1.0, from + 3.0);
+        }
+        let found: Vec<[f64; 2]> = record.crossings.iter().map(|crossing| [crossing.from_s, crossing.to_s]).collect();
+        let expected: Vec<[f64; 2]> = (0..16).map(|i| 10.0 * f64::from(i) + 1.0).map(|t| [t, t + 3.0]).collect();
+        assert_eq!((found, record.n_more_crossings), (expected, 3));
+        assert!(record.to_string().ends_with("with projected stages\nand 3 crossings more\n"), "{record}");
+    }
+}

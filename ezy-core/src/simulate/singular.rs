@@ -108,3 +108,100 @@ impl Approach<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// A puck in a guide that follows a wall at the angle Ω t of the puck: slopes (1, 0, 0) and (1, 0, w (φ − Ω t)).
+        pub model Guided {
+            param w: m = 1;
+            param rate: rad/s = 0;
+            body puck { mass: 1, inertia: 1 }
+            constraint wall: puck.x = 0;
+            constraint guide: puck.x + w * (puck.phi^2 / 2 - rate * t * puck.phi) = 0;
+            start here { puck at (0, 0) angle 0; at rest; }
+            scene turns { start here; until 1 s; }
+        }
+    }
+
+    /// At `t` at the angle `phi`, turning at `rate`, with the smallest pivot `pivot`.
+    fn at(info: &crate::model::SceneInfo, t: f64, phi: f64, rate: f64, pivot: f64) -> Snapshot {
+        let mut at = Snapshot::zero(info, false);
+        (at.state.t, at.state.q[2], at.state.v[2], at.end.smallest_pivot) = (t, phi, rate, pivot);
+        at
+    }
+
+    /// Accelerations that fall from 6 rad/s² to 4 rad/s² in 0.5 s go on doing so.
+    #[test]
+    fn analytic_positions_foreseen_lie_on_a_cubic() {
+        let scene = guided::Turns::default();
+        let info = scene.info();
+        let (mut before, mut now) = (at(&info, 1.0, 0.0, 0.0, 1.0), at(&info, 1.5, 2.0, -3.0, 1.0));
+        (before.a[2], now.a[2]) = (6.0, 4.0);
+        let mut q = [0.0; 3];
+        let s = 0.2_f64;
+        Approach { now: &now, before: &before }.foresee(s, &mut q);
+        assert!((q[2] - (2.0 - 3.0 * s + 2.0 * s * s - 4.0 * s.powi(3) / 6.0)).abs() <= 1e-15, "{q:?}");
+        // without a step before, accelerations stay
+        Approach { now: &now, before: &now }.foresee(s, &mut q);
+        assert!((q[2] - (2.0 - 3.0 * s + 2.0 * s * s)).abs() <= 1e-15, "{q:?}");
+    }
+
+    /// A pivot that falls from 0.2² to 0.1² in 0.5 s vanishes in 0.5 s: near when that is less than 1.6 usual steps.
+    #[test]
+    fn analytic_root_of_the_pivot_falls_in_proportion_to_the_distance() {
+        let scene = guided::Turns::default();
+        let mut system = System::new(&scene, Backend::Dense).unwrap();
+        let info = scene.info();
+        let ahead = |system: &mut System<'_, _>, pivots: [f64; 2], usual_s: f64| {
+            let (before, now) = (at(&info, 1.0, 0.2, -0.2, pivots[0]), at(&info, 1.5, 0.1, -0.2, pivots[1]));
+            Approach { now: &now, before: &before }.ahead(system, usual_s, &mut [0.0; 3])
+        };
+        let near = ahead(&mut system, [0.04, 0.01], 0.32).unwrap();
+        assert!(near.start == 0.0 && (near.end - 0.8).abs() <= 1e-14, "{near:?}");
+        assert_eq!(ahead(&mut system, [0.04, 0.01], 0.31), None, "too far");
+        assert_eq!(ahead(&mut system, [0.04, 0.01], 0.0), None, "nothing is usual before the first step");
+        assert_eq!(ahead(&mut system, [0.01, 0.04], 0.5), None, "it rises");
+        assert_eq!(ahead(&mut system, [0.04, 0.0], 0.5), None, "it has vanished");
+    }
+
+    /// From 0.1 rad beside Ω t, and towards it by 1 rad/s, the guide follows the wall after 0.1 s, as the square of the pivot there tells.
+    #[test]
+    fn analytic_singular_position_is_found_where_the_pivot_vanishes() {
+        let q = &mut [0.0; 3];
+        // sixteen golden sections
+        let located = 0.25 * GOLDEN.powi(16);
+        for rate in [0.5, 0.0] {
+            let scene = guided::Turns { rate, ..Default::default() };
+            let mut system = System::new(&scene, Backend::Dense).unwrap();
+            let info = scene.info();
+            let pivot = system.pivot_at(3.0, &[0.0, 0.0, 3.0 * rate + 0.1]);
+            let now = at(&info, 3.0, 3.0 * rate + 0.1, rate - 1.0, pivot);
+            let approach = Approach { now: &now, before: &now };
+            for within in [0.0..0.25, 0.02..0.16, 0.05..0.25] {
+                let found = approach.find(&mut system, q, within.clone()).unwrap();
+                assert!((found - 0.1).abs() <= located, "{within:?}: {found}");
+            }
+        }
+        let scene = guided::Turns::default();
+        let mut system = System::new(&scene, Backend::Dense).unwrap();
+        let info = scene.info();
+        let pivot = system.pivot_at(0.0, &[0.0, 0.0, 0.1]);
+        let mut now = at(&info, 3.0, 0.1, -1.0, pivot);
+        let before = at(&info, 2.9, 0.2, -1.0, 4.0 * pivot);
+        let approach = Approach { now: &now, before: &before };
+        // at a fifth of the angle the pivot is 4 % of what it was: it does not vanish up to there
+        assert_eq!(approach.find(&mut system, q, 0.0..0.08), None);
+        assert!(approach.find(&mut system, q, 0.0..0.09).is_some());
+        // where rows are redundant anyway, the lowest pivot ahead tells: of 1.6 usual steps and halves of it
+        now.solved.is_rank_deficient = true;
+        let approach = Approach { now: &now, before: &before };
+        let dip = approach.ahead(&mut system, 0.1, q).unwrap();
+        assert!((dip.start - 0.04).abs() <= 1e-15 && (dip.end - 0.16).abs() <= 1e-15, "{dip:?}");
+        now.state.v[2] = 1.0;
+        assert_eq!(Approach { now: &now, before: &before }.ahead(&mut system, 0.1, q), None, "it rises");
+    }
+}

@@ -154,6 +154,8 @@ fn analytic_pantograph_is_not_folded_in_silence() {
                 let mut names: Vec<&str> = values.iter().map(|value| &*value.name).collect();
                 names.sort();
                 assert_eq!(names, ["inner.phi", "outer.phi"], "{near:?}");
+                let moved: Vec<f64> = values.iter().map(|value| (value.got - value.given).abs()).collect();
+                assert!(moved[0] >= moved[1], "the one that moved farthest comes first: {values:?}");
                 let got = |name: &str| values.iter().find(|value| value.name == name).unwrap().got;
                 let got = [got("inner.phi"), got("outer.phi")];
                 assert!(modes.iter().any(|mode| is_mode(got, *mode)), "{near:?}: {values:?}");

@@ -8,6 +8,7 @@ mod events;
 mod lanes;
 mod laws;
 mod methods;
+mod orders;
 mod projection;
 mod ranks;
 mod redundant;

@@ -123,6 +123,23 @@ fn analytic_stiff_damper_costs_radau_nothing() {
     assert!(run.cost.steps <= 200, "{} steps", run.cost.steps);
 }
 
+/// Stability limits steps of an explicit method beside a damper of 1e3 N s/m: it says since when. An implicit one does not, nor does a motion
+/// that is not stiff.
+#[test]
+fn invariant_stiffness_is_told_by_the_method_that_suffers_from_it() {
+    let stiff_since = |scene: &driven::Shaken, method| {
+        let run = Simulation::new(scene).method(method).until(3.0).run().unwrap();
+        (run.stiff_since_s, run.last().t)
+    };
+    let stiff = driven::Shaken { k: 1e3, c: 1e3 };
+    let (since, end) = stiff_since(&stiff, Method::dop853(1e-6));
+    assert!(since.is_some_and(|since| since > 0.0 && since < 0.5 * end), "{since:?}");
+    assert_eq!(stiff_since(&stiff, Method::radau(1e-6)).0, None);
+    for method in [Method::dop853(1e-6), Method::rk4(1e-2), Method::taylor(1e-6)] {
+        assert_eq!(stiff_since(&driven::Shaken::default(), method).0, None, "{method:?}");
+    }
+}
+
 /// A start beside the slow motion is drawn on to it within microseconds: steps begin short and become long.
 #[test]
 fn analytic_radau_leaves_a_layer_behind() {
@@ -157,6 +174,39 @@ fn invariant_precise_motion_keeps_energy_and_hinge() {
     let gravity = ezy_core::scalar::DoubleDouble::from(9.81);
     let balance = half * twelfth * v[2] * v[2] + gravity * half * q[2].sin();
     assert!(balance.magnitude() <= 1e-26, "{:.1e}", balance.magnitude());
+}
+
+/// Rods that are counted have no elimination of their own: factors of sixteen digits are refined, and energies and hinges kept to as many as
+/// with one.
+#[test]
+fn invariant_precise_motion_by_refined_factors_keeps_energies_and_hinges() {
+    let scene = pendulums::Swing::default();
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let begin = system.scene_start();
+    let begin = system.consistent_start(&begin).unwrap();
+    let mut motion = PreciseMotion::new(&scene, &begin).unwrap();
+    motion.advance_to(0.6).unwrap();
+    let (half, gravity) = (ezy_core::scalar::DoubleDouble::from(0.5), ezy_core::scalar::DoubleDouble::from(9.81));
+    for (q, v) in motion.q().chunks(3).zip(motion.v().chunks(3)) {
+        let hinge = [q[0] - half * q[2].cos(), q[1] - half * q[2].sin()];
+        assert!(hinge.iter().all(|c| c.magnitude() <= 1e-30), "{hinge:?}");
+        // ½ (1/8 + 1/4) ω² + 9.81/2 sin φ = 0
+        let inertia = ezy_core::scalar::DoubleDouble::from(0.375);
+        let balance = half * inertia * v[2] * v[2] + gravity * half * q[2].sin();
+        assert!(balance.magnitude() <= 1e-26 && v[2].magnitude() > 1.0, "{:.1e}", balance.magnitude());
+    }
+}
+
+model! {
+    /// Two rods of 1/8 kg m² side by side.
+    pub model Pendulums {
+        count n = 2;
+        body rod[n] { mass: 1, inertia: 0.125 }
+        for i in 0..n { hinge pivot[i]: ground(0, 0) ~ rod[i](-0.5, 0); }
+        gravity (0, -9.81);
+        start level { for i in 0..n { rod[i] angle 0; } at rest; }
+        scene swing { start level; until 2 s; }
+    }
 }
 
 model! {

@@ -137,6 +137,11 @@ fn analytic_euclidean_velocity_correction_holds_every_kind_of_row() {
         let solved = system.project_velocities(0.0, &q, &mut v, Metric::Euclidean).unwrap();
         assert!(!solved.is_rank_deficient && system.velocity_residual(0.0, &q, &v) <= PROJECTED, "{backend:?}: {v:?}");
         assert!((v[2] - before[2] - 0.25 * (v[4] - before[4])).abs() <= PROJECTED, "{backend:?}: {v:?}");
+        // positions are corrected for their rows alone
+        let mut beside = q.map(|x| x + 1e-3);
+        assert!(system.position_residual(0.0, &beside) >= 1e-4, "{backend:?}");
+        assert!(system.project_positions(0.0, &mut beside, Metric::Euclidean).unwrap() >= 1, "{backend:?}");
+        assert!(system.position_residual(0.0, &beside) <= PROJECTED, "{backend:?}: {beside:?}");
     }
 }
 

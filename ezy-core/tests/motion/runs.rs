@@ -59,7 +59,9 @@ fn analytic_feedback_is_asked_once_a_step() {
         Simulation::new(&scene).method(Method::rk4(0.1)).until(1.0).give("cart.vx", 1.0).control(law).run().unwrap();
     let v = run.last().velocities[0];
     assert!((v - 0.8_f64.powi(10)).abs() <= ROUNDING, "{v}");
-    assert!(times.len() >= 10 && times.windows(2).all(|pair| pair[0] <= pair[1]), "{times:?}");
+    // at the beginning of each step, and not at the end of the run
+    assert_eq!(times.len(), 10, "{times:?}");
+    assert!(times.iter().enumerate().all(|(n, t)| (t - 0.1 * n as f64).abs() <= 1e-15), "{times:?}");
 }
 
 #[test]
@@ -69,6 +71,7 @@ fn invariant_samples_come_at_their_times_and_at_the_end() {
         let run = Simulation::new(&scene).method(method).every(0.3).until(1.0).run().unwrap();
         let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
         assert_eq!(times.len(), 5, "{method:?}: {times:?}");
+        assert!(run.sample(3).is_some_and(|sample| sample.t == times[3]) && run.sample(5).is_none(), "{method:?}");
         for (sample, expected) in run.samples().zip([0.0, 0.3, 0.6, 0.9, 1.0]) {
             assert!((sample.t - expected).abs() <= 1e-15, "{method:?}: {times:?}");
             let t = sample.t;
@@ -96,6 +99,10 @@ fn invariant_a_limit_on_steps_ends_a_run_with_what_it_has() {
             run.cost
         );
     }
+    // where the last good state was sampled, it is not sampled again
+    let run = Simulation::new(&scene).method(Method::rk4(0.01)).every(0.01).max_steps(7).run().unwrap();
+    let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
+    assert!(times.len() == 8 && times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
     let whole = Simulation::new(&scene).method(Method::rk4(0.01)).max_steps(200).run().unwrap();
     assert!(whole.outcome.reached_end() && whole.cost.steps == 200, "{:?}", whole.cost);
     assert_eq!(whole.cost.evaluations, 4 * 200 + 1);
@@ -202,5 +209,19 @@ fn analytic_motion_that_ends_is_followed_to_its_end_and_says_so() {
         let run = Simulation::new(&scene).method(method).run().unwrap();
         let Outcome::Stopped { t, .. } = run.outcome else { panic!("{method:?}: {:?}", run.outcome) };
         assert!((t - 1.0).abs() <= 1e-3, "{method:?}: {t}");
+    }
+}
+
+/// Progress is told for each hundredth of a run, and at its end.
+#[test]
+fn analytic_progress_is_told_for_each_hundredth() {
+    let scene = cart::Pushed::default();
+    let mut told = Vec::new();
+    let order = Simulation::new(&scene).method(Method::rk4(0.005)).until(2.0).on_progress(|done| told.push(done));
+    assert_eq!(order.run().unwrap().cost.steps, 400);
+    assert!(told.len() >= 99 && told.len() <= 101 && told[told.len() - 1] == 1.0, "{} times", told.len());
+    for pair in told.windows(2) {
+        // a step is a quarter of a hundredth
+        assert!((pair[1] - pair[0] - 0.01).abs() <= 0.003, "{pair:?}");
     }
 }

@@ -45,4 +45,14 @@ fn analytic_sled_that_holds_does_not_move() {
     let last = run.last();
     assert!(run.events().is_empty() && last.get("sled.y").unwrap().abs() <= 1e-15);
     assert!((last.get("lambda.runner").unwrap().abs() - (12.0 * 1.2_f64.powi(3) - 6.0)).abs() <= 1e-12);
+    let fixed = Simulation::new(&scene).method(Method::rk4(1e-2)).run().unwrap().cost;
+    assert_eq!((fixed.steps, fixed.rejected), (120, 0));
+}
+
+/// A step of fixed length is taken back where a mode ends in it; what is left of it is a step more.
+#[test]
+fn regress_steps_that_changes_of_mode_take_back() {
+    let run = Simulation::new(&sled::Pulled::default()).method(Method::rk4(0.07)).run().unwrap();
+    // 18 steps to 1.2 s; the sled stops in the one that passes 1 s
+    assert_eq!((run.cost.steps, run.cost.rejected, run.events().len()), (19, 1, 3));
 }

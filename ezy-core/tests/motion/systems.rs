@@ -202,6 +202,10 @@ fn regress_evaluations_and_factorisations_of_a_run() {
             let at_start = if backend == Backend::Generated { 4 } else { 1 };
             assert_eq!(run.cost.factorizations, of_a_step * STEPS + at_start, "{backend:?} {projection:?}");
         }
+        // in plain numbers positions and velocities take a correction each, and the next accelerations a factorisation of their own
+        let order = Simulation::new(&scene).backend(backend).method(Method::rk4(0.01)).without_events();
+        let run = order.metric(Metric::Euclidean).run().unwrap();
+        assert_eq!(run.cost.factorizations / STEPS, 6, "{backend:?}: {:?}", run.cost);
     }
 }
 

@@ -4,6 +4,8 @@ mod dense;
 mod stiffness;
 mod sums;
 mod tableau;
+#[cfg(test)]
+mod tests;
 
 use super::step_control::Tolerance;
 use super::{Node, compensated};

@@ -76,3 +76,57 @@ impl<T: Scalar> Dop853<T> {
         if state > 0.0 { h * slope / state } else { 0.0 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Examines steps that end at 1 s, 2 s, … with these h |λ|; the time of detection.
+    fn detected(products: impl IntoIterator<Item = f64>) -> Option<f64> {
+        let mut watch = StiffnessWatch::default();
+        products.into_iter().zip(1..).for_each(|(product, t)| watch.note(product, f64::from(t)));
+        watch.since()
+    }
+
+    #[test]
+    fn regress_fifteen_steps_at_the_edge_are_stiff() {
+        assert_eq!(detected([6.2; 14]), None);
+        assert_eq!(detected([6.2; 40]), Some(15.0));
+        assert_eq!(detected([6.0; 40]), None);
+    }
+
+    /// Five others between them do not matter, six begin the count again.
+    #[test]
+    fn regress_six_others_in_a_row_begin_the_count_again() {
+        let between = |n: usize| {
+            let at_edge = |n: usize| std::iter::repeat_n(7.0, n);
+            at_edge(10).chain(std::iter::repeat_n(1.0, n)).chain(at_edge(5)).chain([1.0; 5]).chain(at_edge(9))
+        };
+        assert_eq!(detected(between(5)), Some(20.0));
+        assert_eq!(detected(between(6)), None);
+        // others are counted in a row
+        assert_eq!(detected([7.0, 1.0, 1.0, 1.0].repeat(20)), Some(57.0));
+    }
+
+    /// One step in 50 is examined, then each one as long as steps are at the edge, and none once stiffness is known.
+    #[test]
+    fn regress_steps_are_examined_when_due() {
+        let mut watch = StiffnessWatch::default();
+        let due: Vec<u32> = (1..=120).filter(|_| watch.is_due()).collect();
+        assert_eq!(due.len(), 2);
+        let mut watch = StiffnessWatch::default();
+        for n in 1..50 {
+            assert!(!watch.is_due(), "{n}");
+        }
+        for n in 0..15 {
+            assert!(watch.is_due(), "{n}");
+            watch.note(7.0, 1.0);
+        }
+        assert!((0..60).all(|_| !watch.is_due()));
+        let mut watch = StiffnessWatch::default();
+        watch.note(7.0, 1.0);
+        assert!(watch.is_due());
+        watch.restart();
+        assert!(!watch.is_due());
+    }
+}

@@ -11,6 +11,8 @@ mod matrix;
 mod newton;
 mod stages;
 mod tableau;
+#[cfg(test)]
+mod tests;
 
 use super::{Node, Tolerance};
 use crate::dynamics::{Jacobians, MotionError, Rows, State, System};

@@ -82,3 +82,98 @@ fn norm<T: Scalar>(store: &SeriesStore<T>, k: usize, weights: &[f64]) -> f64 {
 fn log2(x: f64) -> f64 {
     x.to_bits() as i64 as f64 * f64::EPSILON + LOG_NOTHING
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::series::SeriesSize;
+
+    const ORDER: usize = 12;
+
+    /// Positions with these coefficients, weighted by one; velocities do not count. Powers of two have exact logarithms.
+    fn longest(coefficient: impl Fn(usize) -> f64) -> f64 {
+        let size = SeriesSize { n_coordinates: 1, n_rows: 0, n_products: 0, n_base: 0, n_kept: 0 };
+        let mut store = SeriesStore::<f64>::new(size, ORDER + 1);
+        store.q.iter_mut().enumerate().for_each(|(k, q)| *q = coefficient(k));
+        longest_step(&store, ORDER, &[1.0, 0.0])
+    }
+
+    /// Rounding of some logarithms.
+    const ROUNDING: f64 = 1e-12;
+
+    fn close(x: f64, y: f64) {
+        assert!((x / y - 1.0).abs() <= ROUNDING, "{x} {y}");
+    }
+
+    /// c/ρ^k with the radius ρ: steps h with c (h/ρ)^n x = 1, where x = c^(−1/n) is about h/ρ, counts as 1/16 at least and 1/2 at most, and at most
+    /// half of the radius.
+    #[test]
+    fn analytic_geometric_series_are_cut_off_at_the_tolerance() {
+        let n = ORDER as f64;
+        for radius in [0.25_f64, 1.0, 8.0] {
+            for (log_c, log_x) in [(24.0_f64, -2.0), (96.0, -4.0), (6.0, -1.0)] {
+                let found = longest(|k| log_c.exp2() * radius.powi(-(k as i32)));
+                let expected = radius * ((-log_c - log_x) / n).exp2();
+                close(found, expected.min(0.5 * radius));
+            }
+        }
+    }
+
+    /// A symmetric motion lacks every second coefficient: the others tell the same. One small last coefficient is carried on from those before.
+    #[test]
+    fn invariant_missing_coefficients_do_not_lengthen_a_step() {
+        let series = |k: usize| 24.0_f64.exp2() * 2.0_f64.powi(-(k as i32));
+        let all = longest(series);
+        for odd in [0, 1] {
+            close(longest(|k| if k % 2 == odd { series(k) } else { 0.0 }), all);
+        }
+        close(longest(|k| if k == ORDER { 1e-9 * series(k) } else { series(k) }), all);
+    }
+
+    /// A motion with a last power m below the order is the polynomial: it may go on for ever when m is at most half of the order, and else until
+    /// its term makes the tolerance. Where only the last coefficient is there, at most half of the step at which it makes one.
+    #[test]
+    fn analytic_polynomials_and_gaps() {
+        assert_eq!(longest(|k| if k <= 6 { 3.0 } else { 0.0 }), f64::INFINITY);
+        close(longest(|k| if k == 8 { 2.0_f64.powi(16) } else { 0.0 }), 0.25);
+        close(longest(|k| if k == 7 || k == 8 { 2.0_f64.powi(16) } else { 0.0 }), 2.0_f64.powf(-16.0 / 7.0));
+        close(longest(|k| if k == ORDER { 2.0_f64.powi(24) } else { 0.0 }), 0.125);
+    }
+
+    /// v_k = (k + 1) q_(k+1), each over its own tolerance.
+    #[test]
+    fn analytic_velocities_count_with_their_own_coefficients() {
+        let size = SeriesSize { n_coordinates: 2, n_rows: 0, n_products: 0, n_base: 0, n_kept: 0 };
+        let mut store = SeriesStore::<f64>::new(size, 3);
+        store.q = vec![2.0, -1.0, 4.0, 3.0, 1.0, -5.0, 7.0, 2.0];
+        let norm = |weights: [f64; 4], k: usize| norm(&store, k, &weights);
+        assert_eq!(norm([1.0, 10.0, 0.0, 0.0], 1), 30.0);
+        assert_eq!(norm([1.0, 0.0, 1.0, 0.0], 1), 4.0);
+        assert_eq!(norm([0.0, 0.0, 2.0, 1.0], 1), 10.0);
+        assert_eq!(norm([0.0, 0.0, 1.0, 1.0], 2), 21.0);
+        let mut weights = [0.0; 4];
+        write_weights(&store, Tolerance { relative: 0.5, absolute: 1.0 }, &mut weights);
+        assert_eq!(weights, [0.5, 1.0 / 1.5, 1.0 / 3.0, 1.0 / 2.5]);
+    }
+
+    /// 1 − ln(ε)/2 for the least work, two more for what does not depend on the order; between 6 and 24.
+    #[test]
+    fn analytic_order_grows_with_the_logarithm_of_the_tolerance() {
+        let order = |relative, absolute| order_for(Tolerance { relative, absolute });
+        // 3 + 4.605 n/4 for 10^(−2n)…
+        assert_eq!([1e-1, 1e-4, 1e-8, 1e-12].map(|tolerance| order(tolerance, tolerance)), [6, 8, 13, 17]);
+        assert_eq!((order(1e-12, 1e-4), order(1e-4, 1e-12)), (8, 8), "the larger one counts");
+        assert_eq!(order(0.0, 0.0), 22);
+    }
+
+    #[test]
+    fn analytic_logarithms_are_right_to_a_tenth() {
+        for (x, expected) in [(1.0, 0.0), (8.0, 3.0), (0.25, -2.0), (0.0, -1023.0)] {
+            assert_eq!(log2(x), expected);
+        }
+        for i in 1..100 {
+            let x = 0.37 * f64::from(i);
+            assert!((log2(x) - x.log2()).abs() <= 0.09, "{x}");
+        }
+    }
+}

@@ -78,3 +78,45 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
     }
     (value, previous)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Nodes and weights integrate t^d over (0, 1) for all degrees d up to 2 n − 1, and not for 2 n.
+    #[test]
+    fn analytic_gauss_nodes_are_exact_to_their_degree() {
+        for n in 1..=13 {
+            let nodes: Vec<(f64, f64)> = (0..n).map(|i| node(n, i)).collect();
+            let error = |degree: usize| {
+                let sum: f64 = nodes.iter().map(|(x, weight)| weight * x.powi(degree as i32)).sum();
+                (sum - 1.0 / (degree + 1) as f64).abs()
+            };
+            assert!((0..2 * n).all(|degree| error(degree) <= 1e-14), "{n}");
+            assert!(n > 6 || error(2 * n) >= 1e-8, "{n}");
+        }
+    }
+
+    /// A polynomial of degree d takes d/2 + 1 nodes, and none without works.
+    #[test]
+    fn regress_number_of_nodes() {
+        for (degree, n) in [(6, 4), (7, 4), (24, 13)] {
+            assert_eq!(Quadrature::new(degree, 3, 0, 1).nodes.len(), n);
+            assert!(Quadrature::new(degree, 3, 0, 0).nodes.is_empty());
+        }
+    }
+
+    /// Multipliers 1 + 2 s + 3 s² and −4 + s².
+    #[test]
+    fn analytic_multipliers_are_sums_of_their_coefficients() {
+        let size =
+            crate::model::series::SeriesSize { n_coordinates: 0, n_rows: 2, n_products: 0, n_base: 0, n_kept: 0 };
+        let mut store = SeriesStore::<f64>::new(size, 2);
+        store.lambda = vec![1.0, -4.0, 2.0, 0.0, 3.0, 1.0];
+        let mut lambda = [9.0; 2];
+        multipliers(&store, 3, 0.5, &mut lambda);
+        assert_eq!(lambda, [1.0 + 1.0 + 0.75, -3.75]);
+        multipliers(&store, 2, 0.5, &mut lambda);
+        assert_eq!(lambda, [2.0, -4.0]);
+    }
+}

@@ -68,4 +68,13 @@ mod tests {
         assert_eq!(found(|x| 3.0 + (x - 0.4) * (x - 0.4)), (None, 0));
         assert_eq!(found(|x| 1.0 + x), (None, 0));
     }
+
+    /// 2 (x − 0.3)² + 0.1 through any three points; none that opens downwards, or a line.
+    #[test]
+    fn analytic_least_value_of_a_parabola() {
+        let through = |f: fn(f64) -> f64| least([-0.4, 0.9, 2.5].map(|x| (x, f(x))));
+        let (x, y) = through(|x| 2.0 * (x - 0.3) * (x - 0.3) + 0.1).unwrap();
+        assert!((x - 0.3).abs() <= 1e-15 && (y - 0.1).abs() <= 1e-15, "{x} {y}");
+        assert_eq!((through(|x| -x * x), through(|x| 8.0 * x)), (None, None));
+    }
 }

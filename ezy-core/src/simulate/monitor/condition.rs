@@ -72,3 +72,77 @@ impl ConditionWatch {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// A puck in a guide that nearly follows a wall: slopes (1, 0, 0) and (1, 0, w φ).
+        pub model Guided {
+            param w: m = 1;
+            body puck { mass: 1, inertia: 1 }
+            constraint wall: puck.x = 0;
+            constraint guide: puck.x + w * puck.phi^2 / 2 = 0;
+            start here { puck at (0, 0) angle 0; at rest; }
+            scene turns { start here; until 1 s; }
+        }
+    }
+
+    fn at(t: f64, phi: f64) -> State {
+        let mut state = State::zero(3, 0);
+        (state.t, state.q[2]) = (t, phi);
+        state
+    }
+
+    /// One step in 4096 is looked at, and the last one; the worst condition so far is kept, with its time and row.
+    #[test]
+    fn invariant_worst_condition_of_the_steps_that_are_looked_at() {
+        let scene = guided::Turns::default();
+        let mut system = System::new(&scene, Backend::Dense).unwrap();
+        let mut watch = ConditionWatch::new(&mut system, &at(0.0, 0.5)).unwrap();
+        let at_start = watch.peak.clone();
+        assert!(
+            at_start.largest == at_start.at_start && at_start.t == 0.0 && at_start.unknown.is_some(),
+            "{at_start:?}"
+        );
+        for (t, phi, n_steps, last, peak_at) in [
+            (1.0, 0.1, 4095, false, 0.0),
+            (2.0, 0.1, 4096, false, 2.0),
+            (3.0, 0.2, 8192, false, 2.0),
+            (4.0, 0.05, 8193, false, 2.0),
+            (5.0, 0.05, 8194, true, 5.0),
+        ] {
+            watch.look(&mut system, &at(t, phi), n_steps, last);
+            assert_eq!(watch.peak.t, peak_at, "at {t}");
+            assert_eq!(watch.peak.at_start, at_start.at_start);
+        }
+        // it goes with the square of the angle: 100 times as large, but for a factor of three of the estimate
+        let grown = watch.peak.largest / at_start.largest;
+        assert!((30.0..300.0).contains(&grown) && watch.peak.pivot < 0.2 * at_start.pivot, "{grown}");
+    }
+
+    crate::model! {
+        /// Pucks that two rows each hold: five equations a puck.
+        pub model Row {
+            count n = 3;
+            body puck[n] { mass: 1, inertia: 1 }
+            for i in 0..n {
+                constraint x[i]: puck[i].x = 0;
+                constraint y[i]: puck[i].y = 0;
+            }
+            start here { for i in 0..n { puck[i] at (0, 0) angle 0; } at rest; }
+            scene rests { start here; until 1 s; }
+        }
+    }
+
+    #[test]
+    fn regress_scenes_of_up_to_two_hundred_equations_are_watched() {
+        for (n, is_watched) in [(40, true), (41, false)] {
+            let scene = row::Rests { n };
+            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            assert_eq!(ConditionWatch::new(&mut system, &State::zero(3 * n, 0)).is_some(), is_watched, "{n}");
+        }
+    }
+}

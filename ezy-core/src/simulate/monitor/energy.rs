@@ -67,3 +67,63 @@ impl EnergyWatch {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// A stone of 2 kg that falls.
+        pub model Stone {
+            body stone { mass: 2, inertia: 1 }
+            gravity (0, -10);
+            start high { stone at (0, 5) angle 0; at rest; }
+            scene falls { start high; until 1 s; }
+        }
+    }
+
+    fn at(y: f64, vy: f64, work: [f64; 2]) -> State {
+        State { t: 0.25, q: vec![0.0, y, 0.0], v: vec![0.0, vy, 0.0], work: work.to_vec() }
+    }
+
+    /// But for rounding of 100 J. From 5 m at 1 m/s: kinetic and potential energy less works less 101 J, over the largest kinetic energy, change of potential and works, all
+    /// without signs, so far.
+    #[test]
+    fn analytic_balance_over_what_was_turned_over() {
+        let scene = stone::Falls::default();
+        let system = System::new(&scene, Backend::Auto).unwrap();
+        let mut watch = EnergyWatch::new(&system, &at(5.0, 1.0, [0.0; 2]));
+        // 9 J + 80 J + 3 J − 10 J − 101 J over 9 J + 20 J + 13 J
+        let first = watch.balance(&system, &at(4.0, 3.0, [10.0, -3.0]));
+        assert_eq!((first.joules, first.t), (-19.0, 0.25));
+        assert!((first.relative / (19.0 / 42.0) - 1.0).abs() <= 1e-12, "{first:?}");
+        // less is turned over then
+        let second = watch.balance(&system, &at(5.0, 2.0, [0.0; 2]));
+        assert!(second.joules == 3.0 && (second.relative / (3.0 / 42.0) - 1.0).abs() <= 1e-12, "{second:?}");
+        for balance in [first, second, EnergyError { joules: 1.0, ..first }] {
+            watch.keep(balance);
+        }
+        assert_eq!(watch.largest, first);
+        watch.keep(EnergyError { joules: f64::NAN, ..first });
+        assert!(watch.largest.joules.is_nan());
+    }
+
+    /// At rest at 5 m the balance is rounding of 100 J: up to 16 roundings count as none.
+    #[test]
+    fn analytic_rounding_of_the_potential_energy_is_no_error() {
+        let scene = stone::Falls::default();
+        let system = System::new(&scene, Backend::Auto).unwrap();
+        for (roundings, counts) in [(10.0, false), (40.0, true)] {
+            let mut watch = EnergyWatch::new(&system, &at(5.0, 0.0, [0.0; 2]));
+            let now = watch.balance(&system, &at(5.0 * (1.0 + roundings * f64::EPSILON), 0.0, [0.0; 2]));
+            assert_eq!(now.relative > 0.0, counts, "{now:?}");
+        }
+    }
+
+    #[test]
+    fn regress_fixed_steps_are_trusted_to_three_digits() {
+        let of = |relative: f64| EnergyError { joules: 1.0, relative, t: 0.0 }.may_be_of_fixed_steps();
+        assert!(of(0.0) && of(0.99e-3) && !of(1.01e-3) && !of(f64::NAN));
+    }
+}

@@ -1,0 +1,16 @@
+//! A mechanism for the tests of this layer.
+
+crate::model! {
+    /// A four-bar linkage with a coupler of 3 m.
+    pub model Linkage {
+        body crank { mass: 1, inertia: 0.1 }
+        body coupler { mass: 1, inertia: 1 }
+        body rocker { mass: 1, inertia: 0.5 }
+        hinge A: ground(0, 0) ~ crank(0, 0);
+        hinge B: crank(1, 0) ~ coupler(-1.5, 0);
+        hinge C: coupler(1.5, 0) ~ rocker(2, 0);
+        hinge D: ground(3, 0) ~ rocker(0, 0);
+        start turning { crank angle 1 rate 1; coupler near angle 0.3; rocker near angle 1.5; }
+        scene turns { start turning; until 1 s; }
+    }
+}

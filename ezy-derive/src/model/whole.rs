@@ -46,6 +46,15 @@ impl Whole {
         }
     }
 
+    /// Whether it depends on an index of a `for`.
+    pub fn has_index(&self) -> bool {
+        match self {
+            Self::Number(_) | Self::Count(_) => false,
+            Self::Index(_) => true,
+            Self::Sum(a, b) | Self::Difference(a, b) | Self::Product(a, b) => a.has_index() || b.has_index(),
+        }
+    }
+
     /// As a value of the model language.
     pub fn to_expr(&self) -> Expr {
         match self {

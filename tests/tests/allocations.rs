@@ -115,6 +115,21 @@ fn invariant_controlled_steps_do_not_allocate() {
 }
 
 #[test]
+fn invariant_names_of_arrays_do_not_allocate() {
+    let scene = ladder::Swing { n: 5 };
+    let _info = scene.info();
+    let allocations = |n_steps: u32| {
+        let mut sum = 0.0;
+        let law = |now: &Now<ladder::Swing>, _: &mut Inputs<ladder::Swing>| {
+            sum += now.left.at(3).phi + now.outputs().bend.at(2);
+        };
+        let order = Simulation::new(&scene).method(Method::rk4(1e-3)).control(law).until(f64::from(n_steps) * 1e-3);
+        allocation_counter::measure(|| assert!(order.run().unwrap().outcome.reached_end())).count_total
+    };
+    assert_eq!(allocations(100), allocations(1000));
+}
+
+#[test]
 fn invariant_radau_steps_do_not_allocate() {
     let scene = ezy_roller::Driven::default();
     let allocations = |until_s: f64| {

@@ -102,6 +102,7 @@ impl<T> Shared<'_, T> {
 
 /// What a field is, as the model file says, and its unit.
 fn field_documentation(what: &str, documentation: &str, unit: &str) -> String {
-    let title = if documentation.trim().is_empty() { what } else { documentation.trim() };
+    let documentation = documentation.trim().trim_end_matches('.');
+    let title = if documentation.is_empty() { what } else { documentation };
     format!("{title} ({}).", if unit.is_empty() { "1" } else { unit })
 }

@@ -21,10 +21,10 @@ pub struct BodyState {
 }
 
 impl BodyState {
-    /// From its own coordinates and velocities.
-    #[inline]
-    fn new(q: &[f64], v: &[f64]) -> Self {
-        Self { x: q[0], y: q[1], phi: q[2], vx: v[0], vy: v[1], omega: v[2] }
+    /// From the coordinates and velocities that stand at `i`.
+    #[inline(always)]
+    fn at(i: usize, q: &[f64], v: &[f64]) -> Self {
+        Self { x: q[i], y: q[i + 1], phi: q[i + 2], vx: v[i], vy: v[i + 1], omega: v[i + 2] }
     }
 }
 
@@ -53,7 +53,7 @@ impl<const D: usize> BodyArray<'_, D> {
     /// A body, if there is one with this index.
     pub fn get(&self, index: impl ArrayIndex<D>) -> Option<BodyState> {
         let place = place(index.indices(), self.lengths.map(|length| (0, length)))?;
-        Some(BodyState::new(&self.q[N_OF_BODY * place..], &self.v[N_OF_BODY * place..]))
+        Some(BodyState::at(N_OF_BODY * place, self.q, self.v))
     }
 
     /// Number of bodies for each index.
@@ -63,7 +63,7 @@ impl<const D: usize> BodyArray<'_, D> {
 
     /// All bodies; the last index changes first.
     pub fn iter(&self) -> impl Iterator<Item = BodyState> {
-        self.q.chunks_exact(N_OF_BODY).zip(self.v.chunks_exact(N_OF_BODY)).map(|(q, v)| BodyState::new(q, v))
+        (0..self.q.len()).step_by(N_OF_BODY).map(|i| BodyState::at(i, self.q, self.v))
     }
 }
 
@@ -71,34 +71,30 @@ impl<const D: usize> BodyArray<'_, D> {
 pub struct BodyReader<'a> {
     q: &'a [f64],
     v: &'a [f64],
+    /// Where the next body stands.
+    next: usize,
 }
 
 impl<'a> BodyReader<'a> {
     /// Of `n_q` coordinates and velocities.
-    #[inline]
+    #[inline(always)]
     pub fn new(q: &'a [f64], v: &'a [f64]) -> Self {
-        Self { q, v }
+        Self { q, v, next: 0 }
     }
 
     /// The next body.
-    #[inline]
+    #[inline(always)]
     pub fn body(&mut self) -> BodyState {
-        let [q, v] = self.take(1);
-        BodyState::new(q, v)
+        let i = self.next;
+        self.next += N_OF_BODY;
+        BodyState::at(i, self.q, self.v)
     }
 
     /// The next array.
     pub fn array<const D: usize>(&mut self, lengths: [i64; D]) -> BodyArray<'a, D> {
         let lengths = lengths.map(size);
-        let [q, v] = self.take(lengths.iter().product());
-        BodyArray { lengths, q, v }
-    }
-
-    #[inline]
-    fn take(&mut self, n_bodies: usize) -> [&'a [f64]; 2] {
-        let (q, later_q) = self.q.split_at(N_OF_BODY * n_bodies);
-        let (v, later_v) = self.v.split_at(N_OF_BODY * n_bodies);
-        (self.q, self.v) = (later_q, later_v);
-        [q, v]
+        let i = self.next;
+        self.next += N_OF_BODY * lengths.iter().product::<usize>();
+        BodyArray { lengths, q: &self.q[i..self.next], v: &self.v[i..self.next] }
     }
 }

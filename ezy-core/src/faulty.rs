@@ -5,9 +5,36 @@
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __faulty_model {
-    ($visibility:vis mod $module:ident { $($scene:ident { $($field:ident: $kind:ty),* })* }) => {
-        #[allow(missing_docs, non_snake_case, dead_code, unused_variables, unreachable_code, unreachable_pub, clippy::all)]
+    (
+        $visibility:vis mod $module:ident { $($scene:ident { $($field:ident: $kind:ty),* })* }
+        names
+        { $($body:ident: $of_body:ty),* }
+        { $($input:ident: $of_input:ty),* }
+        { $($output:ident: $of_output:ty),* }
+        events { $($event:ident;)* } { $($stop:ident { $($change:ident;)* })* }
+    ) => {
+        #[allow(missing_docs, non_snake_case, non_upper_case_globals, dead_code, unused_variables, unreachable_code, unreachable_pub, clippy::all)]
         $visibility mod $module {
+            pub mod names {
+                use $crate::__private as ezy;
+
+                pub struct Bodies { $(pub $body: $of_body),* }
+                pub struct Inputs { $(pub $input: $of_input),* }
+                pub struct Outputs { $(pub $output: $of_output),* }
+
+                impl ezy::NamedInputs for Inputs {
+                    fn read(values: &[f64]) -> Self {
+                        ::core::unreachable!()
+                    }
+                    fn write(&self, values: &mut [f64]) {}
+                }
+            }
+            pub mod events {
+                $(pub const $event: &::core::primitive::str = ::core::stringify!($event);)*
+                $(pub mod $stop {
+                    $(pub const $change: &::core::primitive::str = ::core::stringify!($stop $change);)*
+                })*
+            }
             pub static MODEL: $crate::__private::ModelInfo = $crate::__private::ModelInfo {
                 name: ::core::stringify!($module),
                 documentation: "",
@@ -52,6 +79,18 @@ macro_rules! __faulty_model {
                     fn points(&self, c: &[f64], t: f64, q: &[f64], out: &mut [f64]) {}
                     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {}
                 }
+
+                impl $crate::__private::NamedScene for $scene {
+                    type Bodies<'a> = names::Bodies;
+                    type Inputs = names::Inputs;
+                    type Outputs<'a> = names::Outputs;
+                    fn bodies_by_name<'a>(&self, q: &'a [f64], v: &'a [f64]) -> names::Bodies {
+                        ::core::unreachable!()
+                    }
+                    fn outputs_by_name<'a>(&self, values: &'a [f64]) -> names::Outputs {
+                        ::core::unreachable!()
+                    }
+                }
             )*
         }
     };
@@ -60,8 +99,13 @@ macro_rules! __faulty_model {
 #[cfg(test)]
 mod tests {
     use crate::model::Scene;
+    use crate::simulate::Simulation;
 
-    crate::__faulty_model! { mod trial { Driven { a: f64, n: usize } Coast {} } }
+    crate::__faulty_model! {
+        mod trial { Driven { a: f64, n: usize } Coast {} }
+        names { seat: ezy::BodyState } { torque: f64 } { wheel: ezy::Vector<f64>, speed: f64 }
+        events { landing; } { floor { hits; } }
+    }
 
     #[test]
     fn analytic_faulty_model_has_the_types_that_programs_name() {
@@ -71,5 +115,9 @@ mod tests {
         as_scene(&driven);
         as_scene(&trial::Coast::default());
         assert!(trial::MODEL.scenes.is_empty());
+        let _program = |scene: &trial::Driven| {
+            let _ = Simulation::new(scene).control(|now, set| set.torque = now.seat.phi + now.outputs().wheel.x);
+        };
+        assert_eq!((trial::events::landing, trial::events::floor::hits), ("landing", "floor hits"));
     }
 }

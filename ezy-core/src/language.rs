@@ -44,6 +44,8 @@
 /// - a type for each scene, `cart::Free` and `cart::Pushed`, with its parameters and counts as fields and their declared values as
 ///   [`Default`]; it implements [`Scene`](crate::model::Scene), so that [`Simulation`](crate::simulate::Simulation) runs it. A
 ///   scene has the equations of what it calls for: `cart::Free` has no field `f` and no instruction of `push`;
+/// - its names: `cart::names` has bodies, inputs and outputs as fields, for [controllers](crate::simulate::Simulation::control);
+///   `cart::events` has the names of events as constants;
 /// - `cart::MODEL`, the [`ModelInfo`](crate::model::ModelInfo) that command lines and
 ///   [`check_model`](crate::testing::check_model) take.
 ///
@@ -58,7 +60,7 @@
 /// /// a number that a run can change; the unit may be left out
 /// param l: mm = 300;
 /// let half = l / 2;                  // a name for an expression, scalar or vector
-/// input torque: N*m = 0;             // set by the caller from step to step
+/// input torque: N*m = 0;             // set from step to step: `.control(|now, set| set.torque = -now.arm.phi)`
 /// output angle: deg = arm.phi;       // recorded when a run asks for outputs
 /// # body arm { mass: 1, inertia: 1 } hinge o: ground(0, 0) ~ arm(-half, 0); torque arm: torque;
 /// # start s { at rest; } scene run { start s; until 1 s; } } }

@@ -39,7 +39,8 @@
 //! | [`check_scene`](testing::check_scene) | compares Jacobians, solvers and energy with independent computations, in a test |
 //!
 //! [`prelude`] has these and what they take: [`Method`](integrate::Method), [`CsvWriter`](record::CsvWriter),
-//! [`InputTable`](simulate::InputTable). A controller that steps by itself uses [`Simulation::stepper`](simulate::Simulation::stepper).
+//! [`InputTable`](simulate::InputTable). A controller is a law, `.control(|now, set| set.torque = -now.arm.phi)`
+//! ([`Simulation::control`](simulate::Simulation::control)), or steps by itself ([`Simulation::stepper`](simulate::Simulation::stepper)).
 //!
 //! # Beyond that
 //!
@@ -92,7 +93,9 @@ pub mod prelude {
     pub use crate::linalg::Backend;
     pub use crate::model::{Derived, Equations, ModelInfo, Scene};
     pub use crate::record::{CsvWriter, RecordError, Recorder, Sample, coordinate_index, input_index, output_index};
-    pub use crate::simulate::{Ensemble, InputTable, Outcome, Run, Sensitivities, Simulation, Stepper, read_inputs};
+    pub use crate::simulate::{
+        Ensemble, InputTable, Inputs, Now, Outcome, Run, Sensitivities, Simulation, Stepper, read_inputs,
+    };
     pub use crate::testing::{check_model, check_scene};
 }
 

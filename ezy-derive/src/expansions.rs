@@ -21,11 +21,13 @@ const MODELS: [&str; 4] = [
 
 /// Parts that are kept as examples, by the beginning of their names: a scene, what a limit adds to it, and what loops make of
 /// the same in a scene with counts.
-const EXAMPLES: [&str; 9] = [
+const EXAMPLES: [&str; 11] = [
     "ezy_roller/module.",
+    "ezy_roller/names.",
     "ezy_roller/coast/",
     "ezy_roller/skid/derived.rs",
     "chain/module.",
+    "chain/names.",
     "chain/swing/page.",
     "chain/swing/equations.rs",
     "chain/swing/scene.rs",
@@ -95,6 +97,9 @@ struct Part {
 fn add(mut item: syn::Item, folder: &str, parts: &mut BTreeMap<String, Part>) {
     let last = |path: &syn::Path| path.segments.last().map(|last| snake_case(&last.ident.to_string()));
     let part = match &mut item {
+        syn::Item::Mod(module) if ["names", "events"].iter().any(|name| module.ident == name) => {
+            format!("{folder}names")
+        }
         syn::Item::Mod(module) => {
             let inside = format!("{folder}{}/", snake_case(&module.ident.to_string()));
             let items = module.content.take().into_iter().flat_map(|(_, items)| items);

@@ -1,15 +1,15 @@
 //! Placeholders that are emitted beside the errors of a model: the names that programs use.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::model::case::{camel_case, snake_case};
-use crate::parse::ast::{Item, ItemKind, Model};
+use crate::parse::ast::{Expr, Item, ItemKind, Model};
 use crate::parse::is_rust_keyword;
 
-/// The module of the model with a type for each scene that could be read, and every parameter as a field.
+/// The module of the model with a type for each scene that could be read, and everything that programs use by name.
 pub fn model(model: &Model) -> TokenStream {
     let module = snake_case(&model.name.to_string());
     // without its header a model has no name
@@ -17,9 +17,9 @@ pub fn model(model: &Model) -> TokenStream {
         return TokenStream::new();
     }
     let (visibility, module) = (&model.visibility, Ident::new(&module, model.name.span()));
-    let mut fields = Vec::new();
-    let mut taken = BTreeSet::new();
-    collect(&model.items, &mut fields, &mut taken);
+    let mut names = Names::default();
+    names.collect(&model.items);
+    let Names { fields, bodies, inputs, outputs, events, stops } = names;
     let mut types = BTreeSet::new();
     let scenes = model.items.iter().filter_map(|item| match &item.kind {
         ItemKind::Scene(scene) => {
@@ -28,24 +28,77 @@ pub fn model(model: &Model) -> TokenStream {
         }
         _ => None,
     });
-    let scenes = scenes.map(|scene| quote!(#scene { #(#fields),* }));
-    let core = &model.core;
-    quote!(#core::__private::faulty_model! { #visibility mod #module { #(#scenes)* } })
+    let (core, fields) = (&model.core, fields.values());
+    let scenes = scenes.map(|scene| {
+        let fields = fields.clone();
+        quote!(#scene { #(#fields),* })
+    });
+    let [bodies, inputs, outputs] = [bodies, inputs, outputs].map(|names| {
+        let fields = names.into_values();
+        quote!({ #(#fields),* })
+    });
+    let (events, stops) = (events.into_values(), stops.into_values());
+    quote! {
+        #core::__private::faulty_model! {
+            #visibility mod #module { #(#scenes)* }
+            names #bodies #inputs #outputs
+            events { #(#events)* } { #(#stops)* }
+        }
+    }
 }
 
-fn collect(items: &[Item], fields: &mut Vec<TokenStream>, taken: &mut BTreeSet<String>) {
-    for item in items {
-        match &item.kind {
-            ItemKind::Parameter(parameter) if taken.insert(parameter.name.to_string()) => {
-                let name = &parameter.name;
-                fields.push(quote!(#name: f64));
-            }
-            ItemKind::Count(count) if taken.insert(count.name.to_string()) => {
-                let name = &count.name;
-                fields.push(quote!(#name: usize));
-            }
-            ItemKind::Effect(effect) => collect(&effect.items, fields, taken),
-            _ => {}
+/// What programs use by name, each name once.
+#[derive(Default)]
+struct Names {
+    /// Parameters and counts.
+    fields: BTreeMap<Ident, TokenStream>,
+    bodies: BTreeMap<Ident, TokenStream>,
+    inputs: BTreeMap<Ident, TokenStream>,
+    outputs: BTreeMap<Ident, TokenStream>,
+    events: BTreeMap<Ident, TokenStream>,
+    stops: BTreeMap<Ident, TokenStream>,
+}
+
+impl Names {
+    fn collect(&mut self, items: &[Item]) {
+        for item in items {
+            let (list, name, kind) = match &item.kind {
+                ItemKind::Parameter(parameter) => (&mut self.fields, &parameter.name, quote!(: f64)),
+                ItemKind::Count(count) => (&mut self.fields, &count.name, quote!(: usize)),
+                ItemKind::Body(body) => {
+                    let kind = match body.name.indices.len() {
+                        0 => quote!(: ezy::BodyState),
+                        n => quote!(: ezy::BodyArray<'static, #n>),
+                    };
+                    (&mut self.bodies, &body.name.word, kind)
+                }
+                ItemKind::Input(input) => (&mut self.inputs, &input.name, quote!(: f64)),
+                ItemKind::Output(output) => {
+                    let number = match item.loops.len() {
+                        0 => quote!(f64),
+                        n => quote!(ezy::OutputArray<'static, #n>),
+                    };
+                    let is_vector = matches!(output.value, Expr::Vector { .. });
+                    let kind = if is_vector { quote!(: ezy::Vector<#number>) } else { quote!(: #number) };
+                    (&mut self.outputs, &output.name.word, kind)
+                }
+                ItemKind::Event(event) => (&mut self.events, &event.name, quote!(;)),
+                ItemKind::Stop(stop) => (
+                    &mut self.stops,
+                    &stop.name,
+                    quote!({
+                        hits;
+                        holds;
+                        lets_go;
+                    }),
+                ),
+                ItemKind::Effect(effect) => {
+                    self.collect(&effect.items);
+                    continue;
+                }
+                _ => continue,
+            };
+            list.entry(name.clone()).or_insert_with(|| quote!(#name #kind));
         }
     }
 }

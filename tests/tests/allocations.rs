@@ -82,9 +82,12 @@ fn invariant_stepper_does_not_allocate() {
         let mut episode = |given: &[(&str, f64)], n: u64| {
             stepper.reset_with(given).unwrap();
             for _ in 0..n {
-                let seen = stepper.outputs()[0] + stepper.state().q[2] + stepper.energy().kinetic;
+                let now = stepper.now();
+                let seen = now.outputs().speed + now.seat.phi;
+                let seen = seen + stepper.outputs()[0] + stepper.energy().kinetic;
                 let reaction = stepper.multipliers().unwrap()[0] + stepper.accelerations().unwrap()[0];
                 stepper.inputs_mut().fill((seen + reaction).sin());
+                stepper.set().pull += 1.0;
                 stepper.step(2).unwrap();
             }
             stepper.reset();
@@ -102,8 +105,25 @@ fn invariant_controlled_steps_do_not_allocate() {
     let scene = piloted::Pushed::default();
     let allocations = |n_steps: u32| {
         let table = InputTable::new(vec![0.0, 1.0], vec![0.0, 5.0]).unwrap();
-        let law = |t: f64, state: &State, inputs: &mut [f64]| inputs[0] = t - state.v[5];
+        let law = |now: &Now<piloted::Pushed>, set: &mut Inputs<piloted::Pushed>| {
+            set.torque = now.t - now.bar.omega + now.outputs().wheel.x * 1e-6;
+        };
         let order = Simulation::new(&scene).work().input("pull", table).control(law).until(f64::from(n_steps) * 1e-3);
+        allocation_counter::measure(|| assert!(order.run().unwrap().outcome.reached_end())).count_total
+    };
+    assert_eq!(allocations(100), allocations(1000));
+}
+
+#[test]
+fn invariant_names_of_arrays_do_not_allocate() {
+    let scene = ladder::Swing { n: 5 };
+    let _info = scene.info();
+    let allocations = |n_steps: u32| {
+        let mut sum = 0.0;
+        let law = |now: &Now<ladder::Swing>, _: &mut Inputs<ladder::Swing>| {
+            sum += now.left.at(3).phi + now.outputs().bend.at(2);
+        };
+        let order = Simulation::new(&scene).method(Method::rk4(1e-3)).control(law).until(f64::from(n_steps) * 1e-3);
         allocation_counter::measure(|| assert!(order.run().unwrap().outcome.reached_end())).count_total
     };
     assert_eq!(allocations(100), allocations(1000));

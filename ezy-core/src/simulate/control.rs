@@ -4,8 +4,34 @@ use super::input_table::InputTable;
 use crate::dynamics::{MotionError, State, System};
 use crate::model::Scene;
 
-/// Sets inputs at the start of a step from time, state and itself.
-pub(super) type Law<'s> = Box<dyn FnMut(f64, &State, &mut [f64]) + Send + 's>;
+/// Sets inputs at the start of a step from the state and itself.
+pub(super) type Law<'s> = Box<dyn FnMut(&State, &mut dyn Controlled) + Send + 's>;
+
+/// What a law acts on: the system, whatever its scene.
+pub(super) trait Controlled {
+    /// Present inputs, `n_i`.
+    fn inputs(&self) -> &[f64];
+
+    /// The inputs, to set them.
+    fn inputs_mut(&mut self) -> &mut [f64];
+
+    /// Outputs with the present inputs; writes `n_o`.
+    fn outputs(&self, state: &State, out: &mut [f64]);
+}
+
+impl<S: Scene + ?Sized> Controlled for System<'_, S> {
+    fn inputs(&self) -> &[f64] {
+        self.inputs()
+    }
+
+    fn inputs_mut(&mut self) -> &mut [f64] {
+        self.inputs_mut()
+    }
+
+    fn outputs(&self, state: &State, out: &mut [f64]) {
+        self.outputs(state.t, &state.q, &state.v, out);
+    }
+}
 
 /// The tables of a run, and its control law, which acts after them.
 #[derive(Default)]
@@ -38,7 +64,7 @@ impl Control<'_> {
             inputs[*i] = table.at(t + 0.5 * h);
         }
         if let Some(law) = &mut self.law {
-            law(t, state, inputs);
+            law(state, system);
         }
         check_inputs(t, system)
     }

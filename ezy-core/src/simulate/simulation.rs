@@ -1,13 +1,13 @@
 //! The settings of a run.
 
-use super::InputTable;
 use super::control::Law;
 use super::monitor::Limits;
 use super::sample_times::SampleTimes;
+use super::{InputTable, Now};
 use crate::dynamics::{Metric, Projection, State};
 use crate::integrate::Method;
 use crate::linalg::Backend;
-use crate::model::Scene;
+use crate::model::{NamedInputs, NamedScene, Scene};
 use crate::record::{Recorder, Wanted};
 use std::sync::atomic::AtomicBool;
 
@@ -180,9 +180,9 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self
     }
 
-    /// Calls `law` at the start of every step with time, state and the inputs in the order of
-    /// [`SceneInfo::inputs`](crate::model::SceneInfo::inputs), each in its unit. What it leaves there is held over the
-    /// step. It may keep a state of its own, and has the last word after [`Simulation::input`].
+    /// Calls `law` at the start of every step with what there is now and the inputs to set, both by the names of the model file. What
+    /// it leaves in the inputs is held over the step. It may keep a state of its own, and has the last word after
+    /// [`Simulation::input`]. A wrong name is a compile error.
     ///
     /// ```
     /// # use ezy_core::prelude::*;
@@ -190,6 +190,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     ///     pub model Cart {
     ///         body cart { mass: 2, inertia: 1 }
     ///         input push: N = 0;
+    ///         output ahead: cm = cart.x;
     ///         force at cart(0, 0): (push, 0);
     ///         start here { cart at (0, 0) angle 0; at rest; }
     ///         scene pushed { start here; until 8 s; }
@@ -199,18 +200,61 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// let scene = cart::Pushed::default();
     /// let mut integral = 0.0;
     /// let run = Simulation::new(&scene)
-    ///     .control(|_t, state, inputs| {
-    ///         let error = 1.0 - state.q[0];
+    ///     .control(|now, set| {
+    ///         let error = 1.0 - now.cart.x;
     ///         integral += error * 1e-3;
-    ///         inputs[0] = 60.0 * error + 40.0 * integral - 20.0 * state.v[0];
+    ///         set.push = 60.0 * error + 40.0 * integral - 20.0 * now.cart.vx;
     ///     })
     ///     .run()?;
     /// assert!((run.last().get("cart.x")? - 1.0).abs() < 1e-3);
+    ///
+    /// // or a function, which reads an output
+    /// fn brake(now: &Now<cart::Pushed>, set: &mut Inputs<cart::Pushed>) {
+    ///     set.push = if now.outputs().ahead > 50.0 { -20.0 * now.cart.vx } else { 1.0 };
+    /// }
+    /// let run = Simulation::new(&scene).control(brake).run()?;
+    /// assert!(run.last().get("cart.vx")?.abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// A name that the model does not declare:
+    ///
+    /// ```compile_fail,E0609
+    /// # use ezy_core::prelude::*;
+    /// # model! {
+    /// #     pub model Cart {
+    /// #         body cart { mass: 2, inertia: 1 }
+    /// #         input push: N = 0;
+    /// #         force at cart(0, 0): (push, 0);
+    /// #         start here { cart at (0, 0) angle 0; at rest; }
+    /// #         scene pushed { start here; until 8 s; }
+    /// #     }
+    /// # }
+    /// let scene = cart::Pushed::default();
+    /// let order = Simulation::new(&scene).control(|now, set| set.pull = -now.cart.x);
+    /// // error[E0609]: no field `pull` on type `&mut PushedInputs`; available field is: `push`
+    /// ```
     #[must_use]
-    pub fn control(mut self, law: impl FnMut(f64, &State, &mut [f64]) + Send + 's) -> Self {
-        self.hooks.law = Some(Box::new(law));
+    pub fn control(mut self, mut law: impl FnMut(&Now<'_, S>, &mut S::Inputs) + Send + 's) -> Self
+    where
+        S: NamedScene,
+    {
+        let scene = self.scene;
+        let mut room = vec![0.0; scene.info().n_outputs()];
+        self.hooks.law = Some(Box::new(move |state, controlled| {
+            let mut set = S::Inputs::read(controlled.inputs());
+            law(&Now::new(scene, state, controlled, &mut room), &mut set);
+            set.write(controlled.inputs_mut());
+        }));
+        self
+    }
+
+    /// As [`Simulation::control`], for programs that take any scene (`dyn Scene`): `law` gets time, state and the inputs in the order of
+    /// [`SceneInfo::inputs`](crate::model::SceneInfo::inputs), each in its unit. [`input_index`](crate::record::input_index) and
+    /// [`coordinate_index`](crate::record::coordinate_index) find the places of names.
+    #[must_use]
+    pub fn control_by_index(mut self, mut law: impl FnMut(f64, &State, &mut [f64]) + Send + 's) -> Self {
+        self.hooks.law = Some(Box::new(move |state, controlled| law(state.t, state, controlled.inputs_mut())));
         self
     }
 

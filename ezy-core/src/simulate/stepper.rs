@@ -1,11 +1,11 @@
 //! A scene that the caller steps: for controllers, learning programs and animation.
 
-use super::SetupError;
 use super::control::{Control, check_inputs};
 use super::given::give;
 use super::stepper_state::StepperState;
+use super::{InputsGuard, Now, SetupError};
 use crate::dynamics::{MotionError, State};
-use crate::model::{Scene, SceneInfo, Start};
+use crate::model::{NamedScene, Scene, SceneInfo, Start};
 use crate::record::EnergyState;
 use std::sync::Arc;
 
@@ -36,18 +36,15 @@ use std::sync::Arc;
 ///
 /// let scene = rider::Steered::default();
 /// let mut roller = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper()?;
-/// let torque = input_index(roller.info(), "torque")?;
-/// let [angle, rate] = [output_index(roller.info(), "angle")?, output_index(roller.info(), "rate")?];
 /// for _episode in 0..2 {
 ///     roller.reset();
 ///     for _decision in 0..500 {
-///         let seen = roller.outputs();
-///         let action = 200.0 * (std::f64::consts::FRAC_PI_2 - seen[angle]) - 40.0 * seen[rate];
-///         roller.inputs_mut()[torque] = action;
+///         let seen = roller.now().outputs();
+///         roller.set().torque = 200.0 * (std::f64::consts::FRAC_PI_2 - seen.angle) - 40.0 * seen.rate;
 ///         roller.step(10)?;
 ///     }
-///     assert_eq!(roller.state().t, 5.0);
-///     assert!((roller.outputs()[angle] - std::f64::consts::FRAC_PI_2).abs() < 0.02);
+///     assert_eq!(roller.now().t, 5.0);
+///     assert!((roller.now().outputs().angle - std::f64::consts::FRAC_PI_2).abs() < 0.02);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -153,12 +150,32 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         self.initial_energy = kinetic + potential;
     }
 
-    /// Present inputs, `n_i`, each in its unit.
+    /// The present state by the names of the model file.
+    ///
+    /// # Cost
+    /// A copy of the state; no allocation.
+    pub fn now(&mut self) -> Now<'_, S>
+    where
+        S: NamedScene,
+    {
+        let system = &self.stepper.system;
+        Now::new(system.scene(), &self.stepper.now.state, system, &mut self.outputs)
+    }
+
+    /// The inputs by the names of the model file, to set them: they hold until they are set again.
+    pub fn set(&mut self) -> InputsGuard<'_, S::Inputs>
+    where
+        S: NamedScene,
+    {
+        InputsGuard::new(self.inputs_mut())
+    }
+
+    /// Present inputs by index, `n_i`, each in its unit.
     pub fn inputs(&self) -> &[f64] {
         self.stepper.system.inputs()
     }
 
-    /// The inputs, to set them: they hold until they are set again.
+    /// The inputs by index, to set them: they hold until they are set again.
     pub fn inputs_mut(&mut self) -> &mut [f64] {
         self.evaluated = false;
         self.stepper.system.inputs_mut()
@@ -203,7 +220,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         Ok(())
     }
 
-    /// Time, coordinates, velocities, and works with [`Simulation::work`](super::Simulation::work).
+    /// Time, coordinates and velocities by index, and works with [`Simulation::work`](super::Simulation::work).
     pub fn state(&self) -> &State {
         &self.stepper.now.state
     }
@@ -226,7 +243,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         Ok(&self.stepper.now.lambda)
     }
 
-    /// Outputs, `n_o`, each in its unit, with the present inputs.
+    /// Outputs by index, `n_o`, each in its unit, with the present inputs.
     pub fn outputs(&mut self) -> &[f64] {
         let State { t, q, v, .. } = &self.stepper.now.state;
         self.stepper.system.outputs(*t, q, v, &mut self.outputs);

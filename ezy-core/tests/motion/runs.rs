@@ -51,9 +51,9 @@ fn analytic_inputs_are_held_over_a_step() {
 fn analytic_feedback_is_asked_once_a_step() {
     let scene = cart::Pushed::default();
     let mut times = Vec::new();
-    let law = |t: f64, state: &State, inputs: &mut [f64]| {
-        times.push(t);
-        inputs[0] = -4.0 * state.v[0];
+    let law = |now: &Now<cart::Pushed>, set: &mut Inputs<cart::Pushed>| {
+        times.push(now.t);
+        set.push = -4.0 * now.cart.vx;
     };
     let run =
         Simulation::new(&scene).method(Method::rk4(0.1)).until(1.0).give("cart.vx", 1.0).control(law).run().unwrap();

@@ -178,7 +178,7 @@ fn analytic_inputs_change_accelerations_at_once() {
         let mut stepper = order.stepper().unwrap();
         let mut expected = 0.0;
         for push in [6.0, 6.0, -14.0, 7.0] {
-            stepper.inputs_mut()[0] = push;
+            stepper.set().push = push;
             assert!((stepper.accelerations().unwrap()[3] - 2.0 * push / 7.0).abs() <= ROUNDING, "{backend:?}, {push}");
             stepper.step(1).unwrap();
             expected += 0.1 * 2.0 * push / 7.0;

@@ -225,7 +225,7 @@ fn outputs(model: &Model, equations: &Equations, names: &Abbreviations<'_>) -> V
         .map(|&(i, value)| {
             let output = &model.outputs[i];
             let (name, unit, documentation) =
-                (name_of(&(output.name.clone() + &output.suffix)), &output.unit, &output.documentation);
+                (name_of(&format!("{}{}", output.name, output.suffix)), &output.unit, &output.documentation);
             let formula = formula_of(names, value);
             quote! {
                 ezy::OutputInfo {

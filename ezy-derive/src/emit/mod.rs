@@ -8,6 +8,7 @@ mod info;
 mod jacobians;
 mod kernel;
 mod loops;
+mod names;
 mod numbers;
 mod page;
 mod parts;
@@ -49,6 +50,7 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
             }
         }
     });
+    let names = names::of_model(model, scenes);
     let types = scenes.iter().map(|derived| scene::items(model, derived));
     let modes = scenes.iter().filter(|derived| !derived.modes.is_empty()).map(|derived| {
         let module = module_of_modes(&derived.scene);
@@ -77,6 +79,7 @@ pub fn model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
                 scenes: &[#(#entries),*],
             };
             #(#types)*
+            #names
             #(#modes)*
         }
     }

@@ -80,7 +80,8 @@ impl Template<'_> {
             Kind::Output(output) => {
                 let value = formula(&print(&templates.algebra, &templates.symbols, output.value));
                 let (output, suffix) = (output.output, &output.output.suffix);
-                let (name, unit, documentation) = (name_of(&output.name), &output.unit, &output.documentation);
+                let (name, unit, documentation) =
+                    (name_of(&output.name.to_string()), &output.unit, &output.documentation);
                 quote! {
                     const OUTPUT: ezy::OutputInfo = ezy::OutputInfo {
                         name: #name,
@@ -131,7 +132,7 @@ impl Template<'_> {
             Kind::Bodies(i) => model.arrays[*i].name.to_string(),
             Kind::Row(row) => row.row.name.to_string(),
             Kind::Point(point) => point.point.name.to_string(),
-            Kind::Output(output) => output.output.name.clone(),
+            Kind::Output(output) => output.output.name.to_string(),
             Kind::Event(EventTemplate { event, .. }) => match &event.kind {
                 EventKind::Declared { name, .. } => name.clone(),
                 EventKind::Discontinuity | EventKind::Layer => String::new(),

@@ -90,8 +90,7 @@ impl Equations {
         let Applied { force, mut power, potential } = applied_forces(&mut writer, scene);
         let points = points(&mut writer);
         let start = start(&mut writer, scene);
-        let outputs = model.outputs.iter().enumerate().filter(|(_, output)| is_called(scene, output.effect));
-        let outputs = outputs.map(|(i, output)| (i, writer.write(&output.value))).collect();
+        let outputs = model.outputs_of(scene).map(|(i, output)| (i, writer.write(&output.value))).collect();
         let mut events = SceneEvent::declared(&mut writer, model, scene);
         let stick_slip = model.stick_slip_of(scene).map(|(row, limit)| sliding::stick_slip(&mut writer, row, limit));
         let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
@@ -123,18 +122,13 @@ impl Equations {
     }
 }
 
-/// Whether what an effect declares belongs to a scene; what stands outside effects always does.
-pub fn is_called(scene: &Scene, effect: Option<EffectId>) -> bool {
-    effect.is_none_or(|effect| scene.effects.contains(&effect))
-}
-
 /// Parameters and inputs of the model and of the scene's effects.
 pub fn called(model: &Model, scene: &Scene) -> (Vec<ParameterId>, Vec<InputId>) {
     let parameters = (0..model.parameters.len()).map(ParameterId);
     let inputs = (0..model.inputs.len()).map(InputId);
     (
-        parameters.filter(|id| is_called(scene, model.parameters[id.0].effect)).collect(),
-        inputs.filter(|id| is_called(scene, model.inputs[id.0].effect)).collect(),
+        parameters.filter(|id| scene.calls_for(model.parameters[id.0].effect)).collect(),
+        inputs.filter(|id| scene.calls_for(model.inputs[id.0].effect)).collect(),
     )
 }
 

@@ -8,7 +8,7 @@ use super::jacobians::Jacobians;
 use super::kernels::{Over, Pass};
 use super::kinematics::Vector;
 use super::rows;
-use super::scene::{Group, called, drives, is_called};
+use super::scene::{Group, called, drives};
 use super::series::Series;
 use super::symbols::Symbols;
 use crate::function::Function;
@@ -111,8 +111,7 @@ impl<'m> Templates<'m> {
             PointTemplate { point, slots: slots(&mut writer, &position), position }
         });
         let points = points.collect();
-        let outputs = model.outputs.iter().filter(|output| is_called(scene, output.effect));
-        let outputs = outputs.map(|output| {
+        let outputs = model.outputs_of(scene).map(|(_, output)| {
             let value = writer.write(&output.value);
             OutputTemplate { output, slots: slots(&mut writer, &[value]), value }
         });

@@ -155,7 +155,7 @@ pub struct Parameter {
 /// A scalar output; a vector is two of them.
 #[derive(Debug)]
 pub struct Output {
-    pub name: String,
+    pub name: Ident,
     /// `.x` and `.y` of a vector.
     pub suffix: String,
     /// The `for` around its declaration, outermost first.
@@ -311,6 +311,13 @@ pub struct Scene {
     pub mode: Option<Mode>,
 }
 
+impl Scene {
+    /// Whether what an effect declares belongs to it; what stands outside effects always does.
+    pub fn calls_for(&self, effect: Option<EffectId>) -> bool {
+        effect.is_none_or(|effect| self.effects.contains(&effect))
+    }
+}
+
 /// A mode of a scene with a skate that has a limit, or with a stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
@@ -356,7 +363,7 @@ impl Model {
 
     /// The events of a scene and whether they end it.
     pub fn events_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (&'a Event, bool)> {
-        let called = |event: &Event| event.effect.is_none_or(|effect| scene.effects.contains(&effect));
+        let called = |event: &Event| scene.calls_for(event.effect);
         let declared = self.events.iter().enumerate().filter(move |(_, event)| called(event));
         let declared = declared.map(|(i, event)| (event, scene.ends.contains(&i)));
         declared.chain(scene.conditions.iter().map(|condition| (condition, true)))
@@ -368,6 +375,11 @@ impl Model {
         self.selected_rows(scene).filter(move |(_, row)| !slides || row.limit().is_none())
     }
 
+    /// The outputs of a scene with their places: those of the model and of its effects.
+    pub fn outputs_of(&self, scene: &Scene) -> impl Iterator<Item = (usize, &Output)> {
+        self.outputs.iter().enumerate().filter(|(_, output)| scene.calls_for(output.effect))
+    }
+
     /// The stop of a scene.
     pub fn stop_of<'a>(&'a self, scene: &'a Scene) -> Option<&'a Stop> {
         self.stops_of(scene).next()
@@ -375,7 +387,7 @@ impl Model {
 
     /// Every stop that a scene calls for.
     fn stops_of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = &'a Stop> {
-        self.stops.iter().filter(|stop| stop.effect.is_none_or(|effect| scene.effects.contains(&effect)))
+        self.stops.iter().filter(|stop| scene.calls_for(stop.effect))
     }
 
     /// The modes of a scene besides that of its start.
@@ -393,7 +405,7 @@ impl Model {
     }
 
     fn selected_rows<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = (RowId, &'a Row)> {
-        let called = |row: &Row| row.effect.is_none_or(|effect| scene.effects.contains(&effect));
+        let called = |row: &Row| scene.calls_for(row.effect);
         let released = |id: RowId| scene.effects.iter().any(|effect| self.effects[effect.0].releases.contains(&id));
         let rows = self.rows.iter().enumerate().map(|(i, row)| (RowId(i), row));
         rows.filter(move |(id, row)| called(row) && !released(*id))

@@ -30,7 +30,7 @@ impl Context<'_> {
             return Vec::new();
         }
         let scalar = |suffix: &str, value: Expr| Output {
-            name: output.name.word.to_string(),
+            name: output.name.word.clone(),
             suffix: suffix.to_owned(),
             loops: loops.to_vec(),
             unit: output.unit.as_ref().map_or_else(String::new, |unit| unit.text.clone()),

@@ -49,6 +49,16 @@ impl Whole {
         }
     }
 
+    /// Whether it depends on an index of a `for`.
+    pub fn has_index(&self) -> bool {
+        match self {
+            Self::Number(_) | Self::Count(_) => false,
+            Self::Index(_) => true,
+            Self::Sum(a, b) | Self::Difference(a, b) | Self::Product(a, b) => a.has_index() || b.has_index(),
+            Self::Quotient(a, _) => a.has_index(),
+        }
+    }
+
     /// As a value of the model language, which has no quotients that are rounded down.
     pub fn to_expr(&self) -> Option<Expr> {
         Some(match self {

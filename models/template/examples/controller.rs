@@ -10,32 +10,25 @@ use my_mechanism::Ridden;
 const STIFFNESS: f64 = 40.0;
 const DAMPING: f64 = 2.0;
 
+/// Called before each step; the inputs hold until the next one. All names are those of the model file.
+fn steer(now: &Now<Ridden>, set: &mut Inputs<Ridden>) {
+    let wanted = (-0.2 * now.frame.y - 0.8 * now.frame.phi).clamp(-0.4, 0.4);
+    let (angle, rate) = (now.fork.phi - now.frame.phi, now.fork.omega - now.frame.omega);
+    set.steer = STIFFNESS * (wanted - angle) - DAMPING * rate;
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     // parameters are fields with the declared defaults
     let scene = Ridden {
         k: 0.5,
         ..Ridden::default()
     };
-    let info = scene.info();
-    let place = |name: &str| {
-        info.coordinates
-            .iter()
-            .position(|c| c.name == name)
-            .ok_or(format!("no `{name}`"))
-    };
-    let (y, frame, fork) = (place("frame.y")?, place("frame.phi")?, place("fork.phi")?);
     let mut file = CsvWriter::new(File::create("controller.csv")?);
     let run = Simulation::new(&scene)
         .method(Method::rk4(1e-3))
         .every(0.01)
         .outputs()
-        // called before each step; the inputs hold until the next one
-        .control(|_t, state, inputs| {
-            let steering = state.q[fork] - state.q[frame];
-            let wanted = (-0.2 * state.q[y] - 0.8 * state.q[frame]).clamp(-0.4, 0.4);
-            inputs[0] =
-                STIFFNESS * (wanted - steering) - DAMPING * (state.v[fork] - state.v[frame]);
-        })
+        .control(steer)
         .record_to(&mut file)
         .run()?;
     // a run that had to stop keeps what it computed and says why

@@ -25,7 +25,7 @@ fn invariant_number_table_and_law_of_one_value_give_the_same_bits() {
     assert_eq!(bits(order().input("torque", 50.0).run().unwrap().last()), declared);
     let table = InputTable::new(vec![0.0, 1.0], vec![50.0, 50.0]).unwrap();
     assert_eq!(bits(order().input("torque", table).run().unwrap().last()), declared);
-    assert_eq!(bits(order().control(|_, _, inputs| inputs[0] = 50.0).run().unwrap().last()), declared);
+    assert_eq!(bits(order().control(|_, set| set.torque = 50.0).run().unwrap().last()), declared);
     assert_ne!(bits(order().input("torque", 51.0).run().unwrap().last()), declared);
 }
 
@@ -54,9 +54,9 @@ fn cross_input_and_parameter_of_one_value_end_alike() {
 fn invariant_law_is_called_once_a_step_and_held() {
     let scene = piloted::Ridden::default();
     let mut times = Vec::new();
-    let law = |t: f64, _: &State, inputs: &mut [f64]| {
-        times.push(t);
-        inputs[0] = 100.0 * t;
+    let law = |now: &Now<piloted::Ridden>, set: &mut Inputs<piloted::Ridden>| {
+        times.push(now.t);
+        set.torque = 100.0 * now.t;
     };
     let run = Simulation::new(&scene).until(0.01).every(5e-4).control(law).run().unwrap();
     let expected: Vec<f64> = (0..10).map(|n| f64::from(n) * STEP).collect();
@@ -72,9 +72,9 @@ fn invariant_recording_never_changes_a_controlled_motion() {
     let scene = piloted::Ridden::default();
     let end = |every: Option<f64>| {
         let mut sum = 0.0;
-        let order = Simulation::new(&scene).work().outputs().until(1.0).control(move |_, state, inputs| {
-            sum += state.v[5];
-            inputs[0] = 50.0 - sum;
+        let order = Simulation::new(&scene).work().outputs().until(1.0).control(move |now, set| {
+            sum += now.bar.omega;
+            set.torque = 50.0 - sum;
         });
         let order = if let Some(every) = every { order.every(every) } else { order };
         bits(order.run().unwrap().last())
@@ -87,7 +87,7 @@ fn invariant_recording_never_changes_a_controlled_motion() {
 #[test]
 fn invariant_motion_is_the_same_without_work_and_outputs() {
     let scene = piloted::Pushed::default();
-    let law = |t: f64, _: &State, inputs: &mut [f64]| inputs.fill(t);
+    let law = |now: &Now<piloted::Pushed>, set: &mut Inputs<piloted::Pushed>| (set.torque, set.pull) = (now.t, now.t);
     let motion = |s: Sample<'_>| bits(s)[..25].to_vec();
     let bare = Simulation::new(&scene).control(law).run().unwrap();
     let full = Simulation::new(&scene).work().outputs().control(law).run().unwrap();
@@ -102,9 +102,9 @@ fn invariant_motion_is_the_same_without_work_and_outputs() {
 #[test]
 fn invariant_energy_balances_under_control() {
     let scene = piloted::Pushed::default();
-    let law = |t: f64, state: &State, inputs: &mut [f64]| {
-        inputs[0] = 200.0 * (PI / 2.0 - (state.q[5] - state.q[2]));
-        inputs[1] = if t < 1.0 { 10.0 } else { -10.0 };
+    let law = |now: &Now<piloted::Pushed>, set: &mut Inputs<piloted::Pushed>| {
+        set.torque = 200.0 * (PI / 2.0 - (now.bar.phi - now.seat.phi));
+        set.pull = if now.t < 1.0 { 10.0 } else { -10.0 };
     };
     let run = Simulation::new(&scene).method(Method::rk4(STEP)).work().every(0.1).control(law).run().unwrap();
     for s in run.samples() {
@@ -155,8 +155,11 @@ fn invariant_inputs_that_are_no_numbers_are_named() {
     assert!(error.contains("input `torque` is set to NaN at t = 0 s"), "{error}");
     let error = Simulation::new(&scene).input("torqe", 1.0).run().unwrap_err().to_string();
     assert!(error.starts_with("input `torqe` is not known (did you mean `torque`?)"), "{error}");
-    let law = |t: f64, _: &State, inputs: &mut [f64]| inputs[0] = if t < 0.5 { 1.0 } else { f64::INFINITY };
-    let run = Simulation::new(&scene).outputs().control(law).run().unwrap();
+    let run = Simulation::new(&scene)
+        .outputs()
+        .control(|now, set| set.torque = if now.t < 0.5 { 1.0 } else { f64::INFINITY })
+        .run()
+        .unwrap();
     assert!(run.outcome.to_string().contains("input `torque` is set to inf"), "{}", run.outcome);
     assert_eq!(run.last().inputs, [1.0]);
     let coast = piloted::Coast::default();
@@ -180,8 +183,8 @@ fn invariant_file_of_a_run_gives_its_inputs_back() {
     let scene = piloted::Ridden::default();
     let mut file = Vec::new();
     let mut writer = CsvWriter::new(&mut file);
-    let law = |t: f64, _: &State, inputs: &mut [f64]| inputs[0] = 100.0 * t.sin();
-    Simulation::new(&scene).every(0.1).outputs().control(law).record_to(&mut writer).run().unwrap();
+    let order = Simulation::new(&scene).every(0.1).outputs();
+    order.control(|now, set| set.torque = 100.0 * now.t.sin()).record_to(&mut writer).run().unwrap();
     drop(writer);
     let read = read_inputs(&file[..], &scene.info()).unwrap();
     assert_eq!(read.len(), 1);

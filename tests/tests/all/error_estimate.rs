@@ -141,7 +141,7 @@ fn invariant_end_by_an_event_has_an_error_of_its_time() {
 fn invariant_run_whose_error_is_not_known_says_why() {
     let scene = ezy_roller::Driven::default();
     let order = || Simulation::new(&scene).method(Method::dop853(1e-9)).until(5.0).every(0.5).estimate_error();
-    let law = order().method(Method::rk4(1e-3)).control(|_, _, _| {});
+    let law = order().method(Method::rk4(1e-3)).control(|_, _| {});
     assert!(matches!(law.run(), Err(SetupError::ControlledOnce)));
     let short = order().max_steps(3).run().unwrap();
     assert_eq!(short.error_estimate.unwrap().unwrap_err().to_string(), "the run did not come to its end");

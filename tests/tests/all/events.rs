@@ -170,14 +170,17 @@ fn invariant_events_of_an_effect_come_with_it() {
     assert!(!names(&throw::Fly::default()).contains(&"far"));
     assert_eq!(names(&throw::Windy::default()).last(), Some(&"far"));
     let found = named(&run(&throw::Windy::default(), Method::taylor(1e-10)));
-    assert!(found.iter().any(|(name, t)| *name == "far" && (t - 6.5 / 3.0).abs() <= LOCATED_S), "{found:?}");
+    assert!(
+        found.iter().any(|(name, t)| *name == throw::events::far && (t - 6.5 / 3.0).abs() <= LOCATED_S),
+        "{found:?}"
+    );
 }
 
 #[test]
 fn analytic_input_that_jumps_over_a_value_is_an_event_of_its_step() {
     let scene = throw::Fly::default();
     let order = Simulation::new(&scene).method(Method::rk4(0.1));
-    let run = order.control(|t, _, inputs| inputs[0] = if t < 0.95 { 100.0 } else { 1.0 }).run().unwrap();
+    let run = order.control(|now, set| set.gate = if now.t < 0.95 { 100.0 } else { 1.0 }).run().unwrap();
     let gone: Vec<f64> = named(&run).iter().filter(|(name, _)| *name == "gone").map(|(_, t)| *t).collect();
     // 3 m are passed, and the gate comes down to 1 m at 1 s
     assert_eq!(gone, [1.0]);

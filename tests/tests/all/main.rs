@@ -29,6 +29,7 @@ mod long_runs;
 mod massless;
 mod massless_links;
 mod monitors;
+mod names;
 mod order;
 mod other_mechanisms;
 mod outputs;

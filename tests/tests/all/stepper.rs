@@ -10,15 +10,19 @@ const STEP: f64 = 1e-3;
 #[test]
 fn cross_stepper_gives_the_numbers_of_a_run() {
     let scene = piloted::Pushed::default();
-    let inputs = |t: f64, state: &State| [100.0 * t - state.v[5], 20.0 * (3.0 * t).sin()];
-    let law = |t: f64, state: &State, out: &mut [f64]| out.copy_from_slice(&inputs(t, state));
+    let law = |now: &Now<piloted::Pushed>, set: &mut Inputs<piloted::Pushed>| {
+        set.torque = 100.0 * now.t - now.bar.omega;
+        set.pull = 20.0 * (3.0 * now.t).sin();
+    };
     let order = || Simulation::new(&scene).method(Method::rk4(STEP)).until(0.5).work().outputs();
     let run = order().every(STEP).control(law).run().unwrap();
     let mut stepper = order().stepper().unwrap();
     // the last step of a run is as long as is left, which is STEP but for rounding
     for s in run.samples().take(500) {
         let state = stepper.state().clone();
-        stepper.inputs_mut().copy_from_slice(&inputs(state.t, &state));
+        let mut set = *stepper.set();
+        law(&stepper.now(), &mut set);
+        *stepper.set() = set;
         assert_eq!((s.t, s.coordinates, s.velocities), (state.t, &state.q[..], &state.v[..]));
         assert_eq!((s.inputs, s.work), (stepper.inputs(), &state.work[..]));
         assert_eq!(s.multipliers, stepper.multipliers().unwrap());
@@ -34,7 +38,7 @@ fn invariant_stepper_repeats_to_the_bit() {
     let mut stepper = Simulation::new(&scene).stepper().unwrap();
     let mut episode = |given: &[(&str, f64)]| {
         stepper.reset_with(given).unwrap();
-        stepper.inputs_mut()[0] = -20.0;
+        stepper.set().torque = -20.0;
         stepper.step(300).unwrap();
         stepper.state().clone()
     };
@@ -49,7 +53,7 @@ fn invariant_reset_brings_start_inputs_and_time_back() {
     let scene = piloted::Ridden::default();
     let mut stepper = Simulation::new(&scene).work().stepper().unwrap();
     let (state, a) = (stepper.state().clone(), stepper.accelerations().unwrap().to_vec());
-    stepper.inputs_mut()[0] = 7.0;
+    stepper.set().torque = 7.0;
     stepper.step(10).unwrap();
     stepper.reset();
     assert_eq!((stepper.state(), stepper.inputs()), (&state, &[50.0][..]));
@@ -83,13 +87,13 @@ fn invariant_stepper_without_inputs_is_a_run() {
 fn invariant_steppers_on_threads_give_the_same_bits() {
     let scene = piloted::Ridden::default();
     let episode = || {
-        let mut stepper = Simulation::new(&scene).control(|t, _, inputs| inputs[0] = t).stepper().unwrap();
+        let mut stepper = Simulation::new(&scene).control(|now, set| set.torque = now.t).stepper().unwrap();
         stepper.step(200).unwrap();
         stepper.state().clone()
     };
     let alone = episode();
     std::thread::scope(|scope| {
-        let mut stepper = Simulation::new(&scene).control(|t, _, inputs| inputs[0] = t).stepper().unwrap();
+        let mut stepper = Simulation::new(&scene).control(|now, set| set.torque = now.t).stepper().unwrap();
         let others = [scope.spawn(episode), scope.spawn(episode)];
         // one that is made here and stepped there
         let moved = scope.spawn(move || stepper.step(200).map(|()| stepper.state().clone()).unwrap());
@@ -103,7 +107,7 @@ fn invariant_number_of_the_order_is_where_inputs_start() {
     let scene = piloted::Ridden::default();
     let mut stepper = Simulation::new(&scene).input("torque", 5.0).stepper().unwrap();
     assert_eq!(stepper.inputs(), [5.0]);
-    stepper.inputs_mut()[0] = 8.0;
+    stepper.set().torque = 8.0;
     stepper.step(3).unwrap();
     assert_eq!(stepper.inputs(), [8.0]);
     stepper.reset();

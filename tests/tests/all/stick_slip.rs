@@ -191,10 +191,10 @@ fn analytic_slide_shorter_than_a_quarter_of_a_step_is_followed() {
 fn analytic_input_that_jumps_over_the_limit_lets_the_sled_go_at_once() {
     let scene = sled::Pushed::default();
     let order = Simulation::new(&scene).method(Method::rk4(0.1));
-    let run = order.control(|t, _, inputs| {
-        inputs[0] = if t < 0.95 {
+    let run = order.control(|now, set| {
+        set.push = if now.t < 0.95 {
             2.0
-        } else if t < 1.45 {
+        } else if now.t < 1.45 {
             5.0
         } else {
             1.0

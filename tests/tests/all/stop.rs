@@ -298,7 +298,7 @@ fn analytic_arm_leaves_its_stop_where_the_torque_turns() {
 fn analytic_input_that_turns_between_steps_frees_the_arm() {
     let scene = arm::Held::default();
     let order = Simulation::new(&scene).method(Method::rk4(0.1));
-    let run = order.control(|t, _, inputs| inputs[0] = if t < 0.95 { 2.0 } else { -1.0 }).run().unwrap();
+    let run = order.control(|now, set| set.push = if now.t < 0.95 { 2.0 } else { -1.0 }).run().unwrap();
     assert_eq!(names(&run), ["rest lets go"]);
     assert!((run.events()[0].state.t - 1.0).abs() <= LOCATED_S);
     // -1 N·m on 0.5 kg·m² for 1 s

@@ -17,7 +17,7 @@ pub(super) use event_function::EventFunction;
 /// An event that took place.
 #[derive(Debug, Clone)]
 pub struct Occurrence {
-    /// Its description.
+    /// Its description; `event.name` compares with the constants that the model has in its module `events`: `throw::events::landing`.
     pub event: &'static EventInfo,
     /// The state then: interpolated and projected.
     pub state: State,

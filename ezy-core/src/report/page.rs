@@ -11,6 +11,21 @@ pub struct Page {
     n_figures: usize,
 }
 
+/// SVG texts of one figure.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Picture {
+    /// For a screen, a slide, paper.
+    pub wide: String,
+    /// For the screen of a telephone; empty: the wide one serves.
+    pub narrow: String,
+}
+
+impl From<&str> for Picture {
+    fn from(svg: &str) -> Self {
+        Self { wide: svg.to_owned(), narrow: String::new() }
+    }
+}
+
 /// Readable on a screen and on paper; wide equations and tables scroll inside their own box.
 const STYLE: &str = "\
 :root { color-scheme: light; }
@@ -75,14 +90,26 @@ impl Page {
         self.html(&format!("<div class=\"scroll\">{mathml}</div>"))
     }
 
-    /// A figure as SVG text. `alternative` says what is seen, for those who do not see it; `files` names the
-    /// files beside the page that hold the same figure and its numbers.
-    pub fn figure(&mut self, svg: &str, caption: &str, alternative: &str, files: &[&str]) -> &mut Self {
+    /// A figure. `alternative` says what is seen, for those who do not see it; `files` names the files beside the page that
+    /// hold the same figure and its numbers.
+    pub fn figure(
+        &mut self,
+        picture: impl Into<Picture>,
+        caption: &str,
+        alternative: &str,
+        files: &[&str],
+    ) -> &mut Self {
         self.n_figures += 1;
-        let svg = inline_svg(svg, self.n_figures, alternative);
+        let Picture { wide, narrow } = picture.into();
+        let labelled = |svg: &str, class: &str| labelled(svg, class, alternative);
+        let svg = match narrow.is_empty() {
+            true => labelled(&wide, ""),
+            false => labelled(&wide, "wide") + &labelled(&narrow, "narrow"),
+        };
         let links = files.iter().map(|file| format!("<a href=\"{file}\">{file}</a>")).collect::<Vec<_>>().join(", ");
-        let caption = format!("Figure {}. {} ({links})", self.n_figures, escape(caption));
-        self.html(&format!("<figure>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"))
+        let links = if links.is_empty() { links } else { format!(" ({links})") };
+        let caption = format!("Figure {}. {}{links}", self.n_figures, escape(caption));
+        self.html(&format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>"))
     }
 
     /// HTML as it is.
@@ -110,20 +137,12 @@ pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Makes an SVG document an element of a page: no XML header, scalable, labelled, identifiers of its own.
-fn inline_svg(svg: &str, number: usize, alternative: &str) -> String {
-    let element = svg.find("<svg").map_or(svg, |start| &svg[start..]).trim_end();
-    let (open, rest) = element.split_once('>').unwrap_or((element, ""));
-    let attribute = |name: &str| open.split_once(&format!(" {name}=\"")).and_then(|(_, tail)| tail.split('"').next());
-    let view_box = match (attribute("viewBox"), attribute("width"), attribute("height")) {
-        (None, Some(width), Some(height)) => format!(" viewBox=\"0 0 {width} {height}\""),
-        _ => String::new(),
-    };
-    let open = open.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
-    let rest = rest
-        .replace("id=\"clip", &format!("id=\"figure{number}-clip"))
-        .replace("url(#clip", &format!("url(#figure{number}-clip"));
-    format!("{open}{view_box} role=\"img\" aria-label=\"{}\">{rest}", escape(alternative))
+/// Makes an SVG document an element of a page: no XML header, a class, a label.
+fn labelled(svg: &str, class: &str, alternative: &str) -> String {
+    let element = svg.find("<svg").map_or("", |start| &svg[start + "<svg".len()..]);
+    let element = element.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
+    let class = if class.is_empty() { String::new() } else { format!(" class=\"{class}\"") };
+    format!("<svg{class} role=\"img\" aria-label=\"{}\"{element}", escape(alternative))
 }
 
 #[cfg(test)]
@@ -131,12 +150,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn invariant_page_with_two_figures_has_distinct_identifiers() {
-        let svg = "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"5\"><clipPath id=\"clip1\"/><g clip-path=\"url(#clip1)\"/></svg>";
+    fn invariant_page_shows_one_of_two_widths_and_says_what_is_seen() {
+        let svg = |width: u8| {
+            format!(
+                "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} 5\"></svg>\n"
+            )
+        };
         let mut page = Page::new("A < B");
-        page.section("s", "One").figure(svg, "first", "a \"curve\"", &["a.svg"]).figure(svg, "second", "b", &[]);
+        let picture = Picture { wide: svg(9), narrow: svg(4) };
+        page.section("s", "One").figure(picture, "first", "a \"curve\"", &["a.svg"]).figure(
+            &*svg(9),
+            "second",
+            "b",
+            &[],
+        );
         let html = page.finish();
-        for expected in ["id=\"figure1-clip1\"", "url(#figure2-clip1)", "viewBox=\"0 0 9 5\"", "a &quot;curve&quot;"] {
+        for expected in [
+            "<svg class=\"wide\" role=\"img\" aria-label=\"a &quot;curve&quot;\" viewBox=\"0 0 9 5\">",
+            "<svg class=\"narrow\" role=\"img\" aria-label=\"a &quot;curve&quot;\" viewBox=\"0 0 4 5\">",
+            "<svg role=\"img\" aria-label=\"b\" viewBox=\"0 0 9 5\">",
+        ] {
             assert!(html.contains(expected), "{expected} in {html}");
         }
         assert!(html.contains("<title>A &lt; B</title>") && !html.contains("<?xml") && !html.contains("http:"));

@@ -35,7 +35,7 @@ pub(super) struct MotionArguments {
     /// Stop before the residual of a constraint exceeds R: m or rad in positions, m/s or rad/s in velocities
     #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
     pub max_drift: Option<f64>,
-    /// Stop before energy and work differ by more than this part of the energy turned over
+    /// Stop before the error of the energy balance exceeds R, relative to the energy exchanged so far
     #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
     pub max_energy_error: Option<f64>,
     /// Stop after N steps, rejected ones included [default: ten million when the method chooses them]

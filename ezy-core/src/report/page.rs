@@ -28,30 +28,55 @@ impl From<&str> for Picture {
 
 /// Readable on a screen and on paper; wide equations and tables scroll inside their own box.
 const STYLE: &str = "\
-:root { color-scheme: light; }
-body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.55 system-ui, sans-serif; color: #1a1a1a; background: #fff; }
-h1, h2, h3 { line-height: 1.25; color: #002d62; }
-h2 { margin-top: 2.6rem; border-bottom: 1px solid #bbb; }
-nav ol { columns: 2; }
-a { color: #00509e; }
+:root { color-scheme: light dark; --ink: #1a1a1a; --paper: #fff; --head: #002d62; --link: #00509e; --soft: #444; --line: #ccc; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e4e4e4; --paper: #191919; --head: #9cc4f5; --link: #8ab8f0; --soft: #b8b8b8; --line: #4a4a4a; }
+  /* white becomes the paper of the page, hues stay */
+  figure svg { filter: invert(.902) hue-rotate(180deg); }
+}
+body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.55 system-ui, sans-serif; color: var(--ink); background: var(--paper); }
+h1, h2, h3 { line-height: 1.25; color: var(--head); }
+h2 { margin-top: 2.6rem; border-bottom: 1px solid var(--line); }
+nav ol { columns: 20rem 2; padding-left: 1.6rem; }
+nav li { break-inside: avoid; }
+a { color: var(--link); }
 figure { margin: 1.4rem 0; break-inside: avoid; }
-figure svg { width: 100%; height: auto; }
-figcaption, caption { color: #444; font-size: .95em; text-align: left; }
+figure svg { max-width: 100%; height: auto; }
+figure svg.narrow { display: none; }
+figcaption, caption { color: var(--soft); font-size: .95em; text-align: left; }
+figcaption a { overflow-wrap: anywhere; }
 .scroll { overflow-x: auto; }
+math { font-family: \"STIX Two Math\", \"Cambria Math\", \"Latin Modern Math\", \"TeX Gyre Termes Math\", \"Libertinus Math\", \"DejaVu Math TeX Gyre\", math; }
 math[display=block] { margin: .9rem 0; }
 table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .8rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top; }
+th, td { padding: .25rem .8rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 .number { text-align: right; }
 .compact { font-size: .85em; }
 .compact td { white-space: nowrap; padding: .1rem .5rem; }
+pre { overflow-x: auto; }
+@media (max-width: 40rem) {
+  body { margin: 1rem auto; }
+  main > table { display: block; overflow-x: auto; }
+  th, td { padding: .2rem .4rem; }
+  .claims td { min-width: 10rem; }
+  .claims td:first-child { min-width: 0; }
+  figure svg.wide { display: none; }
+  figure svg.narrow { display: inline; }
+}
 @media print {
+  :root { --ink: #000; --paper: #fff; --head: #002d62; --link: #000; --soft: #333; --line: #bbb; }
   body { max-width: none; margin: 0; font-size: 10pt; }
   nav, details { display: none; }
-  h2, h3, caption, p:has(+ .scroll) { break-after: avoid; }
+  h2 { margin-top: 1.4rem; }
+  h2, h3, caption, p:has(+ .scroll), p:has(+ figure) { break-after: avoid; }
   tr, .scroll > math { break-inside: avoid; }
+  thead { display: table-header-group; }
   .scroll { overflow: visible; }
-  figure svg { max-height: 9cm; }
-  th, td { padding: .15rem .4rem; }
+  .compact { font-size: .7em; }
+  figure svg { max-height: 8cm; width: auto; filter: none; }
+  figure svg.wide { display: inline; }
+  figure svg.narrow { display: none; }
+  th, td { padding: .1rem .4rem; }
 }
 ";
 

@@ -25,7 +25,7 @@ const BETWEEN: f64 = 14.0;
 const LINE: f64 = 1.3;
 /// Least distance of two ticks with labels: across, and down.
 const TICKS_ACROSS: f64 = 64.0;
-const TICKS_DOWN: f64 = 36.0;
+const TICKS_DOWN: f64 = 29.0;
 /// Width of the axes of equal scale when their height is bound.
 const LEAST_EQUAL_WIDTH: f64 = 150.0;
 

@@ -9,7 +9,7 @@ const ROUNDING: f64 = 1e-13;
 /// Part of a value that an axis shows on both sides when it is the only one.
 const AROUND_A_VALUE: f64 = 0.1;
 /// Height over width that axes of equal scale have at least: flat paths keep room for texts.
-const LEAST_SHAPE: f64 = 0.22;
+const LEAST_SHAPE: f64 = 0.25;
 
 /// Whether a number has a place on an axis of this kind.
 pub(super) fn is_drawable(axes: Axes, value: f64) -> bool {

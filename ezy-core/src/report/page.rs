@@ -58,6 +58,7 @@ pre { overflow-x: auto; }
   body { margin: 1rem auto; }
   main > table { display: block; overflow-x: auto; }
   th, td { padding: .2rem .4rem; }
+  main > table td:not(.number) { min-width: 5.5rem; }
   .claims td { min-width: 10rem; }
   .claims td:first-child { min-width: 0; }
   figure svg.wide { display: none; }
@@ -69,7 +70,7 @@ pre { overflow-x: auto; }
   nav, details { display: none; }
   h2 { margin-top: 1.4rem; }
   h2, h3, caption, p:has(+ .scroll), p:has(+ figure) { break-after: avoid; }
-  tr, .scroll > math { break-inside: avoid; }
+  tr, main > table, .scroll > math { break-inside: avoid; }
   thead { display: table-header-group; }
   .scroll { overflow: visible; }
   .compact { font-size: .7em; }

@@ -111,7 +111,7 @@ impl Coasting {
                 ("seat.phi [rad]", phi_1),
                 ("bar.phi [rad]", phi_2),
             ],
-            caption: "The bodies at five instants, light at the start and dark at the end, with the paths of A, B and C. The triangle is the seat, from its \
+            caption: "The bodies at five instants, faint at the start and strong at the end, with the paths of A, B and C. The triangle is the seat, from its \
                       rear axle to the hinge (ring); the line is the bar, from the hinge to its wheel; thick strokes are wheels. The seat is drawn with \
                       two wheels to look like a vehicle: the equations have one, A, in the middle of its axle."
                 .to_owned(),

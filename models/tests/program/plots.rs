@@ -26,7 +26,14 @@ fn invariant_plot_has_a_panel_for_each_unit_and_names_its_curves() {
     let printed = done(&["plot", "ezyroller/coast", "seat.phi", "*.omega", "C.x", "--out", out]);
     assert_eq!(printed, format!("{out}\n"));
     let texts = texts(&svg);
-    for expected in ["EzyRoller/coast".to_lowercase().as_str(), "seat.phi [rad]", "angular velocity [rad/s]", "C.x [m]", "bar.omega", "time [s]"] {
+    for expected in [
+        "EzyRoller/coast".to_lowercase().as_str(),
+        "seat.phi [rad]",
+        "angular velocity [rad/s]",
+        "C.x [m]",
+        "bar.omega",
+        "time [s]",
+    ] {
         assert_eq!(texts.iter().filter(|text| *text == expected).count(), 1, "{expected} in {texts:?}");
     }
 }
@@ -45,7 +52,8 @@ fn regress_plot_is_the_same_to_the_byte() {
 fn invariant_plot_varies_what_it_is_told_and_names_the_values() {
     let svg = directory("plot_vary").join("vary.svg");
     let out = svg.to_str().unwrap();
-    let arguments = ["plot", "ezyroller/coast", "bar.phi", "--vary", "d=0.1,0.2", "--vary", "method=rk4,dop853", "--out", out];
+    let arguments =
+        ["plot", "ezyroller/coast", "bar.phi", "--vary", "d=0.1,0.2", "--vary", "method=rk4,dop853", "--out", out];
     done(&arguments);
     let texts = texts(&svg);
     for expected in ["d = 0.1, method = rk4", "d = 0.2, method = dop853", "bar.phi [rad]"] {
@@ -68,7 +76,9 @@ fn invariant_plot_writes_what_the_ending_says() {
 fn invariant_wrong_plots_say_what_to_do() {
     let out = directory("plot_wrong").join("x.svg");
     let out = out.to_str().unwrap();
-    let wrong = |arguments: &[&str], message: &str| assert_wrong_use(&[&["plot"], arguments, &["--out", out]].concat(), message);
+    let wrong = |arguments: &[&str], message: &str| {
+        assert_wrong_use(&[&["plot"], arguments, &["--out", out]].concat(), message)
+    };
     wrong(&["seat.phi"], "`seat.phi` names no scene");
     wrong(&["ezyroller/coast"], "give one column or several");
     wrong(&["ezyroller/coast", "seat.fi"], "did you mean `seat.phi`?");
@@ -78,7 +88,10 @@ fn invariant_wrong_plots_say_what_to_do() {
     wrong(&["ezyroller/coast", "seat.phi", "--vary", "method=rk5"], "--vary method: `rk5`");
     wrong(&["ezyroller/coast", "seat.phi", "--vary", "d"], "write NAME=A,B");
     wrong(&["ezyroller/coast", "seat.phi", "--vary", "step=0.1,x"], "`x` is not a finite number");
-    assert_wrong_use(&["plot", "ezyroller/coast", "seat.phi", "--out", "a.pdf"], "figures are written as .svg, .png or .html");
+    assert_wrong_use(
+        &["plot", "ezyroller/coast", "seat.phi", "--out", "a.pdf"],
+        "figures are written as .svg, .png or .html",
+    );
     assert!(!Path::new(out).exists());
 }
 
@@ -104,7 +117,10 @@ fn analytic_comparison_of_two_files_is_that_by_hand() {
     assert_eq!(row.split_whitespace().collect::<Vec<_>>(), ["a.x", "1.00e0", "1.000000", "0.00e0", "4.00e0", "m"]);
     assert!(printed.contains("in one of them alone: a.phi, b.x") && printed.contains("interpolated"), "{printed}");
     let json: serde_json::Value = serde_json::from_str(&done(&["compare", &first, &second, "--json"])).unwrap();
-    assert_eq!(json["columns"], serde_json::json!([{ "name": "a.x", "unit": "m", "largest": 1.0, "t": 1.0, "at_end": 0.0, "size": 4.0 }]));
+    assert_eq!(
+        json["columns"],
+        serde_json::json!([{ "name": "a.x", "unit": "m", "largest": 1.0, "t": 1.0, "at_end": 0.0, "size": 4.0 }])
+    );
 }
 
 #[test]
@@ -117,7 +133,8 @@ fn cross_comparison_of_two_steps_and_of_their_files_is_one() {
     };
     let (coarse, fine) = (file("1e-2"), file("1e-3"));
     let columns = |arguments: &[&str]| {
-        let json: serde_json::Value = serde_json::from_str(&done(&[&["compare"], arguments, &["bar.phi", "--json"]].concat())).unwrap();
+        let json: serde_json::Value =
+            serde_json::from_str(&done(&[&["compare"], arguments, &["bar.phi", "--json"]].concat())).unwrap();
         json["columns"].clone()
     };
     let of_runs = columns(&["ezyroller/coast", "--vary", "step=1e-2,1e-3", "--every", "0.05"]);
@@ -150,8 +167,14 @@ fn invariant_wrong_comparisons_say_what_to_do() {
         path.to_str().unwrap().to_owned()
     };
     assert_wrong_use(&["compare", &first, &faulty("compare_1", "x [m]\n1\n")], "its first column is not time");
-    assert_wrong_use(&["compare", &first, &faulty("compare_2", "t [s],a.x [m]\n0,one\n")], "row 1, column `a.x`: `one` is no number");
+    assert_wrong_use(
+        &["compare", &first, &faulty("compare_2", "t [s],a.x [m]\n0,one\n")],
+        "row 1, column `a.x`: `one` is no number",
+    );
     assert_wrong_use(&["compare", &first, &faulty("compare_3", "t [s],a.x [m]\n1,1\n0,1\n")], "time runs backwards");
-    assert_wrong_use(&["compare", &first, &faulty("compare_4", "t [s],a.x [mm]\n0,1\n")], "is in m here and in mm there");
+    assert_wrong_use(
+        &["compare", &first, &faulty("compare_4", "t [s],a.x [mm]\n0,1\n")],
+        "is in m here and in mm there",
+    );
     assert_wrong_use(&["compare", &first, &faulty("compare_5", "t [s],a.x [m]\n9,1\n")], "no time in common");
 }

@@ -26,6 +26,8 @@ const LINE: f64 = 1.3;
 /// Least distance of two ticks with labels: across, and down.
 const TICKS_ACROSS: f64 = 64.0;
 const TICKS_DOWN: f64 = 29.0;
+/// Height that axes of equal scale have at least: flat paths keep room for texts.
+const LEAST_EQUAL_HEIGHT: f64 = 175.0;
 /// Width of the axes of equal scale when their height is bound.
 const LEAST_EQUAL_WIDTH: f64 = 150.0;
 
@@ -61,7 +63,7 @@ impl Width {
 
 /// Draws the figure.
 pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureError> {
-    let Some((x, y)) = range::limits(figure) else {
+    let Some((x, mut y)) = range::limits(figure) else {
         let positive = if figure.axes == Axes::LogLog { " above zero, as its logarithmic axes need" } else { "" };
         return Err(FigureError::Empty { title: figure.title.clone(), positive });
     };
@@ -79,6 +81,8 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
     let left = MARGIN + label_width + 4.0 + widest + TICK_GAP + TICK;
     let mut axes_width = width.points() - left - MARGIN - 12.0;
     if figure.axes == Axes::Equal {
+        let least = LEAST_EQUAL_HEIGHT / axes_width * (x[1] - x[0]);
+        y[0] = range::about(y[0], (y[0][1] - y[0][0]).max(least));
         let shape = (y[0][1] - y[0][0]) / (x[1] - x[0]);
         height = (axes_width * shape).min(width.equal_height());
         axes_width = (height / shape).max(LEAST_EQUAL_WIDTH);
@@ -154,5 +158,118 @@ fn axis_ticks(axes: Axes, limits: [f64; 2], n: usize) -> Ticks {
     match axes {
         Axes::LogLog => ticks::logarithmic(limits, n),
         Axes::Series | Axes::Plane | Axes::Equal => ticks::linear(limits, n),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::figure::canvas::{Segment, Shape};
+
+    /// Figures of every kind, with legends, notes and panels.
+    fn figures() -> Vec<Figure> {
+        let t: Vec<f64> = (0..400).map(|i| f64::from(i) * 0.05).collect();
+        let of = |f: fn(f64) -> f64| t.iter().map(|t| f(*t)).collect::<Vec<f64>>();
+        let mut many = Figure::time_series("Nine waves", "time [s]", "angle [rad]");
+        for k in 0..9 {
+            let wave = t.iter().map(|t| (t + f64::from(k)).sin()).collect();
+            many = many.line(&format!("k = {k}"), t.clone(), wave);
+        }
+        let panels = Figure::time_series("Panels", "time [s]", "angle [rad]")
+            .line("one", t.clone(), of(f64::sin))
+            .line("two", t.clone(), of(|t| 0.2 * t))
+            .panel("a difference of two angles that is small [rad]")
+            .line("", t.clone(), of(|t| 3e-9 * t));
+        let path =
+            Figure::track("A path").line("A", of(f64::cos), of(f64::sin)).marks("every 1 s", vec![1.0], vec![0.0]);
+        let path = path.note(1.0, 0.0, "0 s").note(0.0, 1.0, "2 s");
+        let flat =
+            Figure::track("A flat path").line("A", t.clone(), of(|t| 1e-3 * t)).line("B", t.clone(), of(|_| 0.1));
+        let steep = Figure::log_log("A slope", "step [s]", "error [m]").points(
+            "rk4",
+            t[1..].to_vec(),
+            t[1..].iter().map(|t| t.powi(4)).collect(),
+        );
+        vec![
+            many,
+            panels,
+            path,
+            flat,
+            steep.guide("slope 4", vec![0.1, 1.0], vec![1e-5, 0.1]).note(0.3, 1e-3, "slope 4"),
+        ]
+    }
+
+    fn texts(canvas: &Canvas) -> Vec<(&str, Frame)> {
+        let text = |shape| match shape {
+            &Shape::Text { ref text, frame, .. } => Some((text.as_str(), frame)),
+            _ => None,
+        };
+        canvas.shapes.iter().filter_map(text).collect()
+    }
+
+    #[test]
+    fn invariant_texts_stand_on_the_sheet_and_apart() {
+        for (figure, width) in figures().iter().flat_map(|figure| [(figure, Width::Wide), (figure, Width::Narrow)]) {
+            let canvas = picture(figure, width).unwrap();
+            let sheet = Frame { left: 0.0, top: 0.0, right: canvas.width, bottom: canvas.height };
+            let texts = texts(&canvas);
+            assert!(texts.len() > 8, "{texts:?}");
+            for (i, (text, frame)) in texts.iter().enumerate() {
+                assert!(sheet.holds(frame), "`{text}` of `{}` leaves the sheet: {frame:?}", figure.title);
+                for (other, of_other) in &texts[..i] {
+                    let apart = frame.right <= of_other.left
+                        || of_other.right <= frame.left
+                        || frame.bottom <= of_other.top
+                        || of_other.bottom <= frame.top;
+                    assert!(apart, "`{text}` and `{other}` of `{}` in {width:?}", figure.title);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn invariant_text_covers_no_point_of_a_curve() {
+        for figure in figures() {
+            let canvas = picture(&figure, Width::Wide).unwrap();
+            let texts = texts(&canvas);
+            for shape in &canvas.shapes {
+                let Shape::Stroke { outline, width, .. } = shape else { continue };
+                // curves; axes and grid are thinner
+                let is_curve = *width > 1.2 && outline.len() > 9;
+                for segment in outline.iter().filter(|_| is_curve) {
+                    let (Segment::Move([x, y]) | Segment::Line([x, y])) = segment else { continue };
+                    let covering =
+                        texts.iter().find(|(_, f)| f.left < *x && *x < f.right && f.top < *y && *y < f.bottom);
+                    assert!(covering.is_none(), "{covering:?} of `{}`", figure.title);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn invariant_legend_is_drawn_once_for_panels_of_the_same_curves() {
+        let line =
+            |figure: Figure| figure.line("a", vec![0.0, 1.0], vec![0.0, 1.0]).line("b", vec![0.0, 1.0], vec![1.0, 0.0]);
+        let figure = line(line(Figure::time_series("Twice", "t", "x [m]")).panel("v [m/s]"));
+        let canvas = picture(&figure, Width::Wide).unwrap();
+        assert_eq!(texts(&canvas).iter().filter(|(text, _)| *text == "a").count(), 1);
+    }
+
+    #[test]
+    fn invariant_figure_without_finite_points_is_an_error() {
+        let empty = Figure::time_series("empty", "t", "v").line("v", vec![0.0], vec![f64::NAN]);
+        assert!(matches!(picture(&empty, Width::Wide), Err(FigureError::Empty { .. })));
+    }
+
+    #[test]
+    fn invariant_gap_in_a_curve_is_not_bridged() {
+        let curve = Figure::time_series("gap", "t", "v").line(
+            "v",
+            vec![0.0, 1.0, 2.0, 3.0, 4.0],
+            vec![0.0, 1.0, f64::NAN, 1.0, 2.0],
+        );
+        let canvas = picture(&curve, Width::Wide).unwrap();
+        let curves = canvas.shapes.iter().filter(|shape| matches!(shape, Shape::Stroke { width, .. } if *width > 1.2));
+        assert_eq!(curves.count(), 2);
     }
 }

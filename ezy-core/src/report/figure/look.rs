@@ -31,14 +31,14 @@ pub(super) struct Look {
 /// How many looks differ in all of colour, dash and marker.
 const N_LOOKS: usize = 8;
 
-/// Navy, vermilion, sky blue, green, purple, gold, grey, rose: lightness 19, 52, 70, 41, 31, 69, 45, 60 of 100.
+/// Navy, vermilion, sky blue, green, gold, purple, grey, rose: neighbours differ in lightness.
 const COLORS: [Color; N_LOOKS] = [
     [0, 45, 98],
     [213, 84, 0],
     [86, 180, 233],
     [0, 110, 80],
-    [118, 42, 131],
     [206, 165, 20],
+    [118, 42, 131],
     [106, 106, 106],
     [214, 115, 165],
 ];

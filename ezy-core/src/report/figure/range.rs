@@ -8,9 +8,6 @@ const MARGIN: f64 = 0.04;
 const ROUNDING: f64 = 1e-13;
 /// Part of a value that an axis shows on both sides when it is the only one.
 const AROUND_A_VALUE: f64 = 0.1;
-/// Height over width that axes of equal scale have at least: flat paths keep room for texts.
-const LEAST_SHAPE: f64 = 0.25;
-
 /// Whether a number has a place on an axis of this kind.
 pub(super) fn is_drawable(axes: Axes, value: f64) -> bool {
     value.is_finite() && (axes != Axes::LogLog || value > 0.0)
@@ -45,12 +42,7 @@ pub(super) fn limits(figure: &Figure) -> Option<([f64; 2], Vec<[f64; 2]>)> {
         }
         // time runs to the edges of its axis
         Axes::Series => (widened(x, 0.0), y.map(|y| widened(y, MARGIN)).collect()),
-        Axes::Plane => (widened(x, MARGIN), y.map(|y| widened(y, MARGIN)).collect()),
-        Axes::Equal => {
-            let (x, y): (_, Vec<_>) = (widened(x, MARGIN), y.map(|y| widened(y, MARGIN)).collect());
-            let y = y.into_iter().map(|y| about(y, (y[1] - y[0]).max(LEAST_SHAPE * (x[1] - x[0])))).collect();
-            (x, y)
-        }
+        Axes::Plane | Axes::Equal => (widened(x, MARGIN), y.map(|y| widened(y, MARGIN)).collect()),
     })
 }
 
@@ -66,7 +58,7 @@ fn widened([low, high]: [f64; 2], part: f64) -> [f64; 2] {
 }
 
 /// A range of this span with the same middle.
-fn about([low, high]: [f64; 2], span: f64) -> [f64; 2] {
+pub(super) fn about([low, high]: [f64; 2], span: f64) -> [f64; 2] {
     let middle = 0.5 * low + 0.5 * high;
     [middle - 0.5 * span, middle + 0.5 * span]
 }
@@ -74,13 +66,6 @@ fn about([low, high]: [f64; 2], span: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn invariant_limits_of_equal_axes_keep_their_least_shape() {
-        let flat = Figure::track("flat").line("path", vec![0.0, 10.0], vec![0.0, 0.1]);
-        let (x, y) = limits(&flat).unwrap();
-        assert!((y[0][1] - y[0][0]) >= LEAST_SHAPE * (x[1] - x[0]) * (1.0 - 1e-12), "{x:?} {y:?}");
-    }
 
     #[test]
     fn invariant_limits_of_logarithmic_axes_skip_values_that_have_no_logarithm() {

@@ -62,9 +62,10 @@ pub(super) fn logarithmic([low, high]: [f64; 2], n: usize) -> Ticks {
     let is_plain = low >= LEAST_PLAIN && high <= MOST_PLAIN;
     let decades = (first..=last).step_by(every).map(|power| 10f64.powi(power));
     let mut labelled: Vec<f64> = decades.collect();
+    // far enough from its neighbours for two labels side by side
+    let least = FREE_PART * (high / low).log10() / n.max(2) as f64;
     for end in [low, high] {
-        // far enough from its neighbours for two labels side by side
-        let is_free = labelled.iter().all(|known| (end / known).log10().abs() > FREE_DECADES * every as f64);
+        let is_free = labelled.iter().all(|known| (end / known).log10().abs() > least);
         if is_free {
             labelled.push(end);
         }
@@ -84,8 +85,8 @@ pub(super) fn logarithmic([low, high]: [f64; 2], n: usize) -> Ticks {
     }
 }
 
-/// Part of the distance of two labels that an end has from its neighbour to have one, too.
-const FREE_DECADES: f64 = 0.28;
+/// Part of the least distance of two labels that an end has from its neighbour to have one, too.
+const FREE_PART: f64 = 0.7;
 
 /// Between these limits labels of a logarithmic axis are written without powers.
 const LEAST_PLAIN: f64 = 0.001;
@@ -168,7 +169,7 @@ mod tests {
             ["2·10⁻⁹", "10⁻⁸", "10⁻⁷", "10⁻⁶", "10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²", "5·10⁻²"]
         );
         assert_eq!(labels(&logarithmic(log_limits([0.013, 0.4]), 10)), ["0.01", "0.1", "0.5"]);
-        let ends = |low, high| log_limits([low, high]).map(|x| format!("{x:e}"));
+        let ends = |low, high| log_limits([low, high]).map(|x| format!("{x:.0e}"));
         assert_eq!(ends(1.0, 1000.0), ["1e0", "1e3"]);
         assert_eq!(ends(1e-15, 3e-15), ["1e-15", "5e-15"]);
     }

@@ -10,7 +10,7 @@ use super::drawing;
 use super::failure::{Failure, print};
 use super::json::print_json;
 use super::motion_table::MotionTable;
-use super::plot::Runs;
+use super::runs::Runs;
 use crate::record::Column;
 use crate::report::table::{Table, fixed};
 
@@ -18,6 +18,7 @@ use crate::report::table::{Table, fixed};
 struct Difference<'a> {
     column: &'a Column,
     /// By time of the first motion, as far as the second goes.
+    #[cfg_attr(not(feature = "figures"), allow(dead_code, reason = "drawn, if at all"))]
     values: Vec<f64>,
     /// The largest, and when.
     largest: f64,
@@ -77,8 +78,7 @@ fn differences<'a>(
     }
     let mut seen = std::collections::HashSet::new();
     columns.retain(|i| seen.insert(*i));
-    let times: Vec<f64> = first.times().iter().copied().filter(|t| second.at(0, *t).is_some()).collect();
-    if times.is_empty() {
+    if !first.times().iter().any(|t| second.at(0, *t).is_some()) {
         return Err(Failure::wrong_use(format!("{} and {} have no time in common", first.name, second.name)));
     }
     let mut found = Vec::new();
@@ -89,19 +89,21 @@ fn differences<'a>(
             let (one, other) = (&column.unit, &second.columns[k].unit);
             return Err(Failure::wrong_use(format!("column `{}` is in {one} here and in {other} there", column.name)));
         }
-        let pairs = first.times().iter().zip(&first.values[i]).filter_map(|(t, a)| Some((*t, *a, second.at(k, *t)?)));
-        let mut of = Difference { column, values: Vec::new(), largest: 0.0, t: times[0], at_end: 0.0, size: 0.0 };
-        for (t, a, b) in pairs {
-            let difference = b - a;
-            of.values.push(difference);
-            of.size = of.size.max(a.abs()).max(b.abs());
-            of.at_end = difference;
-            // what is no number is the largest of all
-            if !of.largest.is_nan() && !(difference.abs() <= of.largest) {
-                (of.largest, of.t) = (difference.abs(), t);
-            }
-        }
-        found.push(of);
+        let both = |t: f64, a: f64| Some([t, a, second.at(k, t)?]);
+        let pairs = first.times().iter().zip(&first.values[i]).filter_map(|(t, a)| both(*t, *a));
+        let pairs: Vec<[f64; 3]> = pairs.collect();
+        let difference = |[_, a, b]: &[f64; 3]| b - a;
+        // of equal ones the first; what is no number is the largest of all
+        let order = |one: &&[f64; 3], other: &&[f64; 3]| difference(one).abs().total_cmp(&difference(other).abs());
+        let (Some(most), Some(last)) = (pairs.iter().rev().max_by(order), pairs.last()) else { continue };
+        found.push(Difference {
+            column,
+            largest: difference(most).abs(),
+            t: most[0],
+            at_end: difference(last),
+            size: pairs.iter().fold(0.0, |size, [_, a, b]| a.abs().max(b.abs()).max(size)),
+            values: pairs.iter().map(difference).collect(),
+        });
     }
     match found.is_empty() {
         true => {

@@ -37,6 +37,7 @@ mod run;
 mod run_end;
 mod run_error;
 mod run_monitors;
+mod runs;
 mod selection;
 mod shell;
 mod show;

@@ -1,6 +1,7 @@
 //! A picture as a list of shapes, in points from the upper left corner. Knows nothing of figures.
 
 use super::lettering;
+pub(super) use super::outline::{Place, Segment};
 
 /// A picture, from back to front.
 #[derive(Debug, Clone)]
@@ -10,24 +11,11 @@ pub(super) struct Canvas {
     pub shapes: Vec<Shape>,
 }
 
-/// A place: to the right and down, in points.
-pub(super) type Place = [f64; 2];
-
 /// Red, green, blue.
 pub(super) type Color = [u8; 3];
 
 pub(super) const BLACK: Color = [0x1a; 3];
 pub(super) const WHITE: Color = [0xff; 3];
-
-/// One part of an outline.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Segment {
-    Move(Place),
-    Line(Place),
-    /// A parabola by its control point and its end.
-    Curve(Place, Place),
-    Close,
-}
 
 /// What is drawn.
 #[derive(Debug, Clone)]

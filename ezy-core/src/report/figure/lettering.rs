@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-use super::canvas::{Place, Segment};
+use super::outline::{Place, Segment};
 
 /// How far capitals and digits rise above the base line, and letters fall below it, of the size.
 pub(super) const RISE: f64 = 0.76;

@@ -9,6 +9,7 @@ mod legend;
 mod lettering;
 mod look;
 mod marker;
+mod outline;
 mod panel;
 mod png;
 mod range;

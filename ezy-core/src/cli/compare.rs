@@ -51,12 +51,22 @@ pub(super) fn compare(models: Models<'_>, arguments: &CompareArguments) -> Resul
             motions.len()
         )));
     };
+    // names of two runs of one scene say only how they differ
+    let subject = if let [scene] = sides[..] { format!("{scene}: ") } else { String::new() };
     let differences = differences(first, second, &patterns)?;
     match arguments.json {
         true => print_json(&as_json(first, second, &differences))?,
-        false => print(&as_text(first, second, &differences))?,
+        false => print(&format!("{subject}{}", as_text(first, second, &differences)))?,
     }
-    arguments.out.as_deref().map_or(Ok(()), |out| draw(first, second, &differences, &patterns, out))
+    arguments.out.as_deref().map_or(Ok(()), |out| {
+        draw(
+            &format!("{subject}{} and {}", first.name, second.name),
+            [first, second],
+            &differences,
+            !patterns.is_empty(),
+            out,
+        )
+    })
 }
 
 /// Whether a word is a file and no scene.
@@ -151,10 +161,10 @@ fn as_text(first: &MotionTable, second: &MotionTable, differences: &[Difference<
 /// Both motions and their difference: columns that were asked for, or the one with the largest relative difference.
 #[cfg(feature = "figures")]
 fn draw(
-    first: &MotionTable,
-    second: &MotionTable,
+    title: &str,
+    [first, second]: [&MotionTable; 2],
     differences: &[Difference<'_>],
-    patterns: &[&String],
+    are_chosen: bool,
     out: &Path,
 ) -> Result<(), Failure> {
     use super::drawing_of_columns::{axis, write};
@@ -162,16 +172,14 @@ fn draw(
 
     let relative = |of: &Difference<'_>| if of.size > 0.0 { of.largest / of.size } else { 0.0 };
     let most = differences.iter().max_by(|a, b| relative(a).total_cmp(&relative(b)));
-    let shown =
-        differences.iter().filter(|of| !patterns.is_empty() || most.is_some_and(|most| std::ptr::eq(most, *of)));
-    let title = format!("{} and {}", first.name, second.name);
+    let shown = differences.iter().filter(|of| are_chosen || most.is_some_and(|most| std::ptr::eq(most, *of)));
     let mut figure: Option<Figure> = None;
     for of in shown {
         let Column { name, unit } = of.column;
         let label = axis(name, unit);
         let figure_here = match figure {
             Some(figure) => figure.panel(&label),
-            None => Figure::time_series(&title, "time [s]", &label),
+            None => Figure::time_series(title, "time [s]", &label),
         };
         let of_second = second.values[second.index(name)?].clone();
         let times = first.times().iter().copied().filter(|t| second.at(0, *t).is_some()).collect();
@@ -181,11 +189,11 @@ fn draw(
         figure = Some(both.panel(&axis("difference", unit)).line("", times, of.values.clone()));
     }
     let Some(figure) = figure else { return Ok(()) };
-    write(&figure, &title, &format!("{title}, and their difference"), out)?;
+    write(&figure, title, &format!("{title}, and their difference"), out)?;
     print(&format!("{}\n", out.display()))
 }
 
 #[cfg(not(feature = "figures"))]
-fn draw(_: &MotionTable, _: &MotionTable, _: &[Difference<'_>], _: &[&String], _: &Path) -> Result<(), Failure> {
+fn draw(_: &str, _: [&MotionTable; 2], _: &[Difference<'_>], _: bool, _: &Path) -> Result<(), Failure> {
     drawing::check()
 }

@@ -20,6 +20,13 @@ pub(super) fn check() -> Result<(), Failure> {
 
 /// Whether a file of this name can be written, found before the runs.
 pub(super) fn check_name(path: &Path) -> Result<(), Failure> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir());
+    if let Some(folder) = folder {
+        return Err(Failure::wrong_use(format!(
+            "`{}` is no folder; make it, or give --out another file",
+            folder.display()
+        )));
+    }
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     if ENDINGS.contains(&ending) {
         return Ok(());

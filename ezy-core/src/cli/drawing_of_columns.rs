@@ -55,6 +55,7 @@ impl Picture<'_> {
                 None if self.against.is_some() => Figure::plane(self.title, &x_label, &y_label),
                 None => Figure::time_series(self.title, &x_label, &y_label),
             };
+            let mut starts = Vec::new();
             for motion in self.motions {
                 let x = &motion.values[motion.index(&abscissa.name)?];
                 for column in &here {
@@ -65,10 +66,12 @@ impl Picture<'_> {
                         _ => format!("{}, {}", column.name, motion.name),
                     };
                     panel = panel.line(&name, x.clone(), motion.values[i].clone());
-                    if let (true, Some(x), Some(y)) = (self.against.is_some(), x.first(), motion.values[i].first()) {
-                        panel = panel.hinges("start", vec![*x], vec![*y]);
-                    }
+                    starts.extend(x.first().copied().zip(motion.values[i].first().copied()));
                 }
+            }
+            if self.against.is_some() {
+                let (x, y) = starts.into_iter().unzip();
+                panel = panel.hinges("start", x, y);
             }
             figure = Some(panel);
         }

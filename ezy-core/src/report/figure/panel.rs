@@ -104,6 +104,9 @@ pub(super) fn draw_curves(canvas: &mut Canvas, scales: &Scales, panel: &Panel) -
                 }
                 places.windows(2).for_each(|pair| room.take_line(pair[0], pair[1]));
             }
+            // of a single point no line is seen
+            let dot = (places.len() == 1 && look.marker.is_none()).then(|| look.clone().with_marker(0));
+            let look = dot.as_ref().unwrap_or(look);
             if look.marker.is_some() {
                 for place in places {
                     marker::draw(canvas, look, place);

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Libraries whose versions can change a digit or a picture.
-const LIBRARIES: [&str; 3] = ["nalgebra", "faer", "ruviz"];
+const LIBRARIES: [&str; 3] = ["nalgebra", "faer", "tiny-skia"];
 
 /// The lock file of the workspace, and the one inside a package, with what the study says of versions from there.
 const LOCK_FILES: [(&str, &str); 2] = [("../Cargo.lock", ""), ("Cargo.lock", " (as packaged)")];

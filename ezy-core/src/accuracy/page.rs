@@ -1,14 +1,14 @@
 //! The measurement as a page.
 
 use super::measured::WorkPrecision;
-use crate::report::page::{Page, escape};
+use crate::report::page::{Page, Picture, escape};
 
-/// SVG texts; `None` where there is nothing to draw.
+/// The figures; `None` where there is nothing to draw.
 pub(super) struct Pictures {
-    pub end: Option<String>,
-    pub grid: Option<String>,
-    pub drift: Option<String>,
-    pub energy: Option<String>,
+    pub end: Option<Picture>,
+    pub grid: Option<Picture>,
+    pub drift: Option<Picture>,
+    pub energy: Option<Picture>,
 }
 
 impl WorkPrecision {
@@ -118,11 +118,11 @@ fn scrolled(page: &mut Page, table: &str) {
     page.html(&format!("<div class=\"scroll compact\">{table}</div>"));
 }
 
-fn picture(page: &mut Page, svg: &Option<String>, name: &str, caption: &str) {
-    match svg {
-        Some(svg) => {
+fn picture(page: &mut Page, picture: &Option<Picture>, name: &str, caption: &str) {
+    match picture {
+        Some(picture) => {
             let [svg_file, png_file] = ["svg", "png"].map(|extension| format!("{name}.{extension}"));
-            page.figure(svg, caption, caption, &[&svg_file, &png_file, "accuracy.csv"]);
+            page.figure(picture.clone(), caption, caption, &[&svg_file, &png_file, "accuracy.csv"]);
         }
         None => {
             page.paragraph(&format!("{caption} It is zero throughout, so that there is nothing to draw."));

@@ -8,6 +8,8 @@ use super::measured::WorkPrecision;
 use super::{figures::Where, page::Pictures};
 #[cfg(feature = "figures")]
 use crate::report::figure::{Figure, FigureError};
+#[cfg(feature = "figures")]
+use crate::report::page::Picture;
 
 impl WorkPrecision {
     /// Writes `accuracy.csv` into `directory`, which is made when it is not there. With the feature `figures` also a page and
@@ -52,11 +54,11 @@ fn written(path: PathBuf, done: std::io::Result<()>) -> Result<PathBuf, Accuracy
     }
 }
 
-/// The SVG text; `None` where there is nothing to draw, such as a drift of nothing.
+/// The picture; `None` where there is nothing to draw, such as a drift of nothing.
 #[cfg(feature = "figures")]
-fn drawn(figure: &Figure, directory: &Path, name: &str) -> Result<Option<String>, AccuracyError> {
+fn drawn(figure: &Figure, directory: &Path, name: &str) -> Result<Option<Picture>, AccuracyError> {
     match figure.save(directory, name) {
-        Ok(svg) => Ok(Some(svg)),
+        Ok(picture) => Ok(Some(picture)),
         Err(FigureError::Empty { .. }) => Ok(None),
         Err(error) => Err(error.into()),
     }

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use crate::dynamics::{Metric, Projection};
-use clap::builder::PossibleValue;
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::value::{Assignment, parse_assignment, parse_count, parse_number};
+use super::motion_arguments::MotionArguments;
+use super::value::{Assignment, parse_assignment, parse_number};
+use super::vary::{Variation, parse_variation};
 
 // what a command does is said at its arguments
 #[derive(Debug, Subcommand)]
@@ -15,6 +15,8 @@ pub(super) enum Command {
     List(ListArguments),
     Show(ShowArguments),
     Run(RunArguments),
+    Plot(PlotArguments),
+    Compare(CompareArguments),
     Check(CheckArguments),
     Accuracy(AccuracyArguments),
     Completions(CompletionsArguments),
@@ -62,58 +64,8 @@ pub(super) struct RunArguments {
     /// Its name; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
     pub path: String,
-    /// End of the run in seconds [default: what the scene says]
-    #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true)]
-    pub until: Option<f64>,
-    /// Integration method
-    #[arg(long, value_enum, default_value_t)]
-    pub method: MethodName,
-    /// Step in seconds, of a method with a fixed step [default: 1e-3]
-    #[arg(long, value_name = "H", value_parser = parse_number, allow_negative_numbers = true)]
-    pub step: Option<f64>,
-    /// Relative tolerance, of a method that chooses its steps [default: 1e-9]
-    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
-    pub rtol: Option<f64>,
-    /// Absolute tolerance in m, rad, m/s, rad/s [default: that of --rtol]
-    #[arg(long, value_name = "A", value_parser = parse_number, allow_negative_numbers = true)]
-    pub atol: Option<f64>,
-    /// What is projected onto the constraints after each step
-    #[arg(long, value_enum, default_value_t)]
-    pub project: Projection,
-    /// Metric in which the projection is smallest
-    #[arg(long, value_enum, default_value_t)]
-    pub metric: Metric,
-    /// Stop before the residual of a constraint exceeds R: m or rad in positions, m/s or rad/s in velocities
-    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
-    pub max_drift: Option<f64>,
-    /// Stop before energy and work differ by more than this part of the energy turned over
-    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
-    pub max_energy_error: Option<f64>,
-    /// Stop after N steps, rejected ones included [default: ten million when the method chooses them]
-    #[arg(long, value_name = "N", value_parser = parse_count, allow_negative_numbers = true)]
-    pub max_steps: Option<u64>,
-    /// Change a parameter or a count; may be repeated
-    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
-    pub set: Vec<Assignment>,
-    /// Hold a start value: seat.x, seat.y, seat.phi, seat.vx, seat.vy, seat.omega, …; may be repeated
-    ///
-    /// A given value replaces that of the scene and is held. Values that neither gives follow from the constraints.
-    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
-    pub start: Vec<Assignment>,
-    /// Project a start that contradicts the constraints onto them instead of refusing it
-    ///
-    /// All values then change as little as possible in the mass metric: positions first, then velocities.
-    #[arg(long)]
-    pub project_start: bool,
-    /// Set an input, in its unit; may be repeated
-    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
-    pub input: Vec<Assignment>,
-    /// Read inputs from a CSV file with a column t and one for each input
-    ///
-    /// Straight lines join the rows; two rows at one time are a jump. Columns may carry their unit: `torque [N*m]`. Of a
-    /// file that --out wrote, each value holds until the next row.
-    #[arg(long, value_name = "FILE.csv")]
-    pub inputs: Option<PathBuf>,
+    #[command(flatten)]
+    pub motion: MotionArguments,
     /// Seconds between the rows of --out; needs --out [default: a thousandth of the run]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
@@ -139,6 +91,57 @@ pub(super) struct RunArguments {
     pub json: bool,
 }
 
+/// Draws columns of the motion over time, or over each other
+///
+/// Columns are those of `run --out`, and points: A.x, A.y. `*` stands for any letters. Columns of different units are drawn in panels
+/// above each other. Several scenes, or several values with --vary, are drawn into one figure.
+#[derive(Debug, Args)]
+pub(super) struct PlotArguments {
+    /// One scene or several, then columns, such as seat.phi or '*.omega'
+    #[arg(value_name = "MODEL/SCENE|COLUMN", required = true)]
+    pub what: Vec<String>,
+    /// Draw over this column in place of time: a path, a phase plane; two lengths are drawn with equal axes
+    #[arg(long, value_name = "COLUMN")]
+    pub against: Option<String>,
+    /// Run with each of these values: of a parameter, count, input or start value, or of method, step, rtol, atol, project,
+    /// metric; may be repeated
+    #[arg(long, value_name = "NAME=A,B,…", value_parser = parse_variation)]
+    pub vary: Vec<Variation>,
+    /// The file: .svg, .png or .html [default: MODEL-SCENE.svg]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Seconds between points [default: a two-thousandth of the run]
+    #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
+    pub every: Option<f64>,
+    #[command(flatten)]
+    pub motion: MotionArguments,
+}
+
+/// Compares two motions: the largest difference of each column, and when it occurs
+///
+/// A motion is a file that `run --out` wrote, or a scene, which is run. One scene with two values of --vary makes two motions. Where
+/// the times differ, the second motion is interpolated between its rows by straight lines.
+#[derive(Debug, Args)]
+pub(super) struct CompareArguments {
+    /// Two motions, or one with --vary; then columns, such as '*.phi' [default: all]
+    #[arg(value_name = "FILE.csv|MODEL/SCENE|COLUMN", required = true)]
+    pub what: Vec<String>,
+    /// Run with each of two values: of a parameter, count, input or start value, or of method, step, rtol, atol, project, metric
+    #[arg(long, value_name = "NAME=A,B", value_parser = parse_variation)]
+    pub vary: Vec<Variation>,
+    /// Draw both motions and their difference; .svg, .png or .html. Without columns, that with the largest relative difference
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Seconds between the times at which runs are compared [default: a two-thousandth of the run]
+    #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
+    pub every: Option<f64>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub motion: MotionArguments,
+}
+
 /// Prints what a shell needs to complete commands and options; bash and zsh complete models and scenes, too
 ///
 /// A shell looks for them in a file: bash in `~/.local/share/bash-completion/completions/PROGRAM`, zsh in `_PROGRAM` in a folder of
@@ -157,49 +160,6 @@ pub(super) struct CompletionsArguments {
 pub(super) struct ManArguments {
     /// The command
     pub command: Option<String>,
-}
-
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub(super) enum MethodName {
-    /// Classical Runge-Kutta method of order 4 with a fixed step
-    #[default]
-    Rk4,
-    /// Method of Dormand and Prince of order 8 with steps that keep to a tolerance
-    Dop853,
-    /// Taylor's method with order and steps that keep to a tolerance
-    Taylor,
-    /// Implicit method Radau IIA of order 5 with steps that keep to a tolerance, for stiff scenes
-    Radau,
-}
-
-impl ValueEnum for Projection {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[Self::Both, Self::Positions, Self::Velocities, Self::None]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, help) = match self {
-            Self::Both => ("both", "Positions, then velocities at the projected positions"),
-            Self::Positions => ("positions", "Positions only"),
-            Self::Velocities => ("velocities", "Velocities only"),
-            Self::None => ("none", "Nothing: the constraints may drift"),
-        };
-        Some(PossibleValue::new(name).help(help))
-    }
-}
-
-impl ValueEnum for Metric {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[Self::Mass, Self::Euclidean]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, help) = match self {
-            Self::Mass => ("mass", "Weighted by the masses: never adds kinetic energy"),
-            Self::Euclidean => ("euclidean", "Unweighted: adds metres to radians; for comparison"),
-        };
-        Some(PossibleValue::new(name).help(help))
-    }
 }
 
 /// Checks the generated equations of a model or scene against independent computations

@@ -16,6 +16,9 @@ pub(super) struct Examples {
     scene: String,
     file: String,
     info: Option<Arc<SceneInfo>>,
+    /// A coordinate of it, an angle where there is one, and its velocity.
+    column: String,
+    velocity: String,
     /// The first scene with an input, and the input.
     input: Option<(String, &'static str)>,
 }
@@ -25,6 +28,12 @@ impl Examples {
         let first = first_scene(models);
         let entries = models.iter().flat_map(|&model| model.scenes.iter().map(move |entry| (model, entry)));
         let info = |entry: &SceneEntry| (entry.info)();
+        let coordinate = first.and_then(|(_, entry)| {
+            let coordinates = &info(entry).coordinates;
+            let angle = (0..coordinates.len()).find(|i| is_angle(*i)).and_then(|i| coordinates.get(i));
+            angle.map(|angle| (angle.name.to_string(), angle.velocity_name.to_string()))
+        });
+        let (column, velocity) = coordinate.unwrap_or_else(|| ("BODY.phi".to_owned(), "BODY.omega".to_owned()));
         let input = entries.filter_map(|(model, entry)| Some((path(model, entry), info(entry).inputs.first()?.name)));
         Self {
             program: program.to_owned(),
@@ -33,6 +42,8 @@ impl Examples {
             file: first.map_or("motion.csv".to_owned(), |(_, entry)| format!("{}.csv", entry.name)),
             info: first.map(|(_, entry)| info(entry)),
             input: { input }.next(),
+            column,
+            velocity,
         }
     }
 
@@ -80,6 +91,30 @@ impl Examples {
             ]);
         }
         self.lines(&examples)
+    }
+
+    pub(super) fn of_plot(&self) -> String {
+        let Self { scene, column, velocity, .. } = self;
+        let mut examples = vec![
+            (format!("plot {scene} {column} {velocity}"), "over time, in two panels"),
+            (format!("plot {scene} {velocity} --against {column}"), "the phase plane"),
+            (format!("plot {scene} kinetic --out energy.png"), "as PNG"),
+        ];
+        if let Some(parameter) = self.info.as_ref().and_then(|info| info.parameters.first()) {
+            let (name, value) = (parameter.name, parameter.default);
+            let vary = format!("plot {scene} {column} --vary {name}={value},{}", 2.0 * value);
+            examples.push((vary, "with two values of a parameter"));
+        }
+        self.lines(&examples)
+    }
+
+    pub(super) fn of_compare(&self) -> String {
+        let Self { scene, column, .. } = self;
+        self.lines(&[
+            ("compare first.csv second.csv".to_owned(), "two files of run --out"),
+            (format!("compare {scene} --vary method=rk4,dop853"), "two methods"),
+            (format!("compare {scene} --vary step=1e-2,1e-3 {column} --out steps.svg"), "two steps, as a figure"),
+        ])
     }
 
     pub(super) fn of_check(&self) -> String {

@@ -1,4 +1,4 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `check`, `accuracy`, `completions`, `man` and `help`.
+//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
 //!
@@ -17,22 +17,32 @@ mod accuracy;
 mod arguments;
 mod check;
 mod command_line;
+mod compare;
+mod drawing;
+#[cfg(feature = "figures")]
+mod drawing_of_columns;
 mod examples;
 mod failure;
 mod interruption;
 mod json;
 mod list;
+mod motion;
+mod motion_arguments;
+mod motion_table;
 mod names;
 mod out_file;
+mod plot;
 mod progress;
 mod run;
 mod run_end;
 mod run_error;
 mod run_monitors;
+mod runs;
 mod selection;
 mod shell;
 mod show;
 mod value;
+mod vary;
 
 use std::process::ExitCode;
 

@@ -1,16 +1,15 @@
 //! The command `run`.
 
-use std::fs::File;
-
-use crate::integrate::{Method, Tolerance};
-use crate::model::{Scene, SceneInfo};
-use crate::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
+use crate::integrate::Method;
+use crate::model::Scene;
+use crate::simulate::{Outcome, Run, SetupError};
 
 use super::Models;
-use super::arguments::{MethodName, RunArguments};
+use super::arguments::RunArguments;
 use super::failure::{Failure, print, print_error};
 use super::interruption::Interruption;
 use super::json::print_json;
+use super::motion::{method, refused, simulation};
 use super::names::{check_assignments, scene_entry, scene_with};
 use super::out_file::OutFile;
 use super::progress::Progress;
@@ -24,7 +23,7 @@ const N_COMPARED: f64 = 200.0;
 
 pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
-    check_assignments(model, entry, &arguments.start, &arguments.input)?;
+    check_assignments(model, entry, &arguments.motion.start, &arguments.motion.input)?;
     if let Some(every_s) = arguments.every.filter(|every_s| *every_s <= 0.0) {
         return Err(Failure::wrong_use(SetupError::Every { every_s }));
     }
@@ -36,8 +35,8 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     if !arguments.at.is_empty() && arguments.out.is_none() {
         return Err(Failure::wrong_use("--at gives the times of the rows of --out; add --out FILE.csv, or leave --at"));
     }
-    let scene = scene_with(model, entry, &arguments.set)?;
-    let method = method(arguments)?;
+    let scene = scene_with(model, entry, &arguments.motion.set)?;
+    let method = method(&arguments.motion)?;
     let interruption = Interruption::listen();
     let done = simulate(arguments, scene.as_ref(), method, interruption);
     if let (Err(Failure::Stopped(outcome)), true) = (&done, arguments.json) {
@@ -45,7 +44,7 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     }
     let (run, written) = done?;
     // it chooses its steps, which a table may not let it
-    let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
+    let radau_runs = arguments.motion.inputs.is_none() && has_jacobians(scene.as_ref());
     if arguments.json {
         print_json(&run_json(&scene.info(), method, Some(&run), &run.outcome.to_string()))?;
         print_error(&remarks(&run, method, radau_runs));
@@ -68,49 +67,6 @@ fn has_jacobians(scene: &dyn Scene) -> bool {
     scene.jacobian_places().is_some() && scene.modes().iter().all(|mode| mode.jacobian_places().is_some())
 }
 
-/// Step of a method with a fixed step, s, when none is given.
-const STEP_S: f64 = 1e-3;
-/// Relative tolerance of a method that chooses its steps, when none is given.
-const RELATIVE_TOLERANCE: f64 = 1e-9;
-
-fn method(arguments: &RunArguments) -> Result<Method, Failure> {
-    let RunArguments { method, step, rtol, atol, .. } = arguments;
-    match method {
-        MethodName::Rk4 => match rtol.or(*atol) {
-            Some(_) => Err(Failure::wrong_use(
-                "rk4 has a fixed step: give `--step`, or a method with a tolerance, such as `--method dop853`",
-            )),
-            None => Ok(Method::rk4(step.unwrap_or(STEP_S))),
-        },
-        MethodName::Dop853 => Ok(Method::Dop853(tolerance("dop853", arguments)?)),
-        MethodName::Taylor => Ok(Method::Taylor(tolerance("taylor", arguments)?)),
-        MethodName::Radau => Ok(Method::Radau(tolerance("radau", arguments)?)),
-    }
-}
-
-/// Tolerance of a method that chooses its steps.
-fn tolerance(method: &str, arguments: &RunArguments) -> Result<Tolerance, Failure> {
-    if arguments.step.is_some() {
-        return Err(Failure::wrong_use(format!(
-            "{method} chooses the length of its steps: give `--rtol` in place of `--step`"
-        )));
-    }
-    let relative = arguments.rtol.unwrap_or(RELATIVE_TOLERANCE);
-    Ok(Tolerance { relative, absolute: arguments.atol.unwrap_or(relative) })
-}
-
-/// Inputs of the file, then those of the command line, which win.
-fn inputs(arguments: &RunArguments, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, Failure> {
-    let mut all = Vec::new();
-    if let Some(path) = &arguments.inputs {
-        let of_file = |what: &dyn std::fmt::Display| Failure::wrong_use(format!("`{}`: {what}", path.display()));
-        let file = File::open(path).map_err(|error| of_file(&error))?;
-        all = read_inputs(file, info).map_err(|error| of_file(&error))?;
-    }
-    all.extend(arguments.input.iter().map(|a| (a.name.clone(), InputTable::from(a.value))));
-    Ok(all)
-}
-
 /// The run, and whether its file is complete.
 type Simulated = (Run, Result<(), String>);
 
@@ -121,38 +77,13 @@ fn simulate(
     interruption: Interruption,
 ) -> Result<Simulated, Failure> {
     let info = scene.info();
-    let until_s = arguments.until.unwrap_or(info.until_s);
+    let until_s = arguments.motion.until.unwrap_or(info.until_s);
     let mut out = arguments.out.as_deref().map(|path| OutFile::open(path, arguments.estimate_error)).transpose()?;
     let progress = Progress::new();
-    let mut simulation = Simulation::new(scene)
-        .method(method)
-        .until(until_s)
-        .project(arguments.project)
-        .metric(arguments.metric)
+    let mut simulation = simulation(&arguments.motion, scene, method)?
         .work()
         .interrupted_by(interruption.flag())
         .on_progress(|fraction| progress.tell(fraction));
-    if info.n_outputs() > 0 {
-        simulation = simulation.outputs();
-    }
-    for (name, table) in inputs(arguments, &info)? {
-        simulation = simulation.input(name, table);
-    }
-    if let Some(residual) = arguments.max_drift {
-        simulation = simulation.max_drift(residual);
-    }
-    if let Some(relative) = arguments.max_energy_error {
-        simulation = simulation.max_energy_error(relative);
-    }
-    if let Some(steps) = arguments.max_steps {
-        simulation = simulation.max_steps(steps);
-    }
-    for assignment in &arguments.start {
-        simulation = simulation.give(&assignment.name, assignment.value);
-    }
-    if arguments.project_start {
-        simulation = simulation.project_start();
-    }
     if arguments.estimate_error {
         simulation = simulation.estimate_error();
         if until_s > 0.0 && out.is_none() {
@@ -168,10 +99,7 @@ fn simulate(
         }
         simulation = simulation.stream_to(out);
     }
-    let run = simulation.run().map_err(|error| match error {
-        SetupError::Motion(_) | SetupError::Record(_) => Failure::stopped(error),
-        _ => Failure::wrong_use(error),
-    })?;
+    let run = simulation.run().map_err(refused)?;
     let written = out.map_or(Ok(()), |out| out.complete(run.error_estimate.as_ref()));
     Ok((run, written))
 }

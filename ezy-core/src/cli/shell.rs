@@ -20,13 +20,14 @@ pub(super) fn completions(
     let scenes: Vec<String> = scenes.collect();
     let with_models: Vec<String> = models.iter().map(|model| typed(model.name)).chain(scenes.clone()).collect();
     let mut command = command.mut_subcommands(|command| {
-        let paths = match command.get_name() {
-            "run" | "accuracy" => &scenes,
-            "show" | "check" => &with_models,
+        let (argument, paths) = match command.get_name() {
+            "run" | "accuracy" => ("path", &scenes),
+            "plot" => ("what", &scenes),
+            "show" | "check" => ("path", &with_models),
             _ => return command,
         };
         let paths = PossibleValuesParser::new(paths);
-        command.mut_arg("path", |path| path.value_parser(paths))
+        command.mut_arg(argument, |path| path.value_parser(paths))
     });
     let (mut text, program) = (Vec::new(), command.get_name().to_owned());
     clap_complete::generate(arguments.shell, &mut command, program, &mut text);

@@ -11,32 +11,73 @@ pub struct Page {
     n_figures: usize,
 }
 
+/// SVG texts of one figure.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Picture {
+    /// For a screen, a slide, paper.
+    pub wide: String,
+    /// For the screen of a telephone; empty: the wide one serves.
+    pub narrow: String,
+}
+
+impl From<&str> for Picture {
+    fn from(svg: &str) -> Self {
+        Self { wide: svg.to_owned(), narrow: String::new() }
+    }
+}
+
 /// Readable on a screen and on paper; wide equations and tables scroll inside their own box.
 const STYLE: &str = "\
-:root { color-scheme: light; }
-body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.55 system-ui, sans-serif; color: #1a1a1a; background: #fff; }
-h1, h2, h3 { line-height: 1.25; color: #002d62; }
-h2 { margin-top: 2.6rem; border-bottom: 1px solid #bbb; }
-nav ol { columns: 2; }
-a { color: #00509e; }
+:root { color-scheme: light dark; --ink: #1a1a1a; --paper: #fff; --head: #002d62; --link: #00509e; --soft: #444; --line: #ccc; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e4e4e4; --paper: #191919; --head: #9cc4f5; --link: #8ab8f0; --soft: #b8b8b8; --line: #4a4a4a; }
+  /* white becomes the paper of the page, hues stay */
+  figure svg { filter: invert(.902) hue-rotate(180deg); }
+}
+body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.55 system-ui, sans-serif; color: var(--ink); background: var(--paper); }
+h1, h2, h3 { line-height: 1.25; color: var(--head); }
+h2 { margin-top: 2.6rem; border-bottom: 1px solid var(--line); }
+nav ol { columns: 20rem 2; padding-left: 1.6rem; }
+nav li { break-inside: avoid; }
+a { color: var(--link); }
 figure { margin: 1.4rem 0; break-inside: avoid; }
-figure svg { width: 100%; height: auto; }
-figcaption, caption { color: #444; font-size: .95em; text-align: left; }
+figure svg { max-width: 100%; height: auto; }
+figure svg.narrow { display: none; }
+figcaption, caption { color: var(--soft); font-size: .95em; text-align: left; }
+figcaption a { overflow-wrap: anywhere; }
 .scroll { overflow-x: auto; }
+math { font-family: \"STIX Two Math\", \"Cambria Math\", \"Latin Modern Math\", \"TeX Gyre Termes Math\", \"Libertinus Math\", \"DejaVu Math TeX Gyre\", math; }
 math[display=block] { margin: .9rem 0; }
 table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .8rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top; }
+th, td { padding: .25rem .8rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 .number { text-align: right; }
 .compact { font-size: .85em; }
 .compact td { white-space: nowrap; padding: .1rem .5rem; }
+pre { overflow-x: auto; }
+@media (max-width: 40rem) {
+  body { margin: 1rem auto; }
+  main > table { display: block; overflow-x: auto; }
+  th, td { padding: .2rem .4rem; }
+  main > table td:not(.number) { min-width: 5.5rem; }
+  .claims td { min-width: 10rem; }
+  .claims td:first-child { min-width: 0; }
+  figure svg.wide { display: none; }
+  figure svg.narrow { display: inline; }
+}
 @media print {
+  :root { --ink: #000; --paper: #fff; --head: #002d62; --link: #000; --soft: #333; --line: #bbb; }
   body { max-width: none; margin: 0; font-size: 10pt; }
   nav, details { display: none; }
-  h2, h3, caption, p:has(+ .scroll) { break-after: avoid; }
-  tr, .scroll > math { break-inside: avoid; }
+  h2 { margin-top: 1.4rem; }
+  h2, h3, caption, p:has(+ .scroll), p:has(+ figure) { break-after: avoid; }
+  tr, main > table, .scroll > math { break-inside: avoid; }
+  thead { display: table-header-group; }
   .scroll { overflow: visible; }
-  figure svg { max-height: 9cm; }
-  th, td { padding: .15rem .4rem; }
+  .compact { font-size: .7em; }
+  figure svg { max-height: 8cm; width: auto; filter: none; }
+  figure svg.wide { display: inline; }
+  figure svg.narrow { display: none; }
+  th, td { padding: .1rem .4rem; }
 }
 ";
 
@@ -75,14 +116,26 @@ impl Page {
         self.html(&format!("<div class=\"scroll\">{mathml}</div>"))
     }
 
-    /// A figure as SVG text. `alternative` says what is seen, for those who do not see it; `files` names the
-    /// files beside the page that hold the same figure and its numbers.
-    pub fn figure(&mut self, svg: &str, caption: &str, alternative: &str, files: &[&str]) -> &mut Self {
+    /// A figure. `alternative` says what is seen, for those who do not see it; `files` names the files beside the page that
+    /// hold the same figure and its numbers.
+    pub fn figure(
+        &mut self,
+        picture: impl Into<Picture>,
+        caption: &str,
+        alternative: &str,
+        files: &[&str],
+    ) -> &mut Self {
         self.n_figures += 1;
-        let svg = inline_svg(svg, self.n_figures, alternative);
+        let Picture { wide, narrow } = picture.into();
+        let labelled = |svg: &str, class: &str| labelled(svg, class, alternative);
+        let svg = match narrow.is_empty() {
+            true => labelled(&wide, ""),
+            false => labelled(&wide, "wide") + &labelled(&narrow, "narrow"),
+        };
         let links = files.iter().map(|file| format!("<a href=\"{file}\">{file}</a>")).collect::<Vec<_>>().join(", ");
-        let caption = format!("Figure {}. {} ({links})", self.n_figures, escape(caption));
-        self.html(&format!("<figure>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"))
+        let links = if links.is_empty() { links } else { format!(" ({links})") };
+        let caption = format!("Figure {}. {}{links}", self.n_figures, escape(caption));
+        self.html(&format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>"))
     }
 
     /// HTML as it is.
@@ -110,20 +163,12 @@ pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Makes an SVG document an element of a page: no XML header, scalable, labelled, identifiers of its own.
-fn inline_svg(svg: &str, number: usize, alternative: &str) -> String {
-    let element = svg.find("<svg").map_or(svg, |start| &svg[start..]).trim_end();
-    let (open, rest) = element.split_once('>').unwrap_or((element, ""));
-    let attribute = |name: &str| open.split_once(&format!(" {name}=\"")).and_then(|(_, tail)| tail.split('"').next());
-    let view_box = match (attribute("viewBox"), attribute("width"), attribute("height")) {
-        (None, Some(width), Some(height)) => format!(" viewBox=\"0 0 {width} {height}\""),
-        _ => String::new(),
-    };
-    let open = open.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
-    let rest = rest
-        .replace("id=\"clip", &format!("id=\"figure{number}-clip"))
-        .replace("url(#clip", &format!("url(#figure{number}-clip"));
-    format!("{open}{view_box} role=\"img\" aria-label=\"{}\">{rest}", escape(alternative))
+/// Makes an SVG document an element of a page: no XML header, a class, a label.
+fn labelled(svg: &str, class: &str, alternative: &str) -> String {
+    let element = svg.find("<svg").map_or("", |start| &svg[start + "<svg".len()..]);
+    let element = element.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
+    let class = if class.is_empty() { String::new() } else { format!(" class=\"{class}\"") };
+    format!("<svg{class} role=\"img\" aria-label=\"{}\"{element}", escape(alternative))
 }
 
 #[cfg(test)]
@@ -131,12 +176,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn invariant_page_with_two_figures_has_distinct_identifiers() {
-        let svg = "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"5\"><clipPath id=\"clip1\"/><g clip-path=\"url(#clip1)\"/></svg>";
+    fn invariant_page_shows_one_of_two_widths_and_says_what_is_seen() {
+        let svg = |width: u8| {
+            format!(
+                "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} 5\"></svg>\n"
+            )
+        };
         let mut page = Page::new("A < B");
-        page.section("s", "One").figure(svg, "first", "a \"curve\"", &["a.svg"]).figure(svg, "second", "b", &[]);
+        let picture = Picture { wide: svg(9), narrow: svg(4) };
+        page.section("s", "One").figure(picture, "first", "a \"curve\"", &["a.svg"]).figure(
+            &*svg(9),
+            "second",
+            "b",
+            &[],
+        );
         let html = page.finish();
-        for expected in ["id=\"figure1-clip1\"", "url(#figure2-clip1)", "viewBox=\"0 0 9 5\"", "a &quot;curve&quot;"] {
+        for expected in [
+            "<svg class=\"wide\" role=\"img\" aria-label=\"a &quot;curve&quot;\" viewBox=\"0 0 9 5\">",
+            "<svg class=\"narrow\" role=\"img\" aria-label=\"a &quot;curve&quot;\" viewBox=\"0 0 4 5\">",
+            "<svg role=\"img\" aria-label=\"b\" viewBox=\"0 0 9 5\">",
+        ] {
             assert!(html.contains(expected), "{expected} in {html}");
         }
         assert!(html.contains("<title>A &lt; B</title>") && !html.contains("<?xml") && !html.contains("http:"));

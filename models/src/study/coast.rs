@@ -16,9 +16,9 @@ const STEP_S: f64 = 1e-3;
 const EVERY_S: f64 = 5e-3;
 /// Samples between the instants at which the bodies are drawn.
 const DRAWN_EVERY: usize = 50;
-/// Half track of the seat's rear axle and of the bar's axle, and half a wheel, m: how the drawing looks, nothing else.
+/// Half of the seat's rear axle, half a wheel, and how far below the path of A times stand, m: how the drawing looks, nothing else.
 const SEAT_AXLE_M: f64 = 0.12;
-const BAR_AXLE_M: f64 = 0.06;
+const TIMES_BELOW_M: f64 = 0.16;
 const WHEEL_M: f64 = 0.04;
 
 /// What part (e) found.
@@ -90,7 +90,7 @@ impl Coasting {
             let shade = i as f64 / (n - 1) as f64;
             let [at_a, at_b, at_c] = [&a, &b, &c].map(|path| [path.0[i], path.1[i]]);
             figure = with_bodies(figure, at_a, at_b, at_c, [phi_1[i], phi_2[i]], shade);
-            figure = figure.note(at_a[0], at_a[1] - 1.9 * SEAT_AXLE_M, &format!("{:.2} s", t[i]));
+            figure = figure.note(at_a[0], a.1[0] - TIMES_BELOW_M, &format!("{:.2} s", t[i]));
         }
         figure = figure.line("rear wheel A", a.0.clone(), a.1.clone()).line("hinge B", b.0.clone(), b.1.clone()).line(
             "front wheel C",
@@ -111,9 +111,9 @@ impl Coasting {
                 ("seat.phi [rad]", phi_1),
                 ("bar.phi [rad]", phi_2),
             ],
-            caption: "The bodies at five instants, light at the start and dark at the end, with the paths of A, B and C. The triangle is the seat, from its \
-                      rear axle to the hinge (ring); the line with the short crossbar is the bar with its axle; thick strokes are wheels. Both axles \
-                      are drawn to look like a vehicle: the equations have one wheel in the middle of each."
+            caption: "The bodies at five instants, faint at the start and strong at the end, with the paths of A, B and C. The triangle is the seat, from its \
+                      rear axle to the hinge (ring); the line is the bar, from the hinge to its wheel; thick strokes are wheels. The seat is drawn with \
+                      two wheels to look like a vehicle: the equations have one, A, in the middle of its axle."
                 .to_owned(),
             alternative:
                 "The seat moves to the right by one metre; the bar, at first across, swings behind the hinge; \
@@ -123,20 +123,19 @@ impl Coasting {
     }
 }
 
-/// The seat as a triangle from its axle to the hinge, the bar as a line to its axle, both with their wheels.
+/// The seat as a triangle from its axle to the hinge, the bar as a line to its wheel.
 fn with_bodies(figure: Figure, a: [f64; 2], b: [f64; 2], c: [f64; 2], phi: [f64; 2], shade: f64) -> Figure {
     let [e1, e2] = phi.map(|phi| [phi.cos(), phi.sin()]);
     let across = |at: [f64; 2], e: [f64; 2], s: f64| [at[0] - s * e[1], at[1] + s * e[0]];
     let (left, right) = (across(a, e1, SEAT_AXLE_M), across(a, e1, -SEAT_AXLE_M));
-    let (bar_left, bar_right) = (across(c, e2, BAR_AXLE_M), across(c, e2, -BAR_AXLE_M));
     let wheel = |figure: Figure, at: [f64; 2], e: [f64; 2]| {
         let ends = [-WHEEL_M, WHEEL_M].map(|s| [at[0] + s * e[0], at[1] + s * e[1]]);
         figure.wheel(vec![ends[0][0], ends[1][0]], vec![ends[0][1], ends[1][1]], shade)
     };
-    let outline = [b, left, right, b, c, bar_left, bar_right];
+    let outline = [b, left, right, b, c];
     let (x, y) = outline.iter().map(|p| (p[0], p[1])).unzip();
     let figure = figure.body("", x, y, shade);
     let figure = [left, right].into_iter().fold(figure, |figure, at| wheel(figure, at, e1));
-    let figure = [bar_left, bar_right].into_iter().fold(figure, |figure, at| wheel(figure, at, e2));
+    let figure = wheel(figure, c, e2);
     figure.hinges("", vec![b[0]], vec![b[1]])
 }

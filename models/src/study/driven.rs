@@ -40,6 +40,8 @@ pub struct Drive {
     pub half_periods: [f64; 2],
     /// Largest relative rate in the first and the last 20 s, rad/s.
     pub rate_swings: [f64; 2],
+    /// Mean heading of the seat over the last period of the torque, rad: it begins at zero.
+    pub turn: f64,
     /// Integral of torque times (bar rate − seat rate), J.
     pub work_of_opposite_rate: f64,
 }
@@ -63,6 +65,11 @@ impl Drive {
                 largest(motion.run.samples().map(|s| s.position_residual)),
                 largest(motion.run.samples().map(|s| s.velocity_residual)),
             ],
+            turn: {
+                let phi = motion.column("seat.phi")?;
+                let n_period = (2.0 * PI / scene.omega / EVERY_S).round() as usize;
+                phi[phi.len() - n_period..].iter().sum::<f64>() / n_period as f64
+            },
             torque_half_period: PI / scene.omega,
             half_periods: [mean_half_period(&t, &rate, &early), mean_half_period(&t, &rate, &late)],
             rate_swings: [largest(early.iter().map(|i| rate[*i])), largest(late.iter().map(|i| rate[*i]))],
@@ -75,25 +82,23 @@ impl Drive {
     pub fn write(&self, page: &mut Page, output: &Output) -> Result<(), StudyError> {
         let (a, c, t) = (self.motion.path("A")?, self.motion.path("C")?, self.motion.column("t")?);
         page.section("f", "(f) Driven: paths of the wheels");
-        page.paragraph(
+        page.paragraph(&format!(
             "From rest, with the bar folded back over the seat, a torque M₀ cos ωt acts on the seat and its reaction on the bar. \
-             The roller turns once, away from its first heading, and then moves along a line about which it sways.",
-        );
-        output.plate(page, path_plate("driven_paths", "Driven for one minute", &a, &c, &t))?;
+             The roller first turns by {:.0} degrees. Then it moves along a line about which it sways.",
+            self.turn.abs().to_degrees()
+        ));
+        output.plate(page, path_plate("driven_paths", "Driven for one minute", [&a, &c], &t, 10.0))?;
         let n = t.iter().filter(|t| **t <= BEGINNING_S).count();
         let beginning = |path: &Path| (path.0[..n].to_vec(), path.1[..n].to_vec());
         let (a, c) = (beginning(&a), beginning(&c));
-        output.plate(page, path_plate("driven_paths_beginning", "The first eight seconds", &a, &c, &t[..n]))?;
+        output.plate(page, path_plate("driven_paths_beginning", "The first eight seconds", [&a, &c], &t[..n], 2.0))?;
 
         let (speed, omega) = (self.motion.speed()?, self.motion.column("seat.omega")?);
         page.section("g", "(g) Driven: speed and angular velocity of body 1");
-        let figure = Figure::time_series(
-            "Speed and angular velocity of the seat",
-            "time [s]",
-            "speed [m/s], angular velocity [rad/s]",
-        )
-        .line("speed of the centre of mass", t.clone(), speed.clone())
-        .line("angular velocity", t.clone(), omega.clone());
+        let figure = Figure::time_series("Speed and angular velocity of the seat", "time [s]", "speed [m/s]")
+            .line("speed of the centre of mass", t.clone(), speed.clone())
+            .panel("angular velocity [rad/s]")
+            .line("angular velocity", t.clone(), omega.clone());
         output.plate(page, Plate {
             name: "driven_speed",
             figure,
@@ -115,7 +120,7 @@ impl Drive {
                 ),
                 columns: vec![("t [s]", t.clone()), ("kinetic energy [J]", kinetic)],
                 caption: format!(
-                    "Kinetic energy of both bodies; {:.6} J at 60 s. How it goes on: the section on long runs.",
+                    "Kinetic energy of both bodies; {:.6} J at 60 s. The section on long runs shows how it continues.",
                     self.end_energy
                 ),
                 alternative:
@@ -126,13 +131,11 @@ impl Drive {
 
         let (torque, rate) = (self.motion.force("seat.phi")?, self.motion.seat_less_bar("omega")?);
         page.section("i", "(i) Driven: torque and relative angular velocity at B");
-        let figure = Figure::time_series(
-            "Torque and relative angular velocity at hinge B",
-            "time [s]",
-            "torque [N·m], rate [rad/s]",
-        )
-        .line("torque on the seat", t.clone(), torque.clone())
-        .line("seat rate minus bar rate", t.clone(), rate.clone());
+        let title = "Torque on the seat, and angular velocity of the seat relative to the bar";
+        let figure = Figure::time_series(title, "time [s]", "torque [N·m]")
+            .line("torque on the seat", t.clone(), torque.clone())
+            .panel("angular velocity [rad/s]")
+            .line("seat rate minus bar rate", t.clone(), rate.clone());
         output.plate(page, Plate {
             name: "driven_hinge",
             figure,
@@ -150,11 +153,15 @@ impl Drive {
     }
 }
 
-fn path_plate<'a>(name: &'a str, title: &str, a: &Path, c: &Path, t: &[f64]) -> Plate<'a> {
+/// The paths of both wheels, with a mark on that of A every `mark_s` seconds.
+fn path_plate<'a>(name: &'a str, title: &str, [a, c]: [&Path; 2], t: &[f64], mark_s: f64) -> Plate<'a> {
+    let marked: Vec<usize> = (0..t.len()).step_by((mark_s / EVERY_S).round() as usize).collect();
+    let at = |values: &[f64]| marked.iter().map(|i| values[*i]).collect();
     let figure = Figure::track(title)
         .line("rear wheel A", a.0.clone(), a.1.clone())
         .line("front wheel C", c.0.clone(), c.1.clone())
-        .hinges("start of A", vec![a.0[0]], vec![a.1[0]]);
+        .marks(&format!("A every {mark_s} s"), at(&a.0), at(&a.1));
+    let figure = marked.iter().fold(figure, |figure, i| figure.note(a.0[*i], a.1[*i], &format!("{:.0} s", t[*i])));
     let columns = vec![
         ("t [s]", t.to_vec()),
         ("A.x [m]", a.0.clone()),
@@ -167,7 +174,9 @@ fn path_plate<'a>(name: &'a str, title: &str, a: &Path, c: &Path, t: &[f64]) -> 
         name,
         figure,
         columns,
-        caption: format!("Paths of the wheels A (body 1) and C (body 2) from 0 to {end:.0} s, equal axes."),
+        caption: format!(
+            "Paths of the wheels A (body 1) and C (body 2) from 0 to {end:.0} s, with marks of time on that of A; equal axes."
+        ),
         alternative: "Both wheels sway about a line that runs down to the right; the front wheel sways more."
             .to_owned(),
     }

@@ -40,8 +40,8 @@ pub fn write(page: &mut Page, scene: &Driven) {
     );
     put(page, &["equations of motion", "mass matrix", "applied force"]);
     page.paragraph(&format!(
-        "The program solves it by an elimination that is written out when it is compiled, in {} multiplications, {} additions and {} division \
-         with {} evaluations of sine and cosine a time. All of these equations are printed from the expressions that are compiled.",
+        "The program solves it by an elimination that is written out when it is compiled. One evaluation takes {} multiplications, {} additions, \
+         {} division and {} sines and cosines. All of these equations are printed from the expressions that are compiled.",
         info.acceleration_operations.mul,
         info.acceleration_operations.add,
         info.acceleration_operations.div,
@@ -50,16 +50,39 @@ pub fn write(page: &mut Page, scene: &Driven) {
 }
 
 fn one(page: &mut Page, equation: &Equation) {
-    page.paragraph(&format!("{}{}:", equation.name[..1].to_uppercase(), &equation.name[1..])).equation(equation.mathml);
+    page.paragraph(&format!("{}{}:", equation.name[..1].to_uppercase(), &equation.name[1..]))
+        .equation(&capitals(equation.mathml));
     let (text, latex) = (escape(equation.text), escape(equation.latex));
     page.html(&format!("<details><summary>as text and LaTeX</summary><pre>{text}\n{latex}</pre></details>"));
 }
 
+/// Moments of inertia and the torque with the letters of textbooks, I₁, I₂ and M₀; parameters of a model file have small ones.
+fn capitals(mathml: &str) -> String {
+    let index = |letter: &str, index: &str| format!("<mi>{letter}</mi><mtext>{index}</mtext>");
+    CAPITALS.into_iter().fold(mathml.to_owned(), |mathml, (letter, of)| {
+        mathml.replace(&index(letter, of), &index(&letter.to_uppercase(), of))
+    })
+}
+
+const CAPITALS: [(&str, &str); 3] = [("i", "1"), ("i", "2"), ("m", "0")];
+
+/// A parameter as the equations show it: `i1` as I₁.
+fn symbol(name: &str) -> String {
+    let letter = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let index = &name[letter.len()..];
+    let letter = match letter {
+        "omega" => "ω".to_owned(),
+        letter if CAPITALS.contains(&(letter, index)) => letter.to_uppercase(),
+        letter => letter.to_owned(),
+    };
+    letter + &index.replace('0', "₀").replace('1', "₁").replace('2', "₂")
+}
+
 fn parameters(info: &SceneInfo) -> Table {
-    let mut table = Table::new(["name", "value", "unit", "what it is", "belongs to"]);
+    let mut table = Table::new(["symbol", "name", "value", "unit", "what it is", "belongs to"]);
     for p in info.parameters {
         let (value, unit) = (p.default_text.replace("pi", "π"), typeset_unit(p.unit));
-        table.push([p.name, &value, &unit, p.documentation.trim(), p.effect.unwrap_or("model")]);
+        table.push([&symbol(p.name), p.name, &value, &unit, p.documentation.trim(), p.effect.unwrap_or("model")]);
     }
     table
 }

@@ -39,10 +39,10 @@ impl Output {
 
     /// Saves a figure as SVG, PNG and CSV, and puts it on the page.
     pub fn plate(&self, page: &mut Page, plate: Plate<'_>) -> Result<(), StudyError> {
-        let svg = plate.figure.save(self.folder.path(), plate.name)?;
+        let picture = plate.figure.save(self.folder.path(), plate.name)?;
         self.write(&format!("{}.csv", plate.name), &csv(&plate.columns))?;
         let files = ["svg", "png", "csv"].map(|extension| format!("{}.{extension}", plate.name));
-        page.figure(&svg, &plate.caption, &plate.alternative, &[&files[0], &files[1], &files[2]]);
+        page.figure(picture, &plate.caption, &plate.alternative, &[&files[0], &files[1], &files[2]]);
         Ok(())
     }
 

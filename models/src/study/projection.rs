@@ -74,8 +74,8 @@ impl Projections {
         ));
         page.paragraph(&format!(
             "The unweighted projection of the report (M replaced by the unit matrix, positions along the hinge rows only) meets the \
-             constraints as well, but adds metres to radians and gives its correction no sign: here it changes the kinetic energy by \
-             {:+.2e} J, the weighted one by {:+.2e} J. The weighted velocity projection can never add kinetic energy.",
+             constraints as well. But it adds metres to radians, and it may add kinetic energy: here it changes the kinetic energy by \
+             {:+.2e} J, the weighted one by {:+.2e} J. The weighted velocity projection never adds kinetic energy.",
             self.euclidean.energy_change, self.mass.energy_change
         ));
     }

@@ -31,6 +31,8 @@ pub fn slips(found: &Findings<'_>, driven: &Driven) -> Result<Vec<[String; 4]>, 
     let offset = largest((0..wheel.0.len()).map(|i| (wheel.0[i] - centre[0][i]).hypot(wheel.1[i] - centre[1][i])));
     let assembled = found.drive.motion.run.first().get("bar.x")?;
     let torque = found.drive.motion.force("seat.phi")?[0];
+    let first = found.drive.motion.run.first();
+    let (acceleration, reaction) = (first.get("bar.ax")?, largest(first.multipliers.iter().copied()));
     let path_end = wheel.1.last().copied().unwrap_or(f64::NAN);
     let n_q = coast_info.n_coordinates();
     let index = |row: &str| find_name("row", row, coast_info.rows.iter().map(|r| &*r.name));
@@ -106,6 +108,14 @@ pub fn slips(found: &Findings<'_>, driven: &Driven) -> Result<Vec<[String; 4]>, 
                 "M on body 1 and −M on body 2, as in the listing: the path described (downwards) is that one, the other is its mirror image",
             ],
             format!("torque on body 1 at the start {:+.1} N·m; wheel A ends at y = {:.1} m", torque, path_end),
+        ),
+        row(
+            [
+                "(f)",
+                "listing: the right-hand side has nine rows, with the torques in rows 4 and 5; entry 4 of the solution is taken as constraint force",
+                "ten rows, with the torques in rows 3 and 6; entries 7 to 10 are the multipliers, entry 4 is the acceleration x₂″",
+            ],
+            format!("at the start x₂″ = {acceleration:.3} m/s², the largest multiplier is {reaction:.3} N"),
         ),
         row(
             [

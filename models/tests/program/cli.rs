@@ -360,7 +360,7 @@ fn invariant_check_passes_on_every_scene() {
 
 #[test]
 fn invariant_help_of_every_command_has_its_usage() {
-    for command in ["list", "show", "run", "check", "accuracy", "study"] {
+    for command in ["list", "show", "run", "plot", "compare", "check", "accuracy", "study"] {
         let help = output(&[command, "--help"]);
         assert!(help.contains(&format!("Usage: ezy {command}")), "{help}");
     }

@@ -59,8 +59,9 @@ fn check_page(page: &str) {
     for elsewhere in ["http:", "https:", "<script", "<img", "<link", "url(h"] {
         assert!(!page.contains(elsewhere), "{elsewhere}");
     }
-    assert_eq!(page.matches("<svg").count(), FIGURES.len());
-    assert_eq!(page.matches("role=\"img\" aria-label=").count(), FIGURES.len());
+    // each for wide and for narrow screens
+    assert_eq!(page.matches("<svg class=\"wide\" role=\"img\" aria-label=").count(), FIGURES.len());
+    assert_eq!(page.matches("<svg class=\"narrow\" role=\"img\" aria-label=").count(), FIGURES.len());
     assert!(page.matches("<math display=\"block\">").count() >= 11);
     for part in
         ["(a) Hinge", "(b) Wheels", "(c) Equations", "(d) Proj", "(e) Coast", "(f) Driven", "(g)", "(h)", "(i)", "(j)"]

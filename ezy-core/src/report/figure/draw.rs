@@ -1,178 +1,275 @@
-//! The only file that calls the plotting library.
+//! A figure as a picture: where title, panels and legends stand.
 
-use ruviz::core::config::PlotConfig;
-use ruviz::core::plot::Plot;
-use ruviz::prelude::{AxisScale, Color, LegendPosition, LineStyle, MarkerStyle, TextStyle};
+use super::canvas::{Anchor, Canvas, Frame};
+use super::legend::Legend;
+use super::panel::{Scales, TICK, TICK_GAP, TICK_SIZE, draw_axes, draw_curves, draw_notes};
+use super::ticks::{self, Ticks};
+use super::{Axes, Figure, FigureError, lettering, range};
 
-use super::look::Marker;
-use super::{Axes, Curve, Figure, FigureError, Note};
-
-/// Pixels per inch of the PNG: 2000 across, sharp on a projector.
-const PNG_DPI: u32 = 220;
-/// Points; axis labels of 13 pt on a 9 in figure are readable from the last row.
-const FONT_PT: f32 = 13.0;
-const MARKER_PT: f32 = 7.0;
-const RING_PT: f32 = 6.0;
-const CLOUD_PT: f32 = 4.0;
-/// Share of the span left free around the data.
-const MARGIN: f64 = 0.04;
-/// Height over width that a figure with equal axes has at least and at most: flat paths keep room for texts.
-const EQUAL_SHAPE: [f64; 2] = [0.25, 0.75];
-/// Letters that fit into one row of the legend.
-const LEGEND_LETTERS: usize = 62;
-/// Inches across, and what title, axis labels and legend take of the height.
-const WIDTH_IN: f32 = 9.0;
-const FRAME_IN: f32 = 1.9;
-
-pub(super) fn svg(figure: &Figure) -> Result<String, FigureError> {
-    plot(figure)?.render_to_svg().map_err(|e| refused(figure, &e))
+/// How wide a picture is, in points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Width {
+    /// For a page, a slide, a paper.
+    Wide,
+    /// For the screen of a telephone.
+    Narrow,
 }
 
-pub(super) fn png(figure: &Figure) -> Result<Vec<u8>, FigureError> {
-    plot(figure)?.dpi(PNG_DPI).render_png_bytes().map_err(|e| refused(figure, &e))
-}
+const TITLE_SIZE: f64 = 16.0;
+const LABEL_SIZE: f64 = 13.5;
+/// From the edge of the picture to what is on it.
+const MARGIN: f64 = 10.0;
+/// Space between two panels.
+const BETWEEN: f64 = 14.0;
+/// Height of a line of text over the size of its letters.
+const LINE: f64 = 1.3;
+/// Least distance of two ticks with labels: across, and down.
+const TICKS_ACROSS: f64 = 64.0;
+const TICKS_DOWN: f64 = 29.0;
+/// Height that axes of equal scale have at least: flat paths keep room for texts.
+const LEAST_EQUAL_HEIGHT: f64 = 175.0;
+/// Width of the axes of equal scale when their height is bound.
+const LEAST_EQUAL_WIDTH: f64 = 150.0;
 
-fn refused(figure: &Figure, cause: &dyn std::fmt::Display) -> FigureError {
-    FigureError::Draw { title: figure.title.clone(), cause: cause.to_string() }
-}
-
-fn plot(figure: &Figure) -> Result<Plot, FigureError> {
-    let ([x0, x1], [y0, y1]) = limits(figure)?;
-    let (width_in, height_in) = match figure.axes {
-        Axes::Linear => (WIDTH_IN, 5.0),
-        Axes::LogLog => (WIDTH_IN, 6.0),
-        Axes::Equal => (WIDTH_IN, (WIDTH_IN - 1.3) * ((y1 - y0) / (x1 - x0)) as f32 + FRAME_IN),
-    };
-    let config = PlotConfig::builder().figure(width_in, height_in).font_size(FONT_PT).build();
-    let mut plot = Plot::with_config(config)
-        .title(figure.title.as_str())
-        .xlabel(figure.x_label.as_str())
-        .ylabel(figure.y_label.as_str())
-        .xlim(x0, x1)
-        .ylim(y0, y1)
-        .grid(true);
-    plot = match figure.axes {
-        Axes::Linear => plot,
-        Axes::Equal => plot.aspect_equal(),
-        Axes::LogLog => plot.xscale(AxisScale::Log).yscale(AxisScale::Log),
-    };
-    for curve in &figure.curves {
-        plot = add_curve(plot, curve, figure.axes);
+impl Width {
+    fn points(self) -> f64 {
+        match self {
+            Self::Wide => 800.0,
+            Self::Narrow => 390.0,
+        }
     }
-    for note in &figure.notes {
-        plot = add_note(plot, note);
-    }
-    Ok(match legend_columns(figure) {
-        0 => plot,
-        columns => plot.legend(LegendPosition::OutsideLower).legend_columns(columns),
-    })
-}
 
-/// Columns of the legend: none for a single curve, which the title names; all columns are as wide as the longest name.
-fn legend_columns(figure: &Figure) -> usize {
-    let names: Vec<usize> = figure.curves.iter().map(|c| c.name.chars().count()).filter(|n| *n > 0).collect();
-    match names.iter().max() {
-        Some(longest) if names.len() > 1 => (LEGEND_LETTERS / longest).clamp(1, 3.min(names.len())),
-        _ => 0,
+    /// Height of the axes of a panel.
+    fn height(self, figure: &Figure) -> f64 {
+        let alone = match self {
+            Self::Wide => 390.0,
+            Self::Narrow => 280.0,
+        };
+        match figure.panels.len() {
+            1 => alone,
+            2 => 0.55 * alone,
+            _ => 0.42 * alone,
+        }
+    }
+
+    /// Largest height of axes of equal scale.
+    fn equal_height(self) -> f64 {
+        match self {
+            Self::Wide => 520.0,
+            Self::Narrow => 420.0,
+        }
     }
 }
 
-fn add_curve(plot: Plot, curve: &Curve, axes: Axes) -> Plot {
-    let look = &curve.look;
-    let drawable = |v: f64| v.is_finite() && (axes != Axes::LogLog || v > 0.0);
-    let (x, y): (Vec<f64>, Vec<f64>) =
-        curve.x.iter().zip(&curve.y).filter(|(x, y)| drawable(**x) && drawable(**y)).unzip();
-    if x.is_empty() {
-        return plot;
-    }
-    let color = Color::from_rgb(look.color[0], look.color[1], look.color[2]);
-    if look.width_pt == 0.0 {
-        let (size, edge) = if look.is_ring { (RING_PT, 1.4) } else { (CLOUD_PT, 0.2) };
-        let marker = marker_style(look.marker).unwrap_or(MarkerStyle::Circle);
-        let markers = plot.scatter(&x, &y).color(color).marker(marker).marker_size(size);
-        let markers = markers.edge_color(Color::from_rgb(0, 0, 0)).edge_width(edge);
-        return if curve.name.is_empty() { markers.into() } else { markers.label(curve.name.as_str()).into() };
-    }
-    let style = if look.dash.is_empty() { LineStyle::Solid } else { LineStyle::Custom(look.dash.to_vec()) };
-    let mut line = plot.line(&x, &y).color(color).line_width(look.width_pt).line_style(style);
-    if let Some(marker) = marker_style(look.marker) {
-        line = line.marker(marker).marker_size(MARKER_PT);
-    }
-    if !curve.name.is_empty() {
-        line = line.label(curve.name.as_str());
-    }
-    line.into()
-}
-
-fn marker_style(marker: Marker) -> Option<MarkerStyle> {
-    match marker {
-        Marker::None => None,
-        Marker::Circle => Some(MarkerStyle::Circle),
-        Marker::Square => Some(MarkerStyle::Square),
-        Marker::Triangle => Some(MarkerStyle::Triangle),
-        Marker::Diamond => Some(MarkerStyle::Diamond),
-    }
-}
-
-fn add_note(plot: Plot, note: &Note) -> Plot {
-    let background = Some(Color::from_rgb(255, 255, 255));
-    let style = TextStyle { font_size: FONT_PT - 2.0, background, ..TextStyle::default() };
-    plot.text_styled(note.x, note.y, note.text.as_str(), style)
-}
-
-/// Limits of both axes around everything that can be drawn.
-fn limits(figure: &Figure) -> Result<([f64; 2], [f64; 2]), FigureError> {
-    let log = figure.axes == Axes::LogLog;
-    let range = |pick: fn(&Curve) -> &Vec<f64>, place: fn(&Note) -> f64| {
-        let all = figure.curves.iter().flat_map(pick).copied().chain(figure.notes.iter().map(place));
-        let shown = all.filter(|v| v.is_finite() && (!log || *v > 0.0));
-        let scaled = shown.map(|v| if log { v.log10() } else { v });
-        scaled.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| [lo.min(v), hi.max(v)])
-    };
-    let (x, y) = (range(|c| &c.x, |n| n.x), range(|c| &c.y, |n| n.y));
-    if !(x[0].is_finite() && y[0].is_finite()) {
-        let positive = if log { " above zero, as its logarithmic axes need" } else { "" };
+/// Draws the figure.
+pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureError> {
+    let Some((x, mut y)) = range::limits(figure) else {
+        let positive = if figure.axes == Axes::LogLog { " above zero, as its logarithmic axes need" } else { "" };
         return Err(FigureError::Empty { title: figure.title.clone(), positive });
-    }
-    let widen = |[lo, hi]: [f64; 2], share: f64| {
-        let span = if hi > lo { hi - lo } else { 1.0 };
-        let unscale = |v: f64| if log { 10f64.powf(v) } else { v };
-        [unscale(lo - share * span), unscale(hi + share * span)]
     };
-    // time runs to the edges of its axis
-    let x_margin = if figure.axes == Axes::Linear { 0.0 } else { MARGIN };
-    let (x, y) = (widen(x, x_margin), widen(y, MARGIN));
-    Ok(if figure.axes == Axes::Equal { shaped(x, y) } else { (x, y) })
+    let n_panels = figure.panels.len();
+    let n_down = |height: f64| (height / TICKS_DOWN) as usize;
+    let mut height = width.height(figure);
+    // the labels of the ordinate say how far the axes begin from the edge, for all panels
+    let label_lines: Vec<Vec<String>> =
+        figure.panels.iter().map(|panel| lettering::wrapped(&panel.y_label, LABEL_SIZE, height)).collect();
+    let label_width = label_lines.iter().map(Vec::len).max().unwrap_or(0) as f64 * LINE * LABEL_SIZE;
+    let tick_width =
+        |ticks: &Ticks| ticks.major.iter().map(|(_, label)| lettering::width(label, TICK_SIZE)).fold(0.0, f64::max);
+    let first_ticks = y.iter().map(|y| axis_ticks(figure.axes, *y, n_down(height)));
+    let widest = first_ticks.map(|ticks| tick_width(&ticks)).fold(0.0, f64::max);
+    let left = MARGIN + label_width + 4.0 + widest + TICK_GAP + TICK;
+    let mut axes_width = width.points() - left - MARGIN - 12.0;
+    if figure.axes == Axes::Equal {
+        let least = LEAST_EQUAL_HEIGHT / axes_width * (x[1] - x[0]);
+        y[0] = range::about(y[0], (y[0][1] - y[0][0]).max(least));
+        let shape = (y[0][1] - y[0][0]) / (x[1] - x[0]);
+        height = (axes_width * shape).min(width.equal_height());
+        axes_width = (height / shape).max(LEAST_EQUAL_WIDTH);
+        height = axes_width * shape;
+    }
+    let total_width = left + axes_width + MARGIN + 12.0;
+    let x_ticks = axis_ticks(figure.axes, x, (axes_width / TICKS_ACROSS) as usize);
+
+    let title = lettering::wrapped(&figure.title, TITLE_SIZE, total_width - 2.0 * MARGIN);
+    let x_label = lettering::wrapped(&figure.x_label, LABEL_SIZE, total_width - 2.0 * MARGIN);
+    // drawn first on a sheet without end; its height is known in the end
+    let mut canvas = Canvas::new(total_width, 0.0);
+    let mut top = MARGIN;
+    for line in &title {
+        top += LINE * TITLE_SIZE;
+        canvas.text(line, [0.5 * total_width, top - 0.3 * TITLE_SIZE], Anchor::Middle, TITLE_SIZE);
+    }
+    top += 6.0;
+    let mut known_names = Vec::new();
+    for (k, panel) in figure.panels.iter().enumerate() {
+        let y_ticks = axis_ticks(figure.axes, y[k], n_down(height));
+        if y_ticks.scale.is_some() {
+            top += LINE * TICK_SIZE;
+        }
+        let legend = Legend::new(panel).filter(|legend| legend.names() != known_names);
+        if let Some(legend) = &legend {
+            known_names = legend.names();
+        }
+        let scales = |top: f64| Scales {
+            axes: figure.axes,
+            frame: Frame { left, top, right: left + axes_width, bottom: top + height },
+            x,
+            y: y[k],
+        };
+        let mut trial = Canvas::new(0.0, 0.0);
+        let mut at = scales(top);
+        let mut room = draw_curves(&mut trial, &at, panel);
+        draw_notes(&mut trial, &at, panel, &mut room);
+        let inside = legend.as_ref().and_then(|legend| legend.inside(&at.frame, &room));
+        if let (Some(legend), None) = (&legend, inside) {
+            at = scales(top + legend.height_above(axes_width));
+            legend.draw_above(&mut canvas, &at.frame, axes_width);
+        }
+        let is_lowest = k + 1 == n_panels;
+        draw_axes(&mut canvas, &at, &x_ticks, &y_ticks, is_lowest);
+        let mut room = draw_curves(&mut canvas, &at, panel);
+        draw_notes(&mut canvas, &at, panel, &mut room);
+        if let (Some(legend), Some(frame)) = (&legend, inside) {
+            legend.draw_inside(&mut canvas, &frame);
+        }
+        let n_lines = label_lines[k].len();
+        for (i, line) in label_lines[k].iter().enumerate() {
+            let from_right = (n_lines - 1 - i) as f64 * LINE * LABEL_SIZE;
+            let place = [MARGIN + label_width - from_right - 0.3 * LABEL_SIZE, 0.5 * (at.frame.top + at.frame.bottom)];
+            canvas.text_upwards(line, place, LABEL_SIZE);
+        }
+        top = at.frame.bottom + if is_lowest { 0.0 } else { BETWEEN };
+    }
+    top += TICK + TICK_GAP + LINE * TICK_SIZE;
+    if let Some(scale) = &x_ticks.scale {
+        top += LINE * TICK_SIZE;
+        canvas.text(scale, [left + axes_width, top - 0.3 * TICK_SIZE], Anchor::End, TICK_SIZE);
+    }
+    for line in &x_label {
+        top += LINE * LABEL_SIZE;
+        canvas.text(line, [left + 0.5 * axes_width, top - 0.2 * LABEL_SIZE], Anchor::Middle, LABEL_SIZE);
+    }
+    canvas.set_height((top + MARGIN).ceil());
+    Ok(canvas)
 }
 
-/// Widens one of two linear ranges about its middle until height over width lies within [`EQUAL_SHAPE`].
-fn shaped(x: [f64; 2], y: [f64; 2]) -> ([f64; 2], [f64; 2]) {
-    let about = |[lo, hi]: [f64; 2], span: f64| [0.5 * (lo + hi - span), 0.5 * (lo + hi + span)];
-    let (width, height) = (x[1] - x[0], y[1] - y[0]);
-    (about(x, width.max(height / EQUAL_SHAPE[1])), about(y, height.max(width * EQUAL_SHAPE[0])))
+fn axis_ticks(axes: Axes, limits: [f64; 2], n: usize) -> Ticks {
+    match axes {
+        Axes::LogLog => ticks::logarithmic(limits, n),
+        Axes::Series | Axes::Plane | Axes::Equal => ticks::linear(limits, n),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::figure::canvas::{Segment, Shape};
 
-    #[test]
-    fn invariant_limits_of_equal_axes_keep_a_shape_of_one_quarter_at_least() {
-        let flat = Figure::track("flat").line("path", vec![0.0, 10.0], vec![0.0, 0.1]);
-        let ([x0, x1], [y0, y1]) = limits(&flat).unwrap();
-        assert!((y1 - y0) >= 0.25 * (x1 - x0) * (1.0 - 1e-12), "{x0} {x1} {y0} {y1}");
+    /// Figures of every kind, with legends, notes and panels.
+    fn figures() -> Vec<Figure> {
+        let t: Vec<f64> = (0..400).map(|i| f64::from(i) * 0.05).collect();
+        let of = |f: fn(f64) -> f64| t.iter().map(|t| f(*t)).collect::<Vec<f64>>();
+        let mut many = Figure::time_series("Nine waves", "time [s]", "angle [rad]");
+        for k in 0..9 {
+            let wave = t.iter().map(|t| (t + f64::from(k)).sin()).collect();
+            many = many.line(&format!("k = {k}"), t.clone(), wave);
+        }
+        let panels = Figure::time_series("Panels", "time [s]", "angle [rad]")
+            .line("one", t.clone(), of(f64::sin))
+            .line("two", t.clone(), of(|t| 0.2 * t))
+            .panel("a difference of two angles that is small [rad]")
+            .line("", t.clone(), of(|t| 3e-9 * t));
+        let path =
+            Figure::track("A path").line("A", of(f64::cos), of(f64::sin)).marks("every 1 s", vec![1.0], vec![0.0]);
+        let path = path.note(1.0, 0.0, "0 s").note(0.0, 1.0, "2 s");
+        let flat =
+            Figure::track("A flat path").line("A", t.clone(), of(|t| 1e-3 * t)).line("B", t.clone(), of(|_| 0.1));
+        let steep = Figure::log_log("A slope", "step [s]", "error [m]").points(
+            "rk4",
+            t[1..].to_vec(),
+            t[1..].iter().map(|t| t.powi(4)).collect(),
+        );
+        vec![
+            many,
+            panels,
+            path,
+            flat,
+            steep.guide("slope 4", vec![0.1, 1.0], vec![1e-5, 0.1]).note(0.3, 1e-3, "slope 4"),
+        ]
+    }
+
+    fn texts(canvas: &Canvas) -> Vec<(&str, Frame)> {
+        let text = |shape| match shape {
+            &Shape::Text { ref text, frame, .. } => Some((text.as_str(), frame)),
+            _ => None,
+        };
+        canvas.shapes.iter().filter_map(text).collect()
     }
 
     #[test]
-    fn invariant_limits_of_logarithmic_axes_skip_values_that_have_no_logarithm() {
-        let figure = Figure::log_log("gap", "h", "gap").points("gap", vec![0.1, 1.0, 10.0], vec![0.0, 1e-3, f64::NAN]);
-        let (_, [y0, y1]) = limits(&figure).unwrap();
-        assert!(y0 > 1e-4 && y0 < 1e-3 && y1 > 1e-3 && y1 < 1e-2, "{y0} {y1}");
+    fn invariant_texts_stand_on_the_sheet_and_apart() {
+        for (figure, width) in figures().iter().flat_map(|figure| [(figure, Width::Wide), (figure, Width::Narrow)]) {
+            let canvas = picture(figure, width).unwrap();
+            let sheet = Frame { left: 0.0, top: 0.0, right: canvas.width, bottom: canvas.height };
+            let texts = texts(&canvas);
+            assert!(texts.len() > 8, "{texts:?}");
+            for (i, (text, frame)) in texts.iter().enumerate() {
+                assert!(sheet.holds(frame), "`{text}` of `{}` leaves the sheet: {frame:?}", figure.title);
+                for (other, of_other) in &texts[..i] {
+                    let apart = frame.right <= of_other.left
+                        || of_other.right <= frame.left
+                        || frame.bottom <= of_other.top
+                        || of_other.bottom <= frame.top;
+                    assert!(apart, "`{text}` and `{other}` of `{}` in {width:?}", figure.title);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn invariant_text_covers_no_point_of_a_curve() {
+        for figure in figures() {
+            let canvas = picture(&figure, Width::Wide).unwrap();
+            let texts = texts(&canvas);
+            for shape in &canvas.shapes {
+                let Shape::Stroke { outline, width, .. } = shape else { continue };
+                // curves; axes and grid are thinner
+                let is_curve = *width > 1.2 && outline.len() > 9;
+                for segment in outline.iter().filter(|_| is_curve) {
+                    let (Segment::Move([x, y]) | Segment::Line([x, y])) = segment else { continue };
+                    let covering =
+                        texts.iter().find(|(_, f)| f.left < *x && *x < f.right && f.top < *y && *y < f.bottom);
+                    assert!(covering.is_none(), "{covering:?} of `{}`", figure.title);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn invariant_legend_is_drawn_once_for_panels_of_the_same_curves() {
+        let line =
+            |figure: Figure| figure.line("a", vec![0.0, 1.0], vec![0.0, 1.0]).line("b", vec![0.0, 1.0], vec![1.0, 0.0]);
+        let figure = line(line(Figure::time_series("Twice", "t", "x [m]")).panel("v [m/s]"));
+        let canvas = picture(&figure, Width::Wide).unwrap();
+        assert_eq!(texts(&canvas).iter().filter(|(text, _)| *text == "a").count(), 1);
     }
 
     #[test]
     fn invariant_figure_without_finite_points_is_an_error() {
         let empty = Figure::time_series("empty", "t", "v").line("v", vec![0.0], vec![f64::NAN]);
-        assert!(matches!(svg(&empty), Err(FigureError::Empty { .. })));
+        assert!(matches!(picture(&empty, Width::Wide), Err(FigureError::Empty { .. })));
+    }
+
+    #[test]
+    fn invariant_gap_in_a_curve_is_not_bridged() {
+        let curve = Figure::time_series("gap", "t", "v").line(
+            "v",
+            vec![0.0, 1.0, 2.0, 3.0, 4.0],
+            vec![0.0, 1.0, f64::NAN, 1.0, 2.0],
+        );
+        let canvas = picture(&curve, Width::Wide).unwrap();
+        let curves = canvas.shapes.iter().filter(|shape| matches!(shape, Shape::Stroke { width, .. } if *width > 1.2));
+        assert_eq!(curves.count(), 2);
     }
 }

@@ -1,22 +1,39 @@
-//! Figures as data: curves, bodies, axes. [`Figure::save`] draws one as SVG and PNG.
+//! Figures as data: panels, curves, bodies, axes. [`Figure::save`] draws one as SVG and PNG.
 //!
-//! Curves differ in dash and in lightness, so that a figure keeps its meaning when it is printed in grey.
+//! Curves differ in dash and in lightness, so that a figure keeps its meaning when it is printed in grey. Text is drawn from an
+//! embedded face, so a figure is the same to the byte on every machine.
 
+mod canvas;
 mod draw;
+mod legend;
+mod lettering;
 mod look;
+mod marker;
+mod outline;
+mod panel;
+mod png;
+mod range;
+mod room;
+mod svg;
+mod thin;
+mod ticks;
 
 use std::path::{Path, PathBuf};
 
+use super::page::Picture;
+use draw::Width;
 use look::Look;
 
 /// How the axes are scaled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Axes {
-    /// Both linear.
-    Linear,
+    /// Both linear; the abscissa ends with the data: for values over time.
+    Series,
+    /// Both linear, with room on all sides.
+    Plane,
     /// Both linear, with the same length for one unit: for paths and shapes.
     Equal,
-    /// Both logarithmic with the same length for one decade, so that slopes can be read off.
+    /// Both logarithmic.
     LogLog,
 }
 
@@ -35,22 +52,35 @@ struct Curve {
 /// A text at a place of the axes.
 #[derive(Debug, Clone)]
 struct Note {
-    /// Abscissa of the middle of the text.
     x: f64,
-    /// Ordinate of the middle of the text.
     y: f64,
     /// What it says.
     text: String,
 }
 
-/// A figure with one pair of axes.
+/// One pair of axes.
+#[derive(Debug, Clone)]
+struct Panel {
+    /// Name and unit of the ordinate.
+    y_label: String,
+    /// What is drawn, in this order.
+    curves: Vec<Curve>,
+    /// Texts over the curves.
+    notes: Vec<Note>,
+    n_lines: usize,
+}
+
+/// A figure with one pair of axes, or with several above each other that share the abscissa.
 ///
 /// ```no_run
 /// use ezy_core::report::figure::Figure;
 ///
-/// let (t, v) = (vec![0.0, 1.0, 2.0], vec![0.0, 0.5, 0.7]);
-/// let figure = Figure::time_series("Speed", "time [s]", "speed [m/s]").line("cart", t, v);
-/// figure.save("out".as_ref(), "speed")?; // out/speed.svg and out/speed.png
+/// let (t, x, v) = (vec![0.0, 1.0, 2.0], vec![0.0, 0.2, 0.8], vec![0.0, 0.5, 0.7]);
+/// let figure = Figure::time_series("A cart", "time [s]", "place [m]")
+///     .line("cart", t.clone(), x)
+///     .panel("speed [m/s]")
+///     .line("cart", t, v);
+/// figure.save("out".as_ref(), "cart")?; // out/cart.svg and out/cart.png
 /// # Ok::<(), ezy_core::report::figure::FigureError>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -59,15 +89,10 @@ pub struct Figure {
     title: String,
     /// Name and unit of the abscissa.
     x_label: String,
-    /// Name and unit of the ordinate.
-    y_label: String,
     /// Scaling of the axes.
     axes: Axes,
-    /// What is drawn, in this order.
-    curves: Vec<Curve>,
-    /// Texts over the curves.
-    notes: Vec<Note>,
-    n_lines: usize,
+    /// From the upper one to the lower one; never empty.
+    panels: Vec<Panel>,
 }
 
 /// Why a figure could not be made.
@@ -82,13 +107,15 @@ pub enum FigureError {
         /// ` above zero, as its logarithmic axes need`, or empty.
         positive: &'static str,
     },
-    /// The plotting library refused.
-    #[error("figure `{title}` could not be drawn: {cause}")]
-    Draw {
+    /// The picture has more pixels than the machine can keep.
+    #[error("figure `{title}` could not be drawn as PNG: {width} × {height} points are too many")]
+    TooLarge {
         /// Headline of the figure.
         title: String,
-        /// What the library said.
-        cause: String,
+        /// Points across.
+        width: f64,
+        /// Points down.
+        height: f64,
     },
     /// A file could not be written.
     #[error("figure file {} could not be written: {cause}", path.display())]
@@ -103,12 +130,22 @@ pub enum FigureError {
 impl Figure {
     /// Linear axes, wide, for values over time.
     pub fn time_series(title: &str, x_label: &str, y_label: &str) -> Self {
-        Self::new(title, x_label, y_label, Axes::Linear)
+        Self::new(title, x_label, y_label, Axes::Series)
+    }
+
+    /// Linear axes with room on all sides, for one value over another: a phase plane.
+    pub fn plane(title: &str, x_label: &str, y_label: &str) -> Self {
+        Self::new(title, x_label, y_label, Axes::Plane)
     }
 
     /// Equal axes in metres, for paths and bodies in the plane.
     pub fn track(title: &str) -> Self {
-        Self::new(title, "x [m]", "y [m]", Axes::Equal)
+        Self::equal(title, "x [m]", "y [m]")
+    }
+
+    /// Linear axes with the same length for one unit, for two values of the same unit.
+    pub fn equal(title: &str, x_label: &str, y_label: &str) -> Self {
+        Self::new(title, x_label, y_label, Axes::Equal)
     }
 
     /// Logarithmic axes, for convergence and growth.
@@ -117,34 +154,46 @@ impl Figure {
     }
 
     fn new(title: &str, x_label: &str, y_label: &str, axes: Axes) -> Self {
-        let (title, x_label, y_label) = (title.to_owned(), x_label.to_owned(), y_label.to_owned());
-        Self { title, x_label, y_label, axes, curves: Vec::new(), notes: Vec::new(), n_lines: 0 }
+        let (title, x_label) = (title.to_owned(), x_label.to_owned());
+        Self { title, x_label, axes, panels: vec![Panel::new(y_label)] }
     }
 
-    /// A line, in the next look: dark and solid, lighter and dashed, light and dash-dotted, ….
+    /// A further panel below, with the same abscissa and an ordinate of its own; what follows is drawn there. Of the panels of
+    /// [`Figure::equal`] only one is of use.
+    #[must_use]
+    pub fn panel(mut self, y_label: &str) -> Self {
+        self.panels.push(Panel::new(y_label));
+        self
+    }
+
+    /// The panel that is drawn in.
+    fn current(&mut self) -> &mut Panel {
+        let last = self.panels.len() - 1;
+        &mut self.panels[last]
+    }
+
+    /// A line, in the next look of its panel: dark and solid, lighter and dashed, light and dash-dotted, ….
     #[must_use]
     pub fn line(self, name: &str, x: Vec<f64>, y: Vec<f64>) -> Self {
-        let look = Look::line(self.n_lines);
-        self.next_line(name, x, y, look)
+        self.next_line(name, x, y, |look, _| look)
     }
 
     /// A line with a marker at each point, in the next look: for measured values.
     #[must_use]
     pub fn points(self, name: &str, x: Vec<f64>, y: Vec<f64>) -> Self {
-        let look = Look::line(self.n_lines).with_marker(self.n_lines);
-        self.next_line(name, x, y, look)
+        self.next_line(name, x, y, Look::with_marker)
     }
 
     /// Markers alone, in the next look: for values that do not follow each other.
     #[must_use]
     pub fn cloud(self, name: &str, x: Vec<f64>, y: Vec<f64>) -> Self {
-        let look = Look::line(self.n_lines).with_marker(self.n_lines).without_line();
-        self.next_line(name, x, y, look)
+        self.next_line(name, x, y, |look, index| look.with_marker(index).without_line())
     }
 
-    fn next_line(mut self, name: &str, x: Vec<f64>, y: Vec<f64>, look: Look) -> Self {
-        self.n_lines += 1;
-        self.push(name, x, y, look)
+    fn next_line(mut self, name: &str, x: Vec<f64>, y: Vec<f64>, look: fn(Look, usize) -> Look) -> Self {
+        let index = self.current().n_lines;
+        self.current().n_lines += 1;
+        self.push(name, x, y, look(Look::line(index), index))
     }
 
     /// A broad light line, to lie under a line that may cover it.
@@ -177,29 +226,60 @@ impl Figure {
         self.push(name, x, y, Look::hinge())
     }
 
-    /// A text centred at a place of the axes.
+    /// Small dots on curves: marks of time on a path.
+    #[must_use]
+    pub fn marks(self, name: &str, x: Vec<f64>, y: Vec<f64>) -> Self {
+        self.push(name, x, y, Look::marks())
+    }
+
+    /// A text centred at a place of the axes, or beside it where something is drawn there.
     #[must_use]
     pub fn note(mut self, x: f64, y: f64, text: &str) -> Self {
-        self.notes.push(Note { x, y, text: text.to_owned() });
+        self.current().notes.push(Note { x, y, text: text.to_owned() });
         self
     }
 
     fn push(mut self, name: &str, x: Vec<f64>, y: Vec<f64>, look: Look) -> Self {
         debug_assert_eq!(x.len(), y.len(), "curve `{name}` of figure `{}`", self.title);
-        self.curves.push(Curve { name: name.to_owned(), x, y, look });
+        self.current().curves.push(Curve { name: name.to_owned(), x, y, look });
         self
     }
 
-    /// Writes `directory/name.svg` and `directory/name.png`, and returns the SVG text.
+    /// The figure as SVG for a page, in two widths: for wide and for narrow screens.
+    ///
+    /// # Errors
+    /// [`FigureError::Empty`].
+    pub fn picture(&self) -> Result<Picture, FigureError> {
+        let [wide, narrow] = [Width::Wide, Width::Narrow].map(|width| draw::picture(self, width));
+        Ok(Picture { wide: svg::svg(&wide?), narrow: svg::svg(&narrow?) })
+    }
+
+    /// The figure as the bytes of a PNG file.
+    ///
+    /// # Errors
+    /// [`FigureError::Empty`], [`FigureError::TooLarge`].
+    pub fn png(&self) -> Result<Vec<u8>, FigureError> {
+        let canvas = draw::picture(self, Width::Wide)?;
+        let (width, height) = (canvas.width, canvas.height);
+        png::png(&canvas).ok_or_else(|| FigureError::TooLarge { title: self.title.clone(), width, height })
+    }
+
+    /// Writes `directory/name.svg` and `directory/name.png`, and returns the SVG for a page.
     ///
     /// # Errors
     /// [`FigureError`]: nothing to draw, or a file that cannot be written.
-    pub fn save(&self, directory: &Path, name: &str) -> Result<String, FigureError> {
-        let (svg, png) = (draw::svg(self)?, draw::png(self)?);
-        for (extension, bytes) in [("svg", svg.as_bytes()), ("png", &png)] {
-            let path = directory.join(name).with_extension(extension);
+    pub fn save(&self, directory: &Path, name: &str) -> Result<Picture, FigureError> {
+        let (picture, png) = (self.picture()?, self.png()?);
+        for (extension, bytes) in [("svg", picture.wide.as_bytes()), ("png", &png)] {
+            let path = directory.join(format!("{name}.{extension}"));
             crate::output::write(&path, bytes).map_err(|cause| FigureError::Write { path, cause })?;
         }
-        Ok(svg)
+        Ok(picture)
+    }
+}
+
+impl Panel {
+    fn new(y_label: &str) -> Self {
+        Self { y_label: y_label.to_owned(), curves: Vec::new(), notes: Vec::new(), n_lines: 0 }
     }
 }

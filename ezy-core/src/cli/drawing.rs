@@ -1,0 +1,38 @@
+//! Columns of motions as a figure in a file. Without the feature `figures`, how to get it.
+
+use std::path::Path;
+
+use super::failure::Failure;
+
+/// Endings of the files that are written.
+const ENDINGS: [&str; 3] = ["svg", "png", "html"];
+
+/// Whether figures can be drawn.
+pub(super) fn check() -> Result<(), Failure> {
+    match cfg!(feature = "figures") {
+        true => Ok(()),
+        false => Err(Failure::wrong_use(
+            "this program was built without figures; add \"figures\" to the features of ezy-core in Cargo.toml: \
+             ezy-core = { …, features = [\"cli\", \"figures\"] }",
+        )),
+    }
+}
+
+/// Whether a file of this name can be written, found before the runs.
+pub(super) fn check_name(path: &Path) -> Result<(), Failure> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir());
+    if let Some(folder) = folder {
+        return Err(Failure::wrong_use(format!(
+            "`{}` is no folder; make it, or give --out another file",
+            folder.display()
+        )));
+    }
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    if ENDINGS.contains(&ending) {
+        return Ok(());
+    }
+    Err(Failure::wrong_use(format!(
+        "`{}`: figures are written as .svg, .png or .html; give --out such a file",
+        path.display()
+    )))
+}

@@ -1,0 +1,97 @@
+//! A simulation as the arguments of a command ask for it.
+
+use std::fs::File;
+
+use crate::integrate::{Method, Tolerance};
+use crate::model::{Scene, SceneInfo};
+use crate::simulate::{InputTable, SetupError, Simulation, read_inputs};
+
+use super::failure::Failure;
+use super::motion_arguments::{MethodName, MotionArguments};
+
+/// Step of a method with a fixed step, s, when none is given.
+const STEP_S: f64 = 1e-3;
+/// Relative tolerance of a method that chooses its steps, when none is given.
+const RELATIVE_TOLERANCE: f64 = 1e-9;
+
+pub(super) fn method(arguments: &MotionArguments) -> Result<Method, Failure> {
+    let MotionArguments { method, step, rtol, atol, .. } = arguments;
+    match method {
+        MethodName::Rk4 => match rtol.or(*atol) {
+            Some(_) => Err(Failure::wrong_use(
+                "rk4 has a fixed step: give `--step`, or a method with a tolerance, such as `--method dop853`",
+            )),
+            None => Ok(Method::rk4(step.unwrap_or(STEP_S))),
+        },
+        MethodName::Dop853 => Ok(Method::Dop853(tolerance("dop853", arguments)?)),
+        MethodName::Taylor => Ok(Method::Taylor(tolerance("taylor", arguments)?)),
+        MethodName::Radau => Ok(Method::Radau(tolerance("radau", arguments)?)),
+    }
+}
+
+/// Tolerance of a method that chooses its steps.
+fn tolerance(method: &str, arguments: &MotionArguments) -> Result<Tolerance, Failure> {
+    if arguments.step.is_some() {
+        return Err(Failure::wrong_use(format!(
+            "{method} chooses the length of its steps: give `--rtol` in place of `--step`"
+        )));
+    }
+    let relative = arguments.rtol.unwrap_or(RELATIVE_TOLERANCE);
+    Ok(Tolerance { relative, absolute: arguments.atol.unwrap_or(relative) })
+}
+
+/// Inputs of the file, then those of the command line, which win.
+fn inputs(arguments: &MotionArguments, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, Failure> {
+    let mut all = Vec::new();
+    if let Some(path) = &arguments.inputs {
+        let of_file = |what: &dyn std::fmt::Display| Failure::wrong_use(format!("`{}`: {what}", path.display()));
+        let file = File::open(path).map_err(|error| of_file(&error))?;
+        all = read_inputs(file, info).map_err(|error| of_file(&error))?;
+    }
+    all.extend(arguments.input.iter().map(|a| (a.name.clone(), InputTable::from(a.value))));
+    Ok(all)
+}
+
+/// The run of a scene that the arguments ask for, with its outputs.
+pub(super) fn simulation<'s>(
+    arguments: &MotionArguments,
+    scene: &'s (dyn Scene + 's),
+    method: Method,
+) -> Result<Simulation<'s, dyn Scene + 's>, Failure> {
+    let info = scene.info();
+    let mut simulation = Simulation::new(scene)
+        .method(method)
+        .until(arguments.until.unwrap_or(info.until_s))
+        .project(arguments.project)
+        .metric(arguments.metric);
+    if info.n_outputs() > 0 {
+        simulation = simulation.outputs();
+    }
+    for (name, table) in inputs(arguments, &info)? {
+        simulation = simulation.input(name, table);
+    }
+    if let Some(residual) = arguments.max_drift {
+        simulation = simulation.max_drift(residual);
+    }
+    if let Some(relative) = arguments.max_energy_error {
+        simulation = simulation.max_energy_error(relative);
+    }
+    if let Some(steps) = arguments.max_steps {
+        simulation = simulation.max_steps(steps);
+    }
+    for assignment in &arguments.start {
+        simulation = simulation.give(&assignment.name, assignment.value);
+    }
+    if arguments.project_start {
+        simulation = simulation.project_start();
+    }
+    Ok(simulation)
+}
+
+/// Why a run was refused, by exit status.
+pub(super) fn refused(error: SetupError) -> Failure {
+    match error {
+        SetupError::Motion(_) | SetupError::Record(_) => Failure::stopped(error),
+        _ => Failure::wrong_use(error),
+    }
+}

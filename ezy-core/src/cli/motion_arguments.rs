@@ -1,0 +1,109 @@
+//! What every command that runs a scene takes: method, limits, parameters, start values, inputs.
+
+use std::path::PathBuf;
+
+use clap::builder::PossibleValue;
+use clap::{Args, ValueEnum};
+
+use super::value::{Assignment, parse_assignment, parse_count, parse_number};
+use crate::dynamics::{Metric, Projection};
+
+// its documentation would take the place of that of the command
+#[derive(Debug, Clone, Args)]
+pub(super) struct MotionArguments {
+    /// End of the run in seconds [default: what the scene says]
+    #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true)]
+    pub until: Option<f64>,
+    /// Integration method
+    #[arg(long, value_enum, default_value_t)]
+    pub method: MethodName,
+    /// Step in seconds, of a method with a fixed step [default: 1e-3]
+    #[arg(long, value_name = "H", value_parser = parse_number, allow_negative_numbers = true)]
+    pub step: Option<f64>,
+    /// Relative tolerance, of a method that chooses its steps [default: 1e-9]
+    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
+    pub rtol: Option<f64>,
+    /// Absolute tolerance in m, rad, m/s, rad/s [default: that of --rtol]
+    #[arg(long, value_name = "A", value_parser = parse_number, allow_negative_numbers = true)]
+    pub atol: Option<f64>,
+    /// What is projected onto the constraints after each step
+    #[arg(long, value_enum, default_value_t)]
+    pub project: Projection,
+    /// Metric in which the projection is smallest
+    #[arg(long, value_enum, default_value_t)]
+    pub metric: Metric,
+    /// Stop before the residual of a constraint exceeds R: m or rad in positions, m/s or rad/s in velocities
+    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
+    pub max_drift: Option<f64>,
+    /// Stop before the error of the energy balance exceeds R, relative to the energy exchanged so far
+    #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
+    pub max_energy_error: Option<f64>,
+    /// Stop after N steps, rejected ones included [default: ten million when the method chooses them]
+    #[arg(long, value_name = "N", value_parser = parse_count, allow_negative_numbers = true)]
+    pub max_steps: Option<u64>,
+    /// Change a parameter or a count; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub set: Vec<Assignment>,
+    /// Hold a start value: seat.x, seat.y, seat.phi, seat.vx, seat.vy, seat.omega, …; may be repeated
+    ///
+    /// A given value replaces that of the scene and is held. Values that neither gives follow from the constraints.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub start: Vec<Assignment>,
+    /// Project a start that contradicts the constraints onto them instead of refusing it
+    ///
+    /// All values then change as little as possible in the mass metric: positions first, then velocities.
+    #[arg(long)]
+    pub project_start: bool,
+    /// Set an input, in its unit; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub input: Vec<Assignment>,
+    /// Read inputs from a CSV file with a column t and one for each input
+    ///
+    /// Straight lines join the rows; two rows at one time are a jump. Columns may carry their unit: `torque [N*m]`. Of a
+    /// file that --out wrote, each value holds until the next row.
+    #[arg(long, value_name = "FILE.csv")]
+    pub inputs: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub(super) enum MethodName {
+    /// Classical Runge-Kutta method of order 4 with a fixed step
+    #[default]
+    Rk4,
+    /// Method of Dormand and Prince of order 8 with steps that keep to a tolerance
+    Dop853,
+    /// Taylor's method with order and steps that keep to a tolerance
+    Taylor,
+    /// Implicit method Radau IIA of order 5 with steps that keep to a tolerance, for stiff scenes
+    Radau,
+}
+
+impl ValueEnum for Projection {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Both, Self::Positions, Self::Velocities, Self::None]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Self::Both => ("both", "Positions, then velocities at the projected positions"),
+            Self::Positions => ("positions", "Positions only"),
+            Self::Velocities => ("velocities", "Velocities only"),
+            Self::None => ("none", "Nothing: the constraints may drift"),
+        };
+        Some(PossibleValue::new(name).help(help))
+    }
+}
+
+impl ValueEnum for Metric {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Mass, Self::Euclidean]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Self::Mass => ("mass", "Weighted by the masses: never adds kinetic energy"),
+            Self::Euclidean => ("euclidean", "Unweighted: adds metres to radians; for comparison"),
+        };
+        Some(PossibleValue::new(name).help(help))
+    }
+}

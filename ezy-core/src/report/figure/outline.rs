@@ -1,0 +1,14 @@
+//! Outlines of shapes and letters.
+
+/// A place: to the right and down, in points.
+pub(super) type Place = [f64; 2];
+
+/// One part of an outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Segment {
+    Move(Place),
+    Line(Place),
+    /// A parabola by its control point and its end.
+    Curve(Place, Place),
+    Close,
+}

@@ -1,0 +1,62 @@
+//! A picture as SVG: outlines alone, so that it needs no font and looks the same in every program.
+
+use std::fmt::Write as _;
+
+use super::canvas::{Canvas, Color, Place, Segment, Shape};
+use crate::report::page::escape;
+
+/// The picture as a document.
+pub(super) fn svg(canvas: &Canvas) -> String {
+    let [width, height] = [canvas.width, canvas.height].map(number);
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
+         fill=\"none\" stroke-linejoin=\"round\">\n"
+    );
+    for shape in &canvas.shapes {
+        text += &element(shape);
+    }
+    text + "</svg>\n"
+}
+
+fn element(shape: &Shape) -> String {
+    match shape {
+        Shape::Stroke { outline, color, width, dash } => {
+            let dash = dash.iter().copied().map(number).collect::<Vec<_>>().join(" ");
+            let dash = if dash.is_empty() { dash } else { format!(" stroke-dasharray=\"{dash}\"") };
+            let (d, color, width) = (path(outline), hexadecimal(*color), number(*width));
+            format!("<path stroke=\"{color}\" stroke-width=\"{width}\"{dash} d=\"{d}\"/>\n")
+        }
+        Shape::Fill { outline, color } => {
+            format!("<path fill=\"{}\" d=\"{}\"/>\n", hexadecimal(*color), path(outline))
+        }
+        Shape::Text { outline, color, text, .. } => {
+            let (d, color, text) = (path(outline), hexadecimal(*color), escape(text));
+            format!("<path aria-label=\"{text}\" fill=\"{color}\" d=\"{d}\"/>\n")
+        }
+    }
+}
+
+fn path(outline: &[Segment]) -> String {
+    let mut text = String::new();
+    let place = |[x, y]: Place| format!("{} {}", number(x), number(y));
+    for segment in outline {
+        _ = match segment {
+            Segment::Move(end) => write!(text, "M{}", place(*end)),
+            Segment::Line(end) => write!(text, "L{}", place(*end)),
+            Segment::Curve(control, end) => write!(text, "Q{} {}", place(*control), place(*end)),
+            Segment::Close => write!(text, "Z"),
+        };
+    }
+    text
+}
+
+/// With two decimals at most: a hundredth of a point is not seen.
+fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    if short == "-0" { "0".to_owned() } else { short.to_owned() }
+}
+
+fn hexadecimal([red, green, blue]: Color) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}

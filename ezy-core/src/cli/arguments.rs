@@ -15,6 +15,8 @@ pub(super) enum Command {
     List(ListArguments),
     Show(ShowArguments),
     Run(RunArguments),
+    Animate(AnimateArguments),
+    Sketch(SketchArguments),
     Check(CheckArguments),
     Accuracy(AccuracyArguments),
     Completions(CompletionsArguments),
@@ -59,6 +61,33 @@ pub(super) enum Format {
 /// Numbers may be written as 2, -0.5, 1e-3, pi, -pi/2 or 2*pi. Ctrl-C ends the run with all that it has.
 #[derive(Debug, Args)]
 pub(super) struct RunArguments {
+    #[command(flatten)]
+    pub motion: MotionArguments,
+    /// Seconds between the rows of --out; needs --out [default: a thousandth of the run]
+    #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
+    pub every: Option<f64>,
+    /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, inputs, outputs, work, energies,
+    /// residuals
+    ///
+    /// Rows go to FILE.csv.partial, which becomes FILE.csv when the run ends. A run that is killed leaves the older FILE.csv. A
+    /// second run into the same file is refused.
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Estimate the error of positions, velocities and multipliers, by a second and a third run on other cores
+    ///
+    /// The second run keeps to a hundredth of the tolerance, or takes half the step; the difference is the error. The third one,
+    /// from a start that is moved a little, shows how much the motion amplifies errors. The motion itself is the same. FILE.csv
+    /// begins with a line `# estimated error …`.
+    #[arg(long)]
+    pub estimate_error: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What a run computes.
+#[derive(Debug, Args)]
+pub(super) struct MotionArguments {
     /// Its name; case and underscores do not matter
     #[arg(value_name = "MODEL/SCENE")]
     pub path: String,
@@ -114,26 +143,43 @@ pub(super) struct RunArguments {
     /// file that --out wrote, each value holds until the next row.
     #[arg(long, value_name = "FILE.csv")]
     pub inputs: Option<PathBuf>,
-    /// Seconds between the rows of --out; needs --out [default: a thousandth of the run]
+}
+
+/// Runs a scene and writes an animation of it: one HTML page that needs nothing else
+///
+/// The page plays the motion, with its forces, outputs and energies. A run that stops early gives a page, too, with the reason.
+#[derive(Debug, Args)]
+pub(super) struct AnimateArguments {
+    #[command(flatten)]
+    pub motion: MotionArguments,
+    /// Seconds between the frames [default: a thousandth of the run, or more where the page would become large]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
-    /// Write the motion as CSV: time, coordinates, velocities, accelerations, multipliers, inputs, outputs, work, energies,
-    /// residuals
-    ///
-    /// Rows go to FILE.csv.partial, which becomes FILE.csv when the run ends. A run that is killed leaves the older FILE.csv. A
-    /// second run into the same file is refused.
-    #[arg(long, value_name = "FILE.csv")]
+    /// The page [default: out/animation-MODEL-SCENE.html]
+    #[arg(long, value_name = "FILE.html")]
     pub out: Option<PathBuf>,
-    /// Estimate the error of positions, velocities and multipliers, by a second and a third run on other cores
-    ///
-    /// The second run keeps to a hundredth of the tolerance, or takes half the step; the difference is the error. The third one,
-    /// from a start that is moved a little, shows how much the motion amplifies errors. The motion itself is the same. FILE.csv
-    /// begins with a line `# estimated error …`.
-    #[arg(long)]
-    pub estimate_error: bool,
-    /// Print one JSON object
-    #[arg(long)]
-    pub json: bool,
+}
+
+/// Draws the mechanism of a scene: bodies, joints, wheels and springs with their names and lengths, as SVG
+///
+/// Lengths have the names of the model. The picture shows the start, or the motion at a time.
+#[derive(Debug, Args)]
+pub(super) struct SketchArguments {
+    /// Its name; case and underscores do not matter
+    #[arg(value_name = "MODEL/SCENE")]
+    pub path: String,
+    /// Change a parameter or a count; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub set: Vec<Assignment>,
+    /// Hold a start value, as in `run`; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub start: Vec<Assignment>,
+    /// Time of the picture in seconds; the scene is run to it
+    #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true, default_value = "0")]
+    pub at: f64,
+    /// The picture [default: out/sketch-MODEL-SCENE.svg]
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
 }
 
 /// Prints what a shell needs to complete commands and options; bash and zsh complete models and scenes, too

@@ -9,7 +9,7 @@ use clap::{ArgMatches, FromArgMatches as _, Subcommand as _};
 use super::arguments::Command;
 use super::examples::Examples;
 use super::failure::Failure;
-use super::{Models, accuracy, check, list, run, shell, show};
+use super::{Models, accuracy, animate, check, list, run, shell, show, sketch};
 use crate::model::ModelInfo;
 
 /// What a command of the caller does with its arguments.
@@ -50,7 +50,7 @@ const VERSION: &str = concat!("with ezy-core ", env!("CARGO_PKG_VERSION"));
 const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end, 130 by Ctrl-C, 143 by SIGTERM (what was computed is kept); 2 wrong use.";
 
 impl<'m> CommandLine<'m> {
-    /// The commands `list`, `show`, `run`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
+    /// The commands `list`, `show`, `run`, `animate`, `sketch`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
     pub fn new(models: &'m [&'static ModelInfo]) -> Self {
         Self { models, about: ABOUT, version: VERSION, commands: Vec::new(), default: None }
     }
@@ -108,6 +108,8 @@ impl<'m> CommandLine<'m> {
             Command::List(arguments) => list::list(self.models, &arguments),
             Command::Show(arguments) => show::show(self.models, &arguments),
             Command::Run(arguments) => run::run(self.models, &arguments),
+            Command::Animate(arguments) => animate::animate(self.models, &arguments),
+            Command::Sketch(arguments) => sketch::sketch(self.models, &arguments),
             Command::Check(arguments) => check::check(self.models, &arguments),
             Command::Accuracy(arguments) => accuracy::accuracy(self.models, &arguments),
             Command::Completions(arguments) => shell::completions(self.models, self.clap(program), &arguments),
@@ -128,6 +130,8 @@ impl<'m> CommandLine<'m> {
             .mut_subcommands(|command| match command.get_name() {
                 "show" => command.after_help(examples.of_show()),
                 "run" => command.after_help(examples.of_run()),
+                "animate" => command.after_help(examples.of_animate()),
+                "sketch" => command.after_help(examples.of_sketch()),
                 "check" => command.after_help(examples.of_check()),
                 "accuracy" => command.after_help(examples.of_accuracy()),
                 _ => command,

@@ -1,4 +1,4 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `check`, `accuracy`, `completions`, `man` and `help`.
+//! The command line of a crate with models: `list`, `show`, `run`, `animate`, `sketch`, `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
 //!
@@ -14,6 +14,7 @@
 //! here; everything that a command does is done through the public parts of this crate.
 
 mod accuracy;
+mod animate;
 mod arguments;
 mod check;
 mod command_line;
@@ -32,6 +33,7 @@ mod run_monitors;
 mod selection;
 mod shell;
 mod show;
+mod sketch;
 mod value;
 
 use std::process::ExitCode;

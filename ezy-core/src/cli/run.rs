@@ -7,7 +7,7 @@ use crate::model::{Scene, SceneInfo};
 use crate::simulate::{InputTable, Outcome, Run, SetupError, Simulation, read_inputs};
 
 use super::Models;
-use super::arguments::{MethodName, RunArguments};
+use super::arguments::{MethodName, MotionArguments, RunArguments};
 use super::failure::{Failure, print, print_error};
 use super::interruption::Interruption;
 use super::json::print_json;
@@ -23,8 +23,9 @@ const N_ROWS: f64 = 1000.0;
 const N_COMPARED: f64 = 200.0;
 
 pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Failure> {
-    let (model, entry) = scene_entry(models, &arguments.path)?;
-    check_assignments(model, entry, &arguments.start, &arguments.input)?;
+    let motion = &arguments.motion;
+    let (model, entry) = scene_entry(models, &motion.path)?;
+    check_assignments(model, entry, &motion.start, &motion.input)?;
     if let Some(every_s) = arguments.every.filter(|every_s| *every_s <= 0.0) {
         return Err(Failure::wrong_use(SetupError::Every { every_s }));
     }
@@ -33,8 +34,8 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
             "--every is the time between the rows of --out; add --out FILE.csv, or leave --every",
         ));
     }
-    let scene = scene_with(model, entry, &arguments.set)?;
-    let method = method(arguments)?;
+    let scene = scene_with(model, entry, &motion.set)?;
+    let method = method(motion)?;
     let interruption = Interruption::listen();
     let done = simulate(arguments, scene.as_ref(), method, interruption);
     if let (Err(Failure::Stopped(outcome)), true) = (&done, arguments.json) {
@@ -42,7 +43,7 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     }
     let (run, written) = done?;
     // it chooses its steps, which a table may not let it
-    let radau_runs = arguments.inputs.is_none() && has_jacobians(scene.as_ref());
+    let radau_runs = motion.inputs.is_none() && has_jacobians(scene.as_ref());
     if arguments.json {
         print_json(&run_json(&scene.info(), method, Some(&run), &run.outcome.to_string()))?;
         print_error(&remarks(&run, method, radau_runs));
@@ -70,8 +71,8 @@ const STEP_S: f64 = 1e-3;
 /// Relative tolerance of a method that chooses its steps, when none is given.
 const RELATIVE_TOLERANCE: f64 = 1e-9;
 
-fn method(arguments: &RunArguments) -> Result<Method, Failure> {
-    let RunArguments { method, step, rtol, atol, .. } = arguments;
+pub(super) fn method(arguments: &MotionArguments) -> Result<Method, Failure> {
+    let MotionArguments { method, step, rtol, atol, .. } = arguments;
     match method {
         MethodName::Rk4 => match rtol.or(*atol) {
             Some(_) => Err(Failure::wrong_use(
@@ -86,7 +87,7 @@ fn method(arguments: &RunArguments) -> Result<Method, Failure> {
 }
 
 /// Tolerance of a method that chooses its steps.
-fn tolerance(method: &str, arguments: &RunArguments) -> Result<Tolerance, Failure> {
+fn tolerance(method: &str, arguments: &MotionArguments) -> Result<Tolerance, Failure> {
     if arguments.step.is_some() {
         return Err(Failure::wrong_use(format!(
             "{method} chooses the length of its steps: give `--rtol` in place of `--step`"
@@ -97,7 +98,7 @@ fn tolerance(method: &str, arguments: &RunArguments) -> Result<Tolerance, Failur
 }
 
 /// Inputs of the file, then those of the command line, which win.
-fn inputs(arguments: &RunArguments, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, Failure> {
+fn inputs(arguments: &MotionArguments, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, Failure> {
     let mut all = Vec::new();
     if let Some(path) = &arguments.inputs {
         let of_file = |what: &dyn std::fmt::Display| Failure::wrong_use(format!("`{}`: {what}", path.display()));
@@ -117,13 +118,53 @@ fn simulate(
     method: Method,
     interruption: Interruption,
 ) -> Result<Simulated, Failure> {
-    let info = scene.info();
-    let until_s = arguments.until.unwrap_or(info.until_s);
     let mut out = arguments.out.as_deref().map(|path| OutFile::open(path, arguments.estimate_error)).transpose()?;
     let progress = Progress::new();
+    let mut simulation = simulation(&arguments.motion, scene, method, interruption, &progress)?;
+    let until_s = end(&arguments.motion, &scene.info());
+    if arguments.estimate_error {
+        simulation = simulation.estimate_error();
+        if until_s > 0.0 && out.is_none() {
+            simulation = simulation.every(until_s / N_COMPARED);
+        }
+    }
+    if let Some(out) = &mut out {
+        let default_every = || (until_s > 0.0).then_some(until_s / N_ROWS);
+        if let Some(every) = arguments.every.or_else(default_every) {
+            simulation = simulation.every(every);
+        }
+        simulation = simulation.stream_to(out);
+    }
+    let run = simulation.run().map_err(not_run)?;
+    let written = out.map_or(Ok(()), |out| out.complete(run.error_estimate.as_ref()));
+    Ok((run, written))
+}
+
+/// Why there is no run.
+pub(super) fn not_run(error: SetupError) -> Failure {
+    match error {
+        SetupError::Motion(_) | SetupError::Record(_) => Failure::stopped(error),
+        _ => Failure::wrong_use(error),
+    }
+}
+
+/// End of the run, s.
+pub(super) fn end(arguments: &MotionArguments, info: &SceneInfo) -> f64 {
+    arguments.until.unwrap_or(info.until_s)
+}
+
+/// The run that is asked for, but for what is recorded.
+pub(super) fn simulation<'s>(
+    arguments: &MotionArguments,
+    scene: &'s dyn Scene,
+    method: Method,
+    interruption: Interruption,
+    progress: &'s Progress,
+) -> Result<Simulation<'s, dyn Scene + 's>, Failure> {
+    let info = scene.info();
     let mut simulation = Simulation::new(scene)
         .method(method)
-        .until(until_s)
+        .until(end(arguments, &info))
         .project(arguments.project)
         .metric(arguments.metric)
         .work()
@@ -150,23 +191,5 @@ fn simulate(
     if arguments.project_start {
         simulation = simulation.project_start();
     }
-    if arguments.estimate_error {
-        simulation = simulation.estimate_error();
-        if until_s > 0.0 && out.is_none() {
-            simulation = simulation.every(until_s / N_COMPARED);
-        }
-    }
-    if let Some(out) = &mut out {
-        let default_every = || (until_s > 0.0).then_some(until_s / N_ROWS);
-        if let Some(every) = arguments.every.or_else(default_every) {
-            simulation = simulation.every(every);
-        }
-        simulation = simulation.stream_to(out);
-    }
-    let run = simulation.run().map_err(|error| match error {
-        SetupError::Motion(_) | SetupError::Record(_) => Failure::stopped(error),
-        _ => Failure::wrong_use(error),
-    })?;
-    let written = out.map_or(Ok(()), |out| out.complete(run.error_estimate.as_ref()));
-    Ok((run, written))
+    Ok(simulation)
 }

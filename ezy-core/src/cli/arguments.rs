@@ -17,6 +17,7 @@ pub(super) enum Command {
     Run(RunArguments),
     Animate(AnimateArguments),
     Sketch(SketchArguments),
+    Gallery(GalleryArguments),
     Check(CheckArguments),
     Accuracy(AccuracyArguments),
     Completions(CompletionsArguments),
@@ -145,6 +146,30 @@ pub(super) struct MotionArguments {
     pub inputs: Option<PathBuf>,
 }
 
+impl MotionArguments {
+    /// A scene as it is declared, by a method that chooses its steps.
+    pub(super) fn of(path: String) -> Self {
+        Self {
+            path,
+            until: None,
+            method: MethodName::Dop853,
+            step: None,
+            rtol: None,
+            atol: None,
+            project: Projection::default(),
+            metric: Metric::default(),
+            max_drift: None,
+            max_energy_error: None,
+            max_steps: None,
+            set: Vec::new(),
+            start: Vec::new(),
+            project_start: false,
+            input: Vec::new(),
+            inputs: None,
+        }
+    }
+}
+
 /// Runs a scene and writes an animation of it: one HTML page that needs nothing else
 ///
 /// The page plays the motion, with its forces, outputs and energies. A run that stops early gives a page, too, with the reason.
@@ -155,9 +180,12 @@ pub(super) struct AnimateArguments {
     /// Seconds between the frames [default: a thousandth of the run, or more where the page would become large]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
-    /// The page [default: out/animation-MODEL-SCENE.html]
+    /// The page; a name that ends in .svg gets a picture that moves, for slides [default: out/animation-MODEL-SCENE.html]
     #[arg(long, value_name = "FILE.html")]
     pub out: Option<PathBuf>,
+    /// Write the frames as SVG pictures into a directory, too
+    #[arg(long, value_name = "DIR")]
+    pub frames: Option<PathBuf>,
 }
 
 /// Draws the mechanism of a scene: bodies, joints, wheels and springs with their names and lengths, as SVG
@@ -179,6 +207,16 @@ pub(super) struct SketchArguments {
     pub at: f64,
     /// The picture [default: out/sketch-MODEL-SCENE.svg]
     #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+}
+
+/// Writes a page with a sketch of every model and an animation of every scene
+///
+/// Runs every scene as it is declared, by dop853.
+#[derive(Debug, Args)]
+pub(super) struct GalleryArguments {
+    /// Directory to write into; made if it does not exist [default: out/gallery]
+    #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
 

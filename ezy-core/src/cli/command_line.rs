@@ -9,7 +9,7 @@ use clap::{ArgMatches, FromArgMatches as _, Subcommand as _};
 use super::arguments::Command;
 use super::examples::Examples;
 use super::failure::Failure;
-use super::{Models, accuracy, animate, check, list, run, shell, show, sketch};
+use super::{Models, accuracy, animate, check, gallery, list, run, shell, show, sketch};
 use crate::model::ModelInfo;
 
 /// What a command of the caller does with its arguments.
@@ -50,7 +50,7 @@ const VERSION: &str = concat!("with ezy-core ", env!("CARGO_PKG_VERSION"));
 const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end, 130 by Ctrl-C, 143 by SIGTERM (what was computed is kept); 2 wrong use.";
 
 impl<'m> CommandLine<'m> {
-    /// The commands `list`, `show`, `run`, `animate`, `sketch`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
+    /// The commands `list`, `show`, `run`, `animate`, `sketch`, `gallery`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
     pub fn new(models: &'m [&'static ModelInfo]) -> Self {
         Self { models, about: ABOUT, version: VERSION, commands: Vec::new(), default: None }
     }
@@ -110,6 +110,7 @@ impl<'m> CommandLine<'m> {
             Command::Run(arguments) => run::run(self.models, &arguments),
             Command::Animate(arguments) => animate::animate(self.models, &arguments),
             Command::Sketch(arguments) => sketch::sketch(self.models, &arguments),
+            Command::Gallery(arguments) => gallery::gallery(self.models, &arguments),
             Command::Check(arguments) => check::check(self.models, &arguments),
             Command::Accuracy(arguments) => accuracy::accuracy(self.models, &arguments),
             Command::Completions(arguments) => shell::completions(self.models, self.clap(program), &arguments),

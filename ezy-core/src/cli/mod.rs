@@ -1,4 +1,4 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `animate`, `sketch`, `check`, `accuracy`, `completions`, `man` and `help`.
+//! The command line of a crate with models: `list`, `show`, `run`, `animate`, `sketch`, `gallery`, `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
 //!
@@ -20,6 +20,7 @@ mod check;
 mod command_line;
 mod examples;
 mod failure;
+mod gallery;
 mod interruption;
 mod json;
 mod list;

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::integrate::Method;
 use crate::model::{ElementInfo, LoadKind, Scene, SceneInfo};
 use crate::record::Sample;
-use crate::report::drawing::{Anchor, Drawing, Elements, Motion, Placed};
+use crate::report::drawing::{Anchor, Drawing, Elements, Film, Motion, Placed};
 use crate::simulate::Run;
 
 /// Forces are drawn up to so many elements.
@@ -47,6 +47,12 @@ impl<'r> Animation<'r> {
 
     pub(super) fn info(&self) -> &SceneInfo {
         self.run.info()
+    }
+
+    /// The motion as pictures.
+    pub(super) fn film(&self) -> Film<'_> {
+        let info = self.info();
+        Film::new(&self.drawing, &self.frames, &format!("{}, scene {}", info.model, info.name))
     }
 
     /// Names, units and values of the parameters.

@@ -89,7 +89,7 @@
       zoom = factor * Math.min(w / (box.right - box.left), h / (box.bottom - box.top));
       centre = [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
     } else {
-      zoom = factor * Math.min(w, h) / (2.2 * size);
+      zoom = factor * Math.min(w / 2, h) / (1.5 * size);
       centre = pixels(pose(body));
     }
     centre = [centre[0] - offset[0] / zoom, centre[1] - offset[1] / zoom];
@@ -149,7 +149,7 @@
   }
 
   const places = [...data.points.map(([name, k]) => [name, () => pixels(point(k))]), ...data.bodies.map((name, i) => [name, () => pixels(pose(i))])];
-  const labels = data.points.length + data.bodies.length <= 40 ? places : [];
+  const labels = places.length <= 60 ? places : [];
   const texts = labels.map(([name]) => { const text = svg("text", $("names")); text.textContent = name; return text; });
 
   function drawNames() {
@@ -303,7 +303,7 @@
   $("help").addEventListener("click", () => $("keys").showModal());
   $("follow").addEventListener("change", fit);
   $("traceof").addEventListener("change", () => { retrace(); again(); });
-  $("showforces").addEventListener("change", () => { $("arrows").toggleAttribute("hidden", !$("showforces").checked); $("arrows").style.display = $("showforces").checked ? "" : "none"; $("legend").hidden = !$("showforces").checked; again(); });
+  $("showforces").addEventListener("change", () => { $("arrows").style.display = $("showforces").checked ? "" : "none"; $("legend").hidden = !$("showforces").checked; again(); });
   $("shownames").addEventListener("change", () => { $("names").style.display = $("shownames").checked ? "" : "none"; again(); });
   stage.addEventListener("wheel", (event) => { if (event.ctrlKey) { event.preventDefault(); grow(Math.exp(-event.deltaY / 200)); } }, { passive: false });
   stage.addEventListener("pointermove", (event) => {
@@ -326,6 +326,8 @@
     $("legend").innerHTML = items.map(([kind, text]) => `${sample(kind)} ${text}`).join(" &ensp; ")
       + (arrows.some((a) => a.unit === "N") ? ` &ensp; <svg width="${LONGEST * unit / most.N + 4}" height="10" aria-hidden="true"><path d="M2 2v6m0 -3h${LONGEST * unit / most.N}m0 -3v6" stroke="currentColor" fill="none"/></svg> ${label(unit)} N` : "");
   }
+  if (labels.length === 0) $("shownames").closest("label").hidden = true;
+  if (labels.length > 16) toggle("shownames");
   $("arrows").style.display = "none";
   retrace();
   show(start);

@@ -49,7 +49,7 @@ pub(super) fn dimensions(sheet: &mut Sheet, elements: &Elements, at: &Placed, sc
             let steps = (length / ROOM).ceil();
             let areas = (1..steps as usize).map(|i| {
                 let [x, y] = [0, 1].map(|k| a[k] + i as f64 / steps * (b[k] - a[k]));
-                sheet.overlap([x - ROOM, y - ROOM, x + ROOM, y + ROOM])
+                sheet.overlap([x - ROOM / 2.0, y - ROOM / 2.0, x + ROOM / 2.0, y + ROOM / 2.0])
             });
             areas.sum::<f64>() + lane.abs()
         };

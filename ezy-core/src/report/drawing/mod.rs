@@ -5,6 +5,7 @@
 
 mod dimensions;
 mod elements;
+mod film;
 mod lettering;
 mod outline;
 mod parts;
@@ -12,6 +13,7 @@ mod sketch;
 mod symbols;
 
 pub use elements::{Anchor, Elements, Placed, Vector};
+pub use film::Film;
 pub use parts::{Drawing, Motion, Part};
 pub use sketch::sketch;
 

@@ -136,26 +136,38 @@ impl Drawing {
 
     /// The attribute `transform` of a part at a state.
     pub fn transform(&self, of: &Part, at: &Placed) -> String {
-        let turned = |[x, y]: Vector| number(-y.atan2(x).to_degrees());
-        match of.motion {
-            Motion::Body(i) => {
-                let [x, y] = self.pixels(at.centre(i)).map(number);
-                format!("translate({x} {y})rotate({})", number(-at.q[3 * i + 2].to_degrees()))
-            }
-            Motion::At { point, along } => {
-                let [x, y] = self.pixels(at.position(point)).map(number);
-                let turn = along.map(|along| format!("rotate({})", turned(at.direction(along)))).unwrap_or_default();
-                format!("translate({x} {y}){turn}")
-            }
+        let Pose { x, y, turn, stretch } = self.pose(of, at);
+        let stretch = stretch.map(|stretch| format!("scale({} 1)", (stretch * 1e4).round() / 1e4));
+        let turn = turn.map(|turn| format!("rotate({})", number(turn)));
+        format!("translate({} {}){}{}", number(x), number(y), turn.unwrap_or_default(), stretch.unwrap_or_default())
+    }
+
+    /// Where a part is on the sheet.
+    pub(super) fn pose(&self, of: &Part, at: &Placed) -> Pose {
+        let turned = |[x, y]: Vector| -y.atan2(x).to_degrees();
+        let (place, turn, stretch) = match of.motion {
+            Motion::Body(i) => (at.centre(i), Some(-at.q[3 * i + 2].to_degrees()), None),
+            Motion::At { point, along } => (at.position(point), along.map(|along| turned(at.direction(along))), None),
             Motion::Span { from, to } => {
                 let (a, b) = (at.position(from), at.position(to));
                 let gap = [b[0] - a[0], b[1] - a[1]];
-                let [x, y] = self.pixels(a).map(number);
                 let stretch = gap[0].hypot(gap[1]) * self.scale / symbols::SPAN;
-                format!("translate({x} {y})rotate({})scale({} 1)", turned(gap), (stretch * 1e4).round() / 1e4)
+                (a, Some(turned(gap)), Some(stretch))
             }
-        }
+        };
+        let [x, y] = self.pixels(place);
+        Pose { x, y, turn, stretch }
     }
+}
+
+/// Where a part is on the sheet.
+pub(super) struct Pose {
+    pub x: f64,
+    pub y: f64,
+    /// Degrees, clockwise.
+    pub turn: Option<f64>,
+    /// Of a part between two points.
+    pub stretch: Option<f64>,
 }
 
 /// The points of a body.

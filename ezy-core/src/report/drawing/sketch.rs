@@ -18,8 +18,8 @@ const LETTERS: f64 = 15.0;
 /// Around the sketch, pixels.
 const MARGIN: f64 = 14.0;
 
-/// Colours of a sketch that is a file of its own; within a page it has those of the page.
-const OF_A_FILE: &str = "\
+/// Colours of a picture that is a file of its own.
+pub(super) const OF_A_FILE: &str = "\
 :root { color: #1b1d21; color-scheme: light dark; --paper: #fff; }
 @media (prefers-color-scheme: dark) { :root { color: #e9eaee; --paper: #16181c; } }
 ";

@@ -113,11 +113,15 @@ class Browser:
         self.errors = []
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale,
                   mobile=width < 600)
-        media = [{"name": name, "value": value} for name, value in features]
-        self.call("Emulation.setEmulatedMedia", media="", features=media)
+        self.media("", features)
         self.call("Page.navigate", url="file://" + os.path.abspath(path))
         while self.evaluate("document.readyState") != "complete":
             time.sleep(0.05)
+
+    def media(self, medium, features):
+        """Shows the page as on this medium, `print` or "", for these media features."""
+        features = [{"name": name, "value": value} for name, value in features]
+        self.call("Emulation.setEmulatedMedia", media=medium, features=features)
 
     def evaluate(self, expression):
         result = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)

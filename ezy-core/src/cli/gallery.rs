@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::model::{ModelInfo, SceneEntry};
 use crate::report::drawing;
-use crate::report::page::escape;
+use crate::report::page::{escape, prose};
 use crate::simulate::Simulation;
 
 use super::Models;
@@ -38,7 +38,7 @@ pub(super) fn gallery(models: Models<'_>, arguments: &GalleryArguments) -> Resul
             if !run.outcome.reached_end() {
                 faults.push(format!("{}: the run {}", path(model, entry), run.outcome));
             }
-            let documentation = escape(scene.info().documentation.trim());
+            let documentation = prose(scene.info().documentation);
             links += &format!("<li><a href=\"{file}\">{}</a> {documentation}</li>\n", entry.name);
             if interruption.is_asked() {
                 return Err(interruption.failure("the gallery was interrupted; its index was not written"));
@@ -57,7 +57,7 @@ pub(super) fn gallery(models: Models<'_>, arguments: &GalleryArguments) -> Resul
 }
 
 fn item(model: &ModelInfo, name: &str, links: &str) -> String {
-    let (title, documentation) = (escape(model.name), escape(model.documentation.trim()));
+    let (title, documentation) = (escape(model.name), prose(model.documentation));
     format!(
         "<article id=\"{name}\">\n<h2>{title}</h2>\n<p>{documentation}</p>\n\
          <img src=\"{name}.svg\" alt=\"Sketch of {title}\" loading=\"lazy\">\n<ul>\n{links}</ul>\n</article>\n"

@@ -110,6 +110,14 @@ pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
+/// Text of a documentation: what stands in backquotes is code.
+#[cfg(feature = "cli")]
+pub(crate) fn prose(text: &str) -> String {
+    let parts = escape(text.trim());
+    let parts = parts.split('`').enumerate();
+    parts.map(|(i, part)| if i % 2 == 0 { part.to_owned() } else { format!("<code>{part}</code>") }).collect()
+}
+
 /// Makes an SVG document an element of a page: no XML header, scalable, labelled, identifiers of its own.
 fn inline_svg(svg: &str, number: usize, alternative: &str) -> String {
     let element = svg.find("<svg").map_or(svg, |start| &svg[start..]).trim_end();

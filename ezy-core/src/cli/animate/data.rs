@@ -39,7 +39,7 @@ impl<'r> Animation<'r> {
     pub(super) fn new(scene: &dyn Scene, run: &'r Run, method: Method) -> Self {
         let elements = Elements::new(scene);
         let frames: Vec<Placed> = run.samples().map(|sample| elements.at_sample(scene, &sample)).collect();
-        let drawing = Drawing::new(scene, elements, &frames[0], None);
+        let drawing = Drawing::new(scene, elements, &frames[0], &frames, None);
         let arrows = arrows(scene, run, &drawing.elements, &frames);
         let parameters = scene.parameters();
         Self { run, start: frames[0].clone(), drawing, frames, parameters, arrows, method }

@@ -61,7 +61,8 @@
   let size = 0;
   {
     const shown = [...data.bodies.keys()].map((i) => () => pose(i).slice(0, 2));
-    anchors.forEach((_, k) => { if (data.points.some((p) => p[1] === k)) shown.push(() => point(k)); });
+    const standing = data.parts.flatMap(([kind, a, b]) => (kind === "body" ? [] : kind === "at" ? [a] : [a, b]));
+    new Set(standing).forEach((k) => shown.push(() => point(k)));
     const stride = Math.max(1, Math.floor(last * shown.length / 40000));
     for (let i = 0; i <= last; i += stride) {
       frame = i; part = 0;
@@ -136,10 +137,10 @@
       const [x, y] = pixels(arrow.at === null ? pose(arrow.body) : point(arrow.at));
       const share = Math.min(2, Math.hypot(...value) / most[arrow.unit]);
       let d = "";
-      if (share > 0.01 && arrow.unit === "N") {
+      if (share > 0.03 && arrow.unit === "N") {
         const f = LONGEST / zoom / most.N, k = share >= 2 ? 2 * most.N / Math.hypot(...value) : 1;
         d = `M${short(x)} ${short(y)}l${short(value[0] * f * k)} ${short(-value[1] * f * k)}`;
-      } else if (share > 0.01) {
+      } else if (share > 0.03) {
         const r = 26 / zoom, angle = Math.sign(value[0]) * Math.min(1, share) * 4.5;
         const to = [x + r * Math.cos(angle), y - r * Math.sin(angle)];
         d = `M${short(x + r)} ${short(y)}A${short(r)} ${short(r)} 0 ${Math.abs(angle) > Math.PI ? 1 : 0} ${angle > 0 ? 0 : 1} ${to.map(short).join(" ")}`;
@@ -154,8 +155,14 @@
 
   function drawNames() {
     if (!$("shownames").checked) return;
+    const taken = [];
     texts.forEach((text, i) => {
       const [x, y] = labels[i][1]();
+      // of names at one place the first is shown
+      const free = taken.every(([a, b]) => Math.abs(a - x) * zoom > 8 * labels[i][0].length || Math.abs(b - y) * zoom > 13);
+      text.style.display = free ? "" : "none";
+      if (!free) return;
+      taken.push([x, y]);
       text.setAttribute("transform", `translate(${short(x)} ${short(y)})scale(${(1 / zoom).toFixed(4)})translate(9 -9)`);
     });
   }
@@ -175,26 +182,32 @@
 
   // ---- plots
 
-  const W = 300, H = 130, L = 44, B = 16, T = 6;
-  const plots = data.plots.map((plot) => {
-    const figure = document.createElement("div");
+  const H = 130, L = 46, B = 16, T = 6;
+  let plots = [], width = 0;
+  /// Curves are drawn for the width that there is, so that letters keep their shape.
+  function layPlots() {
+    const first = document.createElement("div");
+    $("plots").replaceChildren(first);
+    width = Math.max(160, first.clientWidth);
+    $("plots").replaceChildren();
+    plots = data.plots.map(lay);
+  }
+  function lay(plot) {
+    const W = width, figure = document.createElement("div");
     figure.className = "plot";
-    const title = document.createElement("h2");
-    title.append(`${plot.title} `);
-    const unit = document.createElement("span");
-    unit.textContent = plot.unit ? `in ${plot.unit}` : "";
-    title.append(unit);
+    const title = document.createElement("h2"), unit = document.createElement("span");
+    unit.textContent = plot.unit && plot.unit !== "1" ? ` in ${plot.unit}` : "";
+    title.append(plot.title, unit);
     const values = plot.curves.flatMap((c) => c.values);
-    let low = Math.min(...values.map((v) => v)), high = Math.max(...values);
-    if (high - low < 1e-9 * Math.max(Math.abs(high), 1)) { low -= 0.5 * Math.max(Math.abs(low), 1); high += 0.5 * Math.max(Math.abs(high), 1); }
+    let low = Math.min(...values), high = Math.max(...values);
+    const least = 1e-9 * Math.max(Math.abs(high), Math.abs(low)) || 1;
+    if (high - low < least) { low -= 0.5 * (Math.abs(low) || 1); high += 0.5 * (Math.abs(high) || 1); }
     const x = (t) => L + (W - L - 4) * (end > start ? (t - start) / (end - start) : 0);
     const y = (v) => T + (H - T - B) * (1 - (v - low) / (high - low));
     const picture = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    picture.setAttribute("viewBox", `0 0 ${W} ${H}`);
-    picture.setAttribute("role", "img");
-    picture.setAttribute("aria-label", `${plot.title} over time`);
+    for (const [key, value] of [["viewBox", `0 0 ${W} ${H}`], ["role", "img"], ["aria-label", `${plot.title} over time`]]) picture.setAttribute(key, value);
     svg("path", picture, { class: "axis", d: `M${L} ${T}V${H - B}H${W - 4}${low < 0 && high > 0 ? `M${L} ${short(y(0))}H${W - 4}` : ""}` });
-    const tick = (value, px, py, anchor) => { svg("text", picture, { x: px, y: py, "text-anchor": anchor }).textContent = label(value); };
+    const tick = (value, px, py, anchor) => { svg("text", picture, { x: px, y: py, "text-anchor": anchor }).textContent = label(value, 3); };
     tick(high, L - 4, T + 9, "end"); tick(low, L - 4, H - B, "end");
     tick(start, L, H - 3, "start"); tick(end, W - 4, H - 3, "end");
     plot.curves.forEach((curve, i) => {
@@ -202,7 +215,7 @@
     });
     const cursor = svg("path", picture, { class: "cursor" });
     const legend = document.createElement("p");
-    const readings = plot.curves.map((curve, i) => {
+    const readings = plot.curves.map((_, i) => {
       const item = document.createElement("span");
       item.className = `c${i % 3}`;
       legend.append(item);
@@ -214,18 +227,17 @@
       const box = picture.getBoundingClientRect(), px = (event.clientX - box.left) / box.width * W;
       show(start + (end - start) * Math.min(1, Math.max(0, (px - L) / (W - L - 4))));
     };
-    picture.setAttribute("preserveAspectRatio", "none");
     picture.addEventListener("pointerdown", (event) => { picture.setPointerCapture(event.pointerId); pause(); seek(event); });
     picture.addEventListener("pointermove", (event) => { if (event.buttons) seek(event); });
     return () => {
       const at = short(x(now));
       cursor.setAttribute("d", `M${at} ${T}V${H - B}`);
-      readings.forEach((item, i) => { item.textContent = `${plot.curves.length > 1 ? plot.curves[i].name + " " : ""}${label(mix(plot.curves[i].values))}`; });
+      readings.forEach((item, i) => { item.textContent = `${plot.curves.length > 1 ? plot.curves[i].name + " " : ""}${label(mix(plot.curves[i].values), 4)}`; });
     };
-  });
-  function label(x) {
+  }
+  function label(x, digits) {
     const size = Math.abs(x);
-    return (size !== 0 && (size < 1e-3 || size >= 1e5) ? x.toExponential(2) : String(+x.toPrecision(4))).replace("-", "−");
+    return (size !== 0 && (size < 1e-3 || size >= 1e5) ? x.toExponential(2) : String(+x.toPrecision(digits))).replace("-", "−");
   }
 
   // ---- one frame
@@ -310,6 +322,8 @@
     if (event.buttons && event.pointerType === "mouse") { offset[0] += event.movementX; offset[1] += event.movementY; again(); }
   });
 
+  addEventListener("beforeprint", () => { document.querySelector("details").open = true; });
+
   // ---- first view
 
   $("time").max = 1e4;
@@ -324,13 +338,14 @@
     const sample = (kind) => `<svg width="34" height="10" aria-hidden="true"><path class="arrow ${kind}" d="M2 5H24" marker-end="url(#head)"/></svg>`;
     const unit = nice(most.N / 3);
     $("legend").innerHTML = items.map(([kind, text]) => `${sample(kind)} ${text}`).join(" &ensp; ")
-      + (arrows.some((a) => a.unit === "N") ? ` &ensp; <svg width="${LONGEST * unit / most.N + 4}" height="10" aria-hidden="true"><path d="M2 2v6m0 -3h${LONGEST * unit / most.N}m0 -3v6" stroke="currentColor" fill="none"/></svg> ${label(unit)} N` : "");
+      + (arrows.some((a) => a.unit === "N") ? ` &ensp; <svg width="${LONGEST * unit / most.N + 4}" height="10" aria-hidden="true"><path d="M2 2v6m0 -3h${LONGEST * unit / most.N}m0 -3v6" stroke="currentColor" fill="none"/></svg> ${label(unit, 3)} N` : "");
   }
   if (labels.length === 0) $("shownames").closest("label").hidden = true;
   if (labels.length > 16) toggle("shownames");
   $("arrows").style.display = "none";
+  layPlots();
   retrace();
   show(start);
-  new ResizeObserver(again).observe(stage);
+  new ResizeObserver(() => { layPlots(); again(); }).observe(stage);
   if (!calm) play();
 })();

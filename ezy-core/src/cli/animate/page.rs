@@ -1,7 +1,7 @@
 //! The page of an animation: markup, style and script in one file.
 
 use crate::report::drawing::STYLE;
-use crate::report::page::escape;
+use crate::report::page::{escape, prose};
 use crate::scalar::legible;
 
 use super::data::Animation;
@@ -44,7 +44,7 @@ pub(super) fn page(of: &Animation<'_>) -> String {
     let values = [
         ("MODEL", escape(info.model)),
         ("SCENE", escape(info.name)),
-        ("DOCUMENTATION", escape(info.documentation.trim())),
+        ("DOCUMENTATION", prose(info.documentation)),
         ("STOPPED", stopped),
         ("METHOD", escape(&of.method())),
         ("OUTCOME", escape(&outcome.to_string())),

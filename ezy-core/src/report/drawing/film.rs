@@ -7,7 +7,9 @@ use super::{STYLE, number};
 use crate::report::page::escape;
 
 /// A motion larger than so many times the mechanism is shown from a camera that moves with the first body.
-const FAR: f64 = 6.0;
+const FAR: f64 = 4.0;
+/// Larger side of the picture, pixels.
+const LARGEST: f64 = 960.0;
 /// Around the picture, pixels.
 const MARGIN: f64 = 40.0;
 
@@ -58,7 +60,7 @@ impl<'a> Film<'a> {
     /// All frames as one SVG file that moves for so many seconds, over and over.
     pub fn moving(&self, seconds: f64) -> String {
         let mut style = format!(
-            ".part, .camera {{ animation: {seconds}s linear infinite; }}\n\
+            ".torque {{ display: none; }}\n.part, .camera {{ animation: {seconds}s linear infinite; }}\n\
              @media (prefers-reduced-motion: reduce) {{ .part, .camera {{ animation: none; }} }}\n"
         );
         let [first, ..] = self.frames else { return self.file("", "") };
@@ -126,8 +128,10 @@ impl<'a> Film<'a> {
 
     fn file(&self, style: &str, content: &str) -> String {
         let ([x, y, w, h], title) = (self.view, &self.title);
+        let size = LARGEST / w.max(h).max(LARGEST);
+        let [width, height] = [w, h].map(|side| (side * size).round());
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ezy\" viewBox=\"{x} {y} {w} {h}\" width=\"{w}\" height=\"{h}\">\n\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ezy\" viewBox=\"{x} {y} {w} {h}\" width=\"{width}\" height=\"{height}\">\n\
              <title>{title}</title>\n<style>\n{OF_A_FILE}{STYLE}{style}</style>\n{content}</svg>\n"
         )
     }

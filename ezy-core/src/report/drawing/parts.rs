@@ -70,10 +70,12 @@ const MOST_CENTRES: usize = 40;
 const N_HUES: usize = 6;
 
 impl Drawing {
-    /// The scene at a consistent state. `width` is that of the picture in pixels; without it a usual body is 100 pixels long.
-    pub fn new(scene: &dyn Scene, elements: Elements, start: &Placed, width: Option<f64>) -> Self {
+    /// The scene at `start`, which sets sizes, and in later `frames`, to which guides reach. `width` is that of the picture in
+    /// pixels; without it a usual body is 100 pixels long.
+    pub fn new(scene: &dyn Scene, elements: Elements, start: &Placed, frames: &[Placed], width: Option<f64>) -> Self {
         let info = scene.info();
-        let reach = side(bounds(elements.points().map(|point| start.position(point))));
+        let centres = (0..info.bodies.len()).map(|i| start.centre(i));
+        let reach = side(bounds(elements.points().map(|point| start.position(point)).chain(centres)));
         let spans: Vec<Body> = (0..info.bodies.len()).map(|i| Body::new(i, &elements, start, reach)).collect();
         let usual = usual_length(&spans);
         let box_m = extent(&elements, &spans, start);
@@ -84,7 +86,7 @@ impl Drawing {
             None => BODY / usual,
         };
         let k = (usual * scale / FULL_SIZE).clamp(SMALLEST_SYMBOLS, 1.0);
-        let mut writer = Writer { scale, k, elements: &elements, start, parts: Vec::new() };
+        let mut writer = Writer { scale, k, elements: &elements, start, frames, parts: Vec::new() };
         for (i, element) in elements.iter() {
             writer.ground(i, element);
         }
@@ -229,6 +231,7 @@ struct Writer<'a> {
     k: f64,
     elements: &'a Elements,
     start: &'a Placed,
+    frames: &'a [Placed],
     parts: Vec<Part>,
 }
 
@@ -250,12 +253,16 @@ impl Writer<'_> {
             }
             "slider" | "slot" => {
                 let (p, q) = (self.elements.point(i, 0), self.elements.point(i, 1));
-                let (a, b) = (self.start.position(p), self.start.position(q));
                 let direction = self.elements.direction(i, 0);
-                let [dx, dy] = self.start.direction(direction);
-                // along the guide
-                let away = ((b[0] - a[0]) * dx + (b[1] - a[1]) * dy) / dx.hypot(dy) * self.scale;
-                let reach = [away.min(0.0) - 45.0 * self.k, away.max(0.0) + 45.0 * self.k];
+                let along = |at: &Placed| {
+                    let (a, b, [dx, dy]) = (at.position(p), at.position(q), at.direction(direction));
+                    ((b[0] - a[0]) * dx + (b[1] - a[1]) * dy) / dx.hypot(dy) * self.scale
+                };
+                let [from, to] = std::iter::once(self.start)
+                    .chain(self.frames)
+                    .map(along)
+                    .fold([0.0_f64; 2], |[from, to], x| [from.min(x), to.max(x)]);
+                let reach = [from - 45.0 * self.k, to + 45.0 * self.k];
                 let svg = if p.body.is_none() { symbols::guide(reach, self.k) } else { symbols::slot(reach, self.k) };
                 let motion = Motion::At { point: p, along: Some(direction) };
                 self.parts.push(Part { class: "ground".to_owned(), title, motion, svg, reach });

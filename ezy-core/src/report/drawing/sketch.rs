@@ -18,17 +18,17 @@ const LETTERS: f64 = 15.0;
 /// Around the sketch, pixels.
 const MARGIN: f64 = 14.0;
 
-/// Colours of a picture that is a file of its own.
+/// Colours of a picture that is a file of its own; within a page it has those of the page.
 pub(super) const OF_A_FILE: &str = "\
-:root { color: #1b1d21; color-scheme: light dark; --paper: #fff; }
-@media (prefers-color-scheme: dark) { :root { color: #e9eaee; --paper: #16181c; } }
+svg:root { color: #1b1d21; color-scheme: light dark; --paper: #fff; }
+@media (prefers-color-scheme: dark) { svg:root { color: #e9eaee; --paper: #16181c; } }
 ";
 
 /// The scene at a sample of a run, as the text of an SVG file.
 pub fn sketch(scene: &dyn Scene, sample: &Sample<'_>) -> String {
     let elements = Elements::new(scene);
     let at = elements.at_sample(scene, sample);
-    let drawing = Drawing::new(scene, elements, &at, Some(SIDE));
+    let drawing = Drawing::new(scene, elements, &at, &[], Some(SIDE));
     let info = scene.info();
     let parts: String = drawing.parts.iter().map(|part| drawn(&drawing, part, &at)).collect();
     let mut sheet = Sheet::default();

@@ -82,7 +82,7 @@ fn record(
     simulation.run().map_err(not_run)
 }
 
-/// The page of a scene as it is declared, with the method of least trouble.
+/// The page of a run, and the run.
 pub(super) fn page_of(
     motion: &MotionArguments,
     scene: &dyn Scene,

@@ -3,6 +3,7 @@
 use crate::{assert_wrong_use, directory, ezy, text};
 use ezy_core::prelude::*;
 use ezy_models::ezy_roller::Driven;
+use ezy_models::registry::MODELS;
 use serde_json::Value;
 
 /// What the program prints when all is well.
@@ -62,6 +63,27 @@ fn cross_page_of_an_animation_holds_the_samples_of_the_run() {
     let torque = arrows.iter().find(|arrow| arrow["name"] == "torque").unwrap();
     // on the seat, the first body of `torque seat ~ bar`
     assert!((number(&torque["values"][0][0]) - 3.0).abs() < 1e-3, "{torque}");
+}
+
+#[test]
+fn invariant_every_model_has_an_animation_with_a_transform_for_each_part() {
+    let folder = directory("all");
+    for model in MODELS {
+        let (scene, until_s) = (model.scenes[0].name, (model.scenes[0].info)().until_s / 200.0);
+        let (path, until) = (format!("{}/{scene}", model.name), until_s.to_string());
+        let file = folder.join(format!("{}.html", model.name));
+        let arguments = ["--until", &until, "--method", "dop853", "--rtol", "1e-4", "--out", file.to_str().unwrap()];
+        output(&[&["animate", &path], &arguments[..]].concat());
+        let page = std::fs::read_to_string(&file).unwrap();
+        let data = data(&page);
+        assert_eq!(data["parts"].as_array().unwrap().len(), page.matches("<g class=\"part ").count(), "{path}");
+        let n_frames = data["t"].as_array().unwrap().len();
+        let poses = data["poses"].as_array().unwrap();
+        assert!(
+            poses.iter().flat_map(|pose| pose.as_array().unwrap()).all(|x| x.as_array().unwrap().len() == n_frames)
+        );
+        assert!(page.len() < 2_000_000 && !page.contains("NaN"), "{path}: {}", page.len());
+    }
 }
 
 #[test]

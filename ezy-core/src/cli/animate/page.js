@@ -200,7 +200,7 @@
     title.append(plot.title, unit);
     const values = plot.curves.flatMap((c) => c.values);
     let low = Math.min(...values), high = Math.max(...values);
-    const least = 1e-9 * Math.max(Math.abs(high), Math.abs(low)) || 1;
+    const least = 2e-4 * Math.max(Math.abs(high), Math.abs(low)) || 1;
     if (high - low < least) { low -= 0.5 * (Math.abs(low) || 1); high += 0.5 * (Math.abs(high) || 1); }
     const x = (t) => L + (W - L - 4) * (end > start ? (t - start) / (end - start) : 0);
     const y = (v) => T + (H - T - B) * (1 - (v - low) / (high - low));

@@ -244,7 +244,7 @@ impl Writer<'_> {
     fn ground(&mut self, i: usize, element: &ElementInfo) {
         let title = title(element);
         match element.kind {
-            "hinge" | "weld" => {
+            "hinge" | "weld" | "rod" | "spring" | "damper" => {
                 let ground = (0..2).find(|&k| element.points[k].body.is_none());
                 if let Some(k) = ground {
                     let motion = Motion::At { point: self.elements.point(i, k), along: None };

@@ -79,8 +79,8 @@ fn names(sheet: &mut Sheet, drawing: &Drawing, info: &SceneInfo, at: &Placed) {
                 let [a, b] = [0, 1].map(|k| drawing.pixels(at.position(drawing.elements.point(i, k))));
                 let values: Vec<&str> = element.settings.iter().map(|(_, value)| *value).collect();
                 let middle = [0, 1].map(|k| (a[k] + b[k]) / 2.0);
-                sheet.take_line([a, b], 7.0 * drawing.symbols);
-                let offsets = around(14.0);
+                sheet.take_line([a, b], 14.0 * drawing.symbols);
+                let offsets = around(26.0);
                 sheet.put(&values.join(", "), "length", LETTERS, middle, &offsets);
                 continue;
             }

@@ -66,6 +66,8 @@ const FULL_SIZE: f64 = 90.0;
 const SMALLEST_SYMBOLS: f64 = 0.25;
 /// Bodies up to here have marks of their centres of mass.
 const MOST_CENTRES: usize = 40;
+/// Bodies up to here have symbols of their hinges and points.
+const MOST_HINGED: usize = 200;
 /// Hues of bodies, by the classes `hue0`, `hue1`, …
 const N_HUES: usize = 6;
 
@@ -98,7 +100,9 @@ impl Drawing {
         for (i, element) in elements.iter() {
             writer.between(i, element);
         }
-        for (i, element) in elements.iter() {
+        // among so many bodies a hinge is a dot, and a browser draws all of them
+        let is_seen = |kind: &str| spans.len() <= MOST_HINGED || !matches!(kind, "hinge" | "point");
+        for (i, element) in elements.iter().filter(|(_, element)| is_seen(element.kind)) {
             writer.symbol(i, element);
         }
         if spans.len() <= MOST_CENTRES {

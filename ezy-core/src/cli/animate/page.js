@@ -106,7 +106,7 @@
     label.setAttribute("x", short(x + step / 2)); label.setAttribute("y", y - 8);
     label.textContent = `${+(step / zoom / scale).toPrecision(3)} m`;
   }
-  /// A length of 1, 2 or 5 times a power of ten, not below x.
+  // A length of 1, 2 or 5 times a power of ten, not below x.
   function nice(x) {
     const power = 10 ** Math.floor(Math.log10(x));
     return power * [1, 2, 5, 10].find((f) => f * power >= x * 0.999);
@@ -120,7 +120,7 @@
     return parent.appendChild(element);
   };
   const largest = (unit) => Math.max(1e-300, ...arrows.filter((a) => a.unit === unit).map((a) => percentile(a.values.map((v) => Math.hypot(...v)))));
-  /// Of a peak, such as an impact, the rest of the motion says the scale.
+  // Of a peak, such as an impact, the rest of the motion says the scale.
   function percentile(values) { values.sort((a, b) => a - b); return values[Math.floor(0.98 * (values.length - 1))] || 0; }
   const LONGEST = 90;
   const most = { "N": largest("N"), "N*m": largest("N*m") };
@@ -184,7 +184,7 @@
 
   const H = 130, L = 46, B = 16, T = 6;
   let plots = [], width = 0;
-  /// Curves are drawn for the width that there is, so that letters keep their shape.
+  // Curves are drawn for the width that there is, so that letters keep their shape.
   function layPlots() {
     const first = document.createElement("div");
     $("plots").replaceChildren(first);
@@ -258,7 +258,7 @@
   // ---- playing
 
   const span = end - start;
-  /// Seconds of motion for a second: real time, unless that takes too short or too long.
+  // Seconds of motion for a second: real time, unless that takes too short or too long.
   const usual = span < 2 ? span / 8 : span > 200 ? span / 60 : 1;
   const speeds = [...new Set([0.1, 0.25, 0.5, 1, 2, 4, 8].map((f) => +(f * (usual === 1 ? 1 : nice(usual))).toPrecision(3)))];
   speeds.forEach((s) => $("speed").add(new Option(`${s} ×`, s)));

@@ -105,7 +105,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--shots", type=pathlib.Path)
     parser.add_argument("scenes", nargs="*", default=SCENES)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     path = chromium.find()
     if path is None:
         print("no Chromium in PATH or in $CHROMIUM")

@@ -213,6 +213,10 @@
     plot.curves.forEach((curve, i) => {
       svg("path", picture, { class: `curve c${i % 3}`, d: "M" + curve.values.map((v, k) => `${short(x(times[k]))} ${short(y(v))}`).join("L") });
     });
+    for (const [name, t] of data.events.slice(0, 200)) {
+      const mark = svg("path", picture, { class: "event", d: `M${short(x(t))} ${H - B}v-9` });
+      svg("title", mark).textContent = `${name}, t = ${label(t, 5)} s`;
+    }
     const cursor = svg("path", picture, { class: "cursor" });
     const legend = document.createElement("p");
     const readings = plot.curves.map((_, i) => {

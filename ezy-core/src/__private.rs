@@ -2,7 +2,7 @@
 
 pub use crate::__faulty_model as faulty_model;
 pub use crate::kernel::{array, array_mut, row, row_mut, sign};
-pub use crate::layout::{Bodies, Known, Layout};
+pub use crate::layout::{Bodies, Known, Layout, member};
 pub use crate::model::equations::PreciseScene;
 pub use crate::model::named_bodies::BodyReader;
 pub use crate::model::named_outputs::OutputReader;
@@ -10,10 +10,11 @@ pub use crate::model::pivots::{PIVOT_TOLERANCE, Pivots};
 pub use crate::model::repeats::{Repeats, RowTemplate, SlotCoordinate, TemplateInfo};
 pub use crate::model::series::{PRODUCT_GROUP, Series, SeriesSize, SeriesStore};
 pub use crate::model::{
-    Abbreviation, BodyArray, BodyState, CoordinateInfo, CountInfo, Derived, Direction, EffectInfo, EliminationStep,
-    Equation, Equations, EventInfo, EventKind, Formula, InputInfo, JacobianPlaces, List, ModelInfo, Name, NamedInputs,
-    NamedScene, NoInputs, NoOutputs, Operations, OutputArray, OutputInfo, ParameterInfo, PointInfo, RowInfo, Scene,
-    SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start, StickSlipInfo, StopInfo, Vector,
+    Abbreviation, BodyArray, BodyState, CoordinateInfo, CountInfo, Derived, Direction, EffectInfo, ElementInfo,
+    EliminationStep, Equation, Equations, EventInfo, EventKind, Formula, InputInfo, JacobianPlaces, List, LoadKind,
+    LocalVector, ModelInfo, Name, NamedInputs, NamedScene, NoInputs, NoOutputs, Operations, OutputArray, OutputInfo,
+    ParameterInfo, PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start, StickSlipInfo,
+    StopInfo, Vector,
 };
 pub use crate::scalar::Scalar;
 pub use ezy_derive::model as derive_model;

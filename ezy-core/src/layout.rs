@@ -241,7 +241,7 @@ fn both<T: Clone>(mut first: Vec<T>, second: Vec<T>) -> List<T> {
 const LONGEST_INDEX: usize = 21;
 
 /// `pin[3].x`, or `node[2,3]`; without brackets when there is no index.
-fn member(name: &str, at: &[i64], suffix: &str) -> Name {
+pub fn member(name: &str, at: &[i64], suffix: &str) -> Name {
     let mut text = String::with_capacity(name.len() + suffix.len() + at.len() * LONGEST_INDEX + 1);
     text.push_str(name);
     for (i, index) in at.iter().enumerate() {

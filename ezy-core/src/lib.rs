@@ -45,10 +45,10 @@
 //! # Beyond that
 //!
 //! - With the feature `cli`, `ezy_core::cli::main(&[&pendulum::MODEL])` is a command line of your models: `list`, `show`, `run`,
-//!   `check`, `accuracy`.
+//!   `animate`, `sketch`, `check`, `accuracy`.
 //! - [`accuracy`] measures what accuracy costs; [`simulate::Ensemble`] runs many scenes at once; [`simulate::Sensitivities`] gives
 //!   derivatives of a run.
-//! - [`report`] prints equations, tables and, with the feature `figures`, pictures.
+//! - [`report`] prints equations, tables and, with the feature `figures`, plots; [`report::drawing`] draws the mechanism.
 //! - [`dynamics::System`] answers for one state: accelerations, multipliers, projections, energies.
 //!
 //! # Layers

@@ -10,6 +10,7 @@
 
 pub(crate) mod coordinate;
 mod derived;
+mod element;
 pub(crate) mod equations;
 mod event;
 mod member;
@@ -21,6 +22,7 @@ pub(crate) mod repeats;
 pub(crate) mod series;
 
 pub use derived::{Derived, JacobianPlaces};
+pub use element::{ElementInfo, LoadKind, LocalVector};
 pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind, StickSlipInfo, StopInfo};

@@ -17,6 +17,9 @@ pub(super) enum Command {
     Run(RunArguments),
     Plot(PlotArguments),
     Compare(CompareArguments),
+    Animate(AnimateArguments),
+    Sketch(SketchArguments),
+    Gallery(GalleryArguments),
     Check(CheckArguments),
     Accuracy(AccuracyArguments),
     Completions(CompletionsArguments),
@@ -89,6 +92,59 @@ pub(super) struct RunArguments {
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
+}
+
+/// Runs a scene and writes an animation of it: one HTML page that needs nothing else
+///
+/// The page plays the motion, with its forces, outputs and energies. A run that stops early gives a page, too, with the reason.
+#[derive(Debug, Args)]
+pub(super) struct AnimateArguments {
+    /// Its name; case and underscores do not matter
+    #[arg(value_name = "MODEL/SCENE")]
+    pub path: String,
+    #[command(flatten)]
+    pub motion: MotionArguments,
+    /// Seconds between the frames [default: a thousandth of the run, or more where the page would become large]
+    #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
+    pub every: Option<f64>,
+    /// The page; a name that ends in .svg gets a picture that moves, for slides [default: out/animation-MODEL-SCENE.html]
+    #[arg(long, value_name = "FILE.html")]
+    pub out: Option<PathBuf>,
+    /// Write the frames as SVG pictures into a directory, too
+    #[arg(long, value_name = "DIR")]
+    pub frames: Option<PathBuf>,
+}
+
+/// Draws the mechanism of a scene: bodies, joints, wheels and springs with their names and lengths, as SVG
+///
+/// Lengths have the names of the model. The picture shows the start, or the motion at a time.
+#[derive(Debug, Args)]
+pub(super) struct SketchArguments {
+    /// Its name; case and underscores do not matter
+    #[arg(value_name = "MODEL/SCENE")]
+    pub path: String,
+    /// Change a parameter or a count; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub set: Vec<Assignment>,
+    /// Hold a start value, as in `run`; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub start: Vec<Assignment>,
+    /// Time of the picture in seconds; the scene is run to it
+    #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true, default_value = "0")]
+    pub at: f64,
+    /// The picture [default: out/sketch-MODEL-SCENE.svg]
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+}
+
+/// Writes a page with a sketch of every model and an animation of every scene
+///
+/// Runs every scene as it is declared, by dop853.
+#[derive(Debug, Args)]
+pub(super) struct GalleryArguments {
+    /// Directory to write into; made if it does not exist [default: out/gallery]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// Draws columns of the motion over time, or over each other

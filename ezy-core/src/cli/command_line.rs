@@ -9,7 +9,7 @@ use clap::{ArgMatches, FromArgMatches as _, Subcommand as _};
 use super::arguments::Command;
 use super::examples::Examples;
 use super::failure::Failure;
-use super::{Models, accuracy, check, compare, list, plot, run, shell, show};
+use super::{Models, accuracy, animate, check, compare, gallery, list, plot, run, shell, show, sketch};
 use crate::model::ModelInfo;
 
 /// What a command of the caller does with its arguments.
@@ -50,7 +50,8 @@ const VERSION: &str = concat!("with ezy-core ", env!("CARGO_PKG_VERSION"));
 const EXIT_STATUS: &str = "Exit status: 0 done; 1 stopped before the end, 130 by Ctrl-C, 143 by SIGTERM (what was computed is kept); 2 wrong use.";
 
 impl<'m> CommandLine<'m> {
-    /// The commands `list`, `show`, `run`, `plot`, `compare`, `check`, `accuracy`, `completions`, `man` and `help` for `models`.
+    /// The commands `list`, `show`, `run`, `plot`, `compare`, `animate`, `sketch`, `gallery`,
+    /// `check`, `accuracy`, `completions`, `man` and `help` for `models`.
     pub fn new(models: &'m [&'static ModelInfo]) -> Self {
         Self { models, about: ABOUT, version: VERSION, commands: Vec::new(), default: None }
     }
@@ -110,6 +111,9 @@ impl<'m> CommandLine<'m> {
             Command::Run(arguments) => run::run(self.models, &arguments),
             Command::Plot(arguments) => plot::plot(self.models, &arguments),
             Command::Compare(arguments) => compare::compare(self.models, &arguments),
+            Command::Animate(arguments) => animate::animate(self.models, &arguments),
+            Command::Sketch(arguments) => sketch::sketch(self.models, &arguments),
+            Command::Gallery(arguments) => gallery::gallery(self.models, &arguments),
             Command::Check(arguments) => check::check(self.models, &arguments),
             Command::Accuracy(arguments) => accuracy::accuracy(self.models, &arguments),
             Command::Completions(arguments) => shell::completions(self.models, self.clap(program), &arguments),
@@ -132,6 +136,8 @@ impl<'m> CommandLine<'m> {
                 "run" => command.after_help(examples.of_run()),
                 "plot" => command.after_help(examples.of_plot()),
                 "compare" => command.after_help(examples.of_compare()),
+                "animate" => command.after_help(examples.of_animate()),
+                "sketch" => command.after_help(examples.of_sketch()),
                 "check" => command.after_help(examples.of_check()),
                 "accuracy" => command.after_help(examples.of_accuracy()),
                 _ => command,

@@ -53,6 +53,7 @@ impl Examples {
             ("list".to_owned(), "which models and scenes there are"),
             (format!("show {scene}"), "its equations"),
             (format!("run {scene} --out {file}"), "its motion"),
+            (format!("animate {scene}"), "a page that plays its motion"),
             (format!("check {model}"), "whether its equations are right"),
             (format!("accuracy {scene}"), "which method and tolerance it takes"),
         ])
@@ -115,6 +116,26 @@ impl Examples {
             (format!("compare {scene} --vary method=rk4,dop853"), "two methods"),
             (format!("compare {scene} --vary step=1e-2,1e-3 {column} --out steps.svg"), "two steps, as a figure"),
         ])
+    }
+
+    pub(super) fn of_animate(&self) -> String {
+        let Self { scene, .. } = self;
+        self.lines(&[
+            (format!("animate {scene}"), "a page that plays it"),
+            (format!("animate {scene} --method dop853 --out motion.html"), "with another method, into another file"),
+        ])
+    }
+
+    pub(super) fn of_sketch(&self) -> String {
+        let Self { scene, .. } = self;
+        let mut examples = vec![(format!("sketch {scene}"), "at its start")];
+        if let Some((angle, _)) =
+            self.info.iter().flat_map(|info| info.coordinates.iter().zip(0..)).find(|&(_, i)| is_angle(i))
+        {
+            examples.push((format!("sketch {scene} --start {}=pi/6", angle.name), "at another start"));
+        }
+        examples.push((format!("sketch {scene} --at 0.5 --out sketch.svg"), "half a second later"));
+        self.lines(&examples)
     }
 
     pub(super) fn of_check(&self) -> String {

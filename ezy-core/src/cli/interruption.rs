@@ -56,6 +56,11 @@ impl Interruption {
         &ASKED
     }
 
+    /// Whether a signal has come.
+    pub(super) fn is_asked(self) -> bool {
+        ASKED.load(Ordering::Relaxed)
+    }
+
     /// The failure of a command that was interrupted: exit status 130 after SIGINT, 143 after SIGTERM.
     pub fn failure(&self, message: impl Display) -> Failure {
         let signal = if TERMINATED.load(Ordering::Relaxed) { SIGTERM } else { SIGINT };

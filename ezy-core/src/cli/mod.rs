@@ -1,4 +1,5 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `check`, `accuracy`, `completions`, `man` and `help`.
+//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `animate`, `sketch`, `gallery`,
+//! `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:
 //!
@@ -14,6 +15,7 @@
 //! here; everything that a command does is done through the public parts of this crate.
 
 mod accuracy;
+mod animate;
 mod arguments;
 mod check;
 mod command_line;
@@ -23,6 +25,7 @@ mod drawing;
 mod drawing_of_columns;
 mod examples;
 mod failure;
+mod gallery;
 mod interruption;
 mod json;
 mod list;
@@ -41,6 +44,7 @@ mod runs;
 mod selection;
 mod shell;
 mod show;
+mod sketch;
 mod value;
 mod vary;
 

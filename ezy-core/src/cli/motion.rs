@@ -52,6 +52,11 @@ fn inputs(arguments: &MotionArguments, info: &SceneInfo) -> Result<Vec<(String, 
     Ok(all)
 }
 
+/// End of the run, s.
+pub(super) fn end(arguments: &MotionArguments, info: &SceneInfo) -> f64 {
+    arguments.until.unwrap_or(info.until_s)
+}
+
 /// The run of a scene that the arguments ask for, with its outputs.
 pub(super) fn simulation<'s>(
     arguments: &MotionArguments,
@@ -61,7 +66,7 @@ pub(super) fn simulation<'s>(
     let info = scene.info();
     let mut simulation = Simulation::new(scene)
         .method(method)
-        .until(arguments.until.unwrap_or(info.until_s))
+        .until(end(arguments, &info))
         .project(arguments.project)
         .metric(arguments.metric);
     if info.n_outputs() > 0 {

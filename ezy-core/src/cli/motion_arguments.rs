@@ -9,7 +9,7 @@ use super::value::{Assignment, parse_assignment, parse_count, parse_number};
 use crate::dynamics::{Metric, Projection};
 
 // its documentation would take the place of that of the command
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub(super) struct MotionArguments {
     /// End of the run in seconds [default: what the scene says]
     #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true)]

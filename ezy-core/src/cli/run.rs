@@ -9,7 +9,7 @@ use super::arguments::RunArguments;
 use super::failure::{Failure, print, print_error};
 use super::interruption::Interruption;
 use super::json::print_json;
-use super::motion::{method, refused, simulation};
+use super::motion::{end, method, refused, simulation};
 use super::names::{check_assignments, scene_entry, scene_with};
 use super::out_file::OutFile;
 use super::progress::Progress;
@@ -77,7 +77,7 @@ fn simulate(
     interruption: Interruption,
 ) -> Result<Simulated, Failure> {
     let info = scene.info();
-    let until_s = arguments.motion.until.unwrap_or(info.until_s);
+    let until_s = end(&arguments.motion, &info);
     let mut out = arguments.out.as_deref().map(|path| OutFile::open(path, arguments.estimate_error)).transpose()?;
     let progress = Progress::new();
     let mut simulation = simulation(&arguments.motion, scene, method)?

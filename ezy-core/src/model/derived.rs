@@ -1,6 +1,6 @@
 //! What `model!` derives besides the equations.
 
-use super::{Equations, PreciseScene, Scene, Series};
+use super::{ElementInfo, Equations, List, PreciseScene, Scene, Series};
 
 /// What a scene may know besides its equations of motion; `model!` derives it.
 ///
@@ -55,6 +55,18 @@ pub trait Derived: Equations<f64> {
     /// For each end of the stop of [`SceneInfo::stop`](super::SceneInfo::stop) the distance to it, negative beyond, and its rate;
     /// last the restitution. Writes `2 n_ends + 1`.
     fn stop(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let _ = (c, t, q, v, out);
+    }
+
+    /// What a picture of the scene shows: its points, constraints and forces, in declared order. A scene written by hand shows its
+    /// bodies and named points.
+    fn elements(&self) -> List<ElementInfo> {
+        List::Borrowed(&[])
+    }
+
+    /// Numbers of [`Derived::elements`], one element after the other: points and directions in the axes of their bodies, m, then the
+    /// load, N or N m. Writes [`ElementInfo::n_values`] of each.
+    fn element_values(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         let _ = (c, t, q, v, out);
     }
 

@@ -1,5 +1,6 @@
 //! Tables, figures and pages. Knows names and numbers, no solver.
 
+pub mod drawing;
 #[cfg(feature = "figures")]
 pub mod figure;
 pub mod page;

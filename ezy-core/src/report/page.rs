@@ -163,6 +163,14 @@ pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
+/// Text of a documentation: what stands in backquotes is code.
+#[cfg(feature = "cli")]
+pub(crate) fn prose(text: &str) -> String {
+    let parts = escape(text.trim());
+    let parts = parts.split('`').enumerate();
+    parts.map(|(i, part)| if i % 2 == 0 { part.to_owned() } else { format!("<code>{part}</code>") }).collect()
+}
+
 /// Makes an SVG document an element of a page: no XML header, a class, a label.
 fn labelled(svg: &str, class: &str, alternative: &str) -> String {
     let element = svg.find("<svg").map_or("", |start| &svg[start + "<svg".len()..]);

@@ -2,6 +2,7 @@
 
 mod abbreviations;
 mod constants;
+mod elements;
 mod equation;
 mod equations;
 mod info;

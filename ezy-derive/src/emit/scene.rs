@@ -10,7 +10,7 @@ use super::passes::Method;
 use super::places::Lengths;
 use super::signature::{self, Trait};
 use super::type_names::{module_of_modes, scene_type};
-use super::{info, jacobians, page, repeated, series};
+use super::{elements, info, jacobians, page, repeated, series};
 use crate::mechanics::Derived;
 use crate::mechanics::derived::Form;
 use crate::mechanics::kernels::{Kernel, Quantity};
@@ -33,6 +33,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let parameters: Vec<&Ident> = derived.parameters().iter().map(|id| &model.parameters[id.0].name).collect();
     let (parameter, set_parameter) = parameter_access(&parameters);
     let modes = access_to_modes(derived, &parameters);
+    let elements = (!derived.elements.is_empty()).then(|| elements::method(model, derived));
     let access_to_series = series.is_some().then(access_to_series);
     quote! {
         #structure
@@ -51,6 +52,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
         impl ezy::Derived for #type_name {
             #access_to_counts
             #of_derived
+            #elements
             #access_to_series
             #modes
         }

@@ -1,5 +1,6 @@
 //! All that follows from a scene, stage by stage. What is emitted is this, printed.
 
+use super::elements::{Element, elements};
 use super::jacobians::Jacobians;
 use super::kernels::{Entries, Kernels, Quantity};
 use super::programs;
@@ -25,6 +26,8 @@ pub struct Derived<'m> {
     pub series: Result<(), Function>,
     /// What kernels read of parameters; each is computed once.
     pub constants: ConstantPool,
+    /// What a picture of the scene shows; none of its modes.
+    pub elements: Vec<Element<'m>>,
     /// The scenes that a skate with a limit, or a stop, makes of it.
     pub modes: Vec<Derived<'m>>,
 }
@@ -60,10 +63,17 @@ impl<'m> Derived<'m> {
         }
         let in_mode = |mode| Self::straight(model, &Scene { mode: Some(mode), ..scene.clone() });
         let modes = model.modes_of(scene).into_iter().map(in_mode).collect();
-        Self { modes, ..Self::straight(model, scene) }
+        let mut derived = Self::straight(model, scene);
+        if let Form::Straight(of) = &mut derived.form {
+            let Equations { algebra, symbols, .. } = &mut of.equations;
+            derived.elements = elements(model, scene, algebra, symbols);
+            let kernel = programs::elements(algebra, &derived.elements, false, &mut derived.constants);
+            derived.kernels.insert(Quantity::Elements, kernel);
+        }
+        Self { modes, ..derived }
     }
 
-    fn straight(model: &Model, scene: &Scene) -> Self {
+    fn straight(model: &Model, scene: &Scene) -> Derived<'m> {
         let mut equations = Equations::derive(model, scene);
         let mut constants = ConstantPool::default();
         let solutions = Solutions::derive(&mut equations, &mut constants);
@@ -75,7 +85,7 @@ impl<'m> Derived<'m> {
         let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
         kernels.extend(solutions.into_iter().flat_map(programs::solutions));
         let form = Form::Straight(Box::new(Straight { equations, elimination, jacobians }));
-        Self { scene: scene.clone(), form, kernels, series, constants, modes: Vec::new() }
+        Self { scene: scene.clone(), form, kernels, series, constants, elements: Vec::new(), modes: Vec::new() }
     }
 
     fn counted(model: &'m Model, scene: &'m Scene) -> Self {
@@ -88,8 +98,11 @@ impl<'m> Derived<'m> {
             kernels.insert(Quantity::Jacobians, programs::counted_jacobians(&templates, jacobians, &mut constants));
         }
         let series = series.map(|series| kernels.extend(programs::series(series)));
+        let Templates { algebra, symbols, .. } = &mut templates;
+        let elements = elements(model, scene, algebra, symbols);
+        kernels.insert(Quantity::Elements, programs::elements(algebra, &elements, true, &mut constants));
         let form = Form::Counted(Box::new(Counted { templates, jacobians }));
-        Self { scene: scene.clone(), form, kernels, series, constants, modes: Vec::new() }
+        Self { scene: scene.clone(), form, kernels, series, constants, elements, modes: Vec::new() }
     }
 
     /// Products and operations of one order of the series; in a scene with counts, those of one member of each item.

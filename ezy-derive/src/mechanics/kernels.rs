@@ -27,6 +27,8 @@ pub enum Quantity {
     PotentialEnergy,
     Start,
     Jacobians,
+    /// Points, directions and loads of what a picture shows.
+    Elements,
     /// Of the Taylor series: the start of a step, then three kernels an order.
     SeriesBegin,
     SeriesRightSide,

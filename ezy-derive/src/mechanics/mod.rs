@@ -8,6 +8,7 @@ mod block;
 pub mod check;
 mod constraints;
 pub mod derived;
+pub mod elements;
 mod elimination;
 mod event;
 mod expression;

@@ -1,5 +1,6 @@
 //! The programs of all kernels, from the expressions of a scene.
 
+use super::elements::Element;
 use super::jacobians::Jacobians;
 use super::kernels::{Entries, Kernel, Kernels, Over, Pass, Put, Quantity, Read};
 use super::scene::{Equations, Group};
@@ -212,5 +213,20 @@ pub fn counted_jacobians<'m>(
         let pass = lower.pass(Over::Loops(item.loops), item.slots, &jacobians.values(), jacobians.puts());
         Pass { reads: jacobians.reads.clone(), lengths: vec![(Entries::Rows, item.n_rows())], ..pass }
     });
+    Kernel::of(passes.collect())
+}
+
+/// The values of what a picture shows, item by item in a scene with counts.
+pub fn elements<'m>(
+    algebra: &Algebra,
+    elements: &[Element<'m>],
+    is_counted: bool,
+    constants: &mut ConstantPool,
+) -> Kernel<'m> {
+    let mut lower = Lower { algebra, constants };
+    if !is_counted {
+        return lower.vector(&elements.iter().flat_map(Element::values).collect::<Vec<_>>());
+    }
+    let passes = elements.iter().map(|of| lower.stacked(Over::Loops(of.loops), &of.slots, &of.values()));
     Kernel::of(passes.collect())
 }

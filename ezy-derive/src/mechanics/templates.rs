@@ -238,7 +238,7 @@ fn forces<'m>(model: &'m Model, writer: &mut Writer<'_>, scene: &Scene) -> Vec<F
 }
 
 /// The bodies whose coordinates or velocities some of the sums read.
-fn slots(writer: &mut Writer<'_>, sums: &[SumId]) -> Vec<BodyId> {
+pub fn slots(writer: &mut Writer<'_>, sums: &[SumId]) -> Vec<BodyId> {
     let (algebra, symbols) = (&mut writer.algebra, writer.symbols);
     let body_of =
         |symbol| symbols.coordinate_of(symbol).or(symbols.velocity_of(symbol)).map(|i| Coordinate::at(i).body);

@@ -1,16 +1,27 @@
-//! Parts (a) to (c): the derived equations, and the parameters in them.
+//! The vehicle, and parts (a) to (c): the derived equations, and the parameters in them.
 
 use ezy_core::model::{Equation, Scene, SceneInfo};
+use ezy_core::report::drawing;
 use ezy_core::report::page::{Page, escape};
 use ezy_core::report::table::Table;
+use ezy_core::simulate::Simulation;
 
+use super::error::StudyError;
+use super::output::Output;
 use super::parts::typeset_unit;
 use crate::ezy_roller::Driven;
 
-/// Puts parameters and equations on the page.
-pub fn write(page: &mut Page, scene: &Driven) {
+/// Angle of the bar in the sketch, rad: its lengths are then beside those of the seat.
+const SKETCHED_ANGLE: f64 = 0.5;
+
+/// Puts the sketch of the vehicle, parameters and equations on the page.
+///
+/// # Errors
+/// [`StudyError`] when the sketch cannot be written.
+pub fn write(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), StudyError> {
     let info = scene.info();
     page.section("model", "The vehicle and its parameters");
+    sketch(page, output, scene)?;
     page.paragraph(
         "Two rigid bodies in the plane: body 1, the seat, rolls on the rear wheel A; body 2, the bar, on the front wheel C; the hinge B joins \
          them. A wheel moves along its body only, like a skate. Coordinates are the centres of mass and the absolute angles of both bodies.",
@@ -47,6 +58,21 @@ pub fn write(page: &mut Page, scene: &Driven) {
         info.acceleration_operations.div,
         info.acceleration_operations.trig
     ));
+    Ok(())
+}
+
+fn sketch(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), StudyError> {
+    let run = Simulation::new(scene).give("bar.phi", SKETCHED_ANGLE).until(0.0).run()?;
+    let svg = drawing::sketch(scene, &run.last());
+    output.write("vehicle.svg", &svg)?;
+    page.figure(
+        svg.as_str(),
+        "The vehicle from above: a, b, c and d are distances along the bodies from their centres of mass.",
+        "The seat from the rear wheel A to the hinge B, with its centre of mass at the distance a from A and b from B; the bar from B to the front \
+         wheel C, with its centre of mass at the distance d from B and c from C.",
+        &["vehicle.svg"],
+    );
+    Ok(())
 }
 
 fn one(page: &mut Page, equation: &Equation) {

@@ -82,7 +82,7 @@ fn write_parts(
     let driven = &*DRIVEN;
     tell(0);
     let projections = projection::Projections::measure()?;
-    equations_part::write(page, driven);
+    equations_part::write(page, output, driven)?;
     projections.write(page);
     let coasting = coast::Coasting::study(page, output, interrupt)?;
     tell(1);

@@ -360,7 +360,9 @@ fn invariant_check_passes_on_every_scene() {
 
 #[test]
 fn invariant_help_of_every_command_has_its_usage() {
-    for command in ["list", "show", "run", "plot", "compare", "check", "accuracy", "study"] {
+    for command in
+        ["list", "show", "run", "plot", "compare", "animate", "sketch", "gallery", "check", "accuracy", "study"]
+    {
         let help = output(&[command, "--help"]);
         assert!(help.contains(&format!("Usage: ezy {command}")), "{help}");
     }
@@ -576,7 +578,20 @@ fn invariant_completions_know_commands_options_and_scenes() {
 #[test]
 fn invariant_each_command_has_a_manual_page() {
     assert!(output(&["man"]).contains("ezy\\-accuracy(1)"), "{}", output(&["man"]));
-    for command in ["list", "show", "run", "check", "accuracy", "completions", "man", "study", "new"] {
+    for command in [
+        "list",
+        "show",
+        "run",
+        "animate",
+        "sketch",
+        "gallery",
+        "check",
+        "accuracy",
+        "completions",
+        "man",
+        "study",
+        "new",
+    ] {
         let text = output(&["man", command]);
         assert!(text.starts_with(".ie") && text.contains(&format!("ezy\\-{command}")), "{text}");
     }

@@ -4,6 +4,7 @@ mod cli;
 mod faults;
 mod hostile;
 mod new;
+mod pictures;
 mod plots;
 mod run;
 #[cfg(unix)]

@@ -62,6 +62,12 @@ fn check_page(page: &str) {
     // each for wide and for narrow screens
     assert_eq!(page.matches("<svg class=\"wide\" role=\"img\" aria-label=").count(), FIGURES.len());
     assert_eq!(page.matches("<svg class=\"narrow\" role=\"img\" aria-label=").count(), FIGURES.len());
+    // the sketch of the vehicle comes first
+    assert_eq!(page.matches("role=\"img\" aria-label=").count(), 1 + 2 * FIGURES.len());
+    let sketch = page.find("<svg").and_then(|from| page[from..].split("</svg>").next()).unwrap();
+    for length in ["a", "b", "c", "d"] {
+        assert!(sketch.contains(&format!("text-anchor=\"middle\">{length}</text>")), "{length} in {sketch}");
+    }
     assert!(page.matches("<math display=\"block\">").count() >= 11);
     for part in
         ["(a) Hinge", "(b) Wheels", "(c) Equations", "(d) Proj", "(e) Coast", "(f) Driven", "(g)", "(h)", "(i)", "(j)"]

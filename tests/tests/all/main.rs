@@ -13,6 +13,7 @@ mod count_table;
 mod degenerate_forces;
 mod discontinuities;
 mod dop853;
+mod drawing;
 mod drives;
 mod ensemble;
 mod error_estimate;

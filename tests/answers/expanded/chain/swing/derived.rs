@@ -177,6 +177,132 @@ impl ezy::Derived for Swing {
             let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
         }
     }
+    fn element_values(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let first_link: i64 = 0;
+        let mut place = 0;
+        {
+            let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
+            let l_over_two = c[2usize];
+            out[place] = l_over_two;
+            place += 1;
+            out[place] = 0f64;
+            place += 1;
+        }
+        {
+            let slots: [usize; 1] = [3 * (first_link + 0) as usize];
+            let l_over_two = c[2usize];
+            out[place] = 0f64;
+            place += 1;
+            out[place] = 0f64;
+            place += 1;
+            out[place] = -l_over_two;
+            place += 1;
+            out[place] = 0f64;
+            place += 1;
+        }
+        for at_i in 1..(self.n as i64) {
+            let slots: [usize; 2] = [
+                3 * (first_link + (at_i - 1)) as usize,
+                3 * (first_link + at_i) as usize,
+            ];
+            let l_over_two = c[2usize];
+            out[place] = l_over_two;
+            place += 1;
+            out[place] = 0f64;
+            place += 1;
+            out[place] = -l_over_two;
+            place += 1;
+            out[place] = 0f64;
+            place += 1;
+        }
+        for at_i in 0..(self.n as i64) {
+            let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
+            out[place] = 0f64;
+            place += 1;
+        }
+    }
+    fn elements(&self) -> ezy::List<ezy::ElementInfo> {
+        let first_link: i64 = 0;
+        let mut all = ::std::vec::Vec::new();
+        {
+            let slots: [usize; 1] = [3 * (first_link + ((self.n as i64) - 1)) as usize];
+            all.push(ezy::ElementInfo {
+                kind: "point",
+                name: ezy::member("tip", &[], ""),
+                points: ezy::List::Owned(
+                    ::std::vec![
+                        ezy::LocalVector { body :
+                        ::core::option::Option::Some(slots[0usize] / 3usize), text :
+                        ["l/2", "0"] }
+                    ],
+                ),
+                directions: ezy::List::Owned(::std::vec![]),
+                bodies: ezy::List::Owned(::std::vec![]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            });
+        }
+        {
+            let slots: [usize; 1] = [3 * (first_link + 0) as usize];
+            all.push(ezy::ElementInfo {
+                kind: "hinge",
+                name: ezy::member("top", &[], ""),
+                points: ezy::List::Owned(
+                    ::std::vec![
+                        ezy::LocalVector { body : ::core::option::Option::None, text :
+                        ["0", "0"] }, ezy::LocalVector { body :
+                        ::core::option::Option::Some(slots[0usize] / 3usize), text :
+                        ["-l/2", "0"] }
+                    ],
+                ),
+                directions: ezy::List::Owned(::std::vec![]),
+                bodies: ezy::List::Owned(::std::vec![]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            });
+        }
+        for at_i in 1..(self.n as i64) {
+            let slots: [usize; 2] = [
+                3 * (first_link + (at_i - 1)) as usize,
+                3 * (first_link + at_i) as usize,
+            ];
+            all.push(ezy::ElementInfo {
+                kind: "hinge",
+                name: ezy::member("pin", &[at_i], ""),
+                points: ezy::List::Owned(
+                    ::std::vec![
+                        ezy::LocalVector { body :
+                        ::core::option::Option::Some(slots[0usize] / 3usize), text :
+                        ["l/2", "0"] }, ezy::LocalVector { body :
+                        ::core::option::Option::Some(slots[1usize] / 3usize), text :
+                        ["-l/2", "0"] }
+                    ],
+                ),
+                directions: ezy::List::Owned(::std::vec![]),
+                bodies: ezy::List::Owned(::std::vec![]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            });
+        }
+        for at_i in 0..(self.n as i64) {
+            let slots: [usize; 1] = [3 * (first_link + at_i) as usize];
+            all.push(ezy::ElementInfo {
+                kind: "gravity",
+                name: ezy::member("", &[at_i], ""),
+                points: ezy::List::Owned(::std::vec![]),
+                directions: ezy::List::Owned(::std::vec![]),
+                bodies: ezy::List::Owned(
+                    ::std::vec![::core::option::Option::Some(slots[0usize] / 3usize)],
+                ),
+                settings: &[],
+                load: ::core::option::Option::Some((
+                    slots[0usize] / 3usize,
+                    ezy::LoadKind::Torque,
+                )),
+            });
+        }
+        ezy::List::Owned(all)
+    }
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }

@@ -95,6 +95,135 @@ impl ezy::Derived for Coast {
         by_v[8usize] = sin_bar_phi * bar_omega;
         by_v[9usize] = cos_bar_phi * bar_vx + sin_bar_phi * bar_vy;
     }
+    fn element_values(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let c = ezy::array::<32usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let v = ezy::array::<6usize, f64>(v);
+        let out = ezy::array_mut::<16usize, f64>(out);
+        let parameter_a = c[21usize];
+        let parameter_c = c[22usize];
+        let b = c[4usize];
+        let d = c[5usize];
+        out[0usize] = -parameter_a;
+        out[1usize] = 0f64;
+        out[2usize] = parameter_c;
+        out[3usize] = 0f64;
+        out[4usize] = b;
+        out[5usize] = 0f64;
+        out[6usize] = -d;
+        out[7usize] = 0f64;
+        out[8usize] = -parameter_a;
+        out[9usize] = 0f64;
+        out[10usize] = 1f64;
+        out[11usize] = 0f64;
+        out[12usize] = parameter_c;
+        out[13usize] = 0f64;
+        out[14usize] = 1f64;
+        out[15usize] = 0f64;
+    }
+    fn elements(&self) -> ezy::List<ezy::ElementInfo> {
+        const ELEMENTS: &[ezy::ElementInfo] = &[
+            ezy::ElementInfo {
+                kind: "point",
+                name: ezy::Name::Borrowed("A"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(0usize),
+                            text: ["-a", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(&[]),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "point",
+                name: ezy::Name::Borrowed("C"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(1usize),
+                            text: ["c", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(&[]),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "hinge",
+                name: ezy::Name::Borrowed("B"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(0usize),
+                            text: ["b", "0"],
+                        },
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(1usize),
+                            text: ["-d", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(&[]),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "skate",
+                name: ezy::Name::Borrowed("rear"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(0usize),
+                            text: ["-a", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(0usize),
+                            text: ["1", "0"],
+                        },
+                    ],
+                ),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "skate",
+                name: ezy::Name::Borrowed("front"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(1usize),
+                            text: ["c", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(1usize),
+                            text: ["1", "0"],
+                        },
+                    ],
+                ),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+        ];
+        ezy::List::Borrowed(ELEMENTS)
+    }
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }

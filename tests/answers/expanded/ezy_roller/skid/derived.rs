@@ -111,6 +111,153 @@ impl ezy::Derived for Skid {
         by_v[8usize] = sin_seat_phi * seat_omega;
         by_v[9usize] = cos_seat_phi * seat_vx + sin_seat_phi * seat_vy;
     }
+    fn element_values(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        let c = ezy::array::<41usize, f64>(c);
+        let q = ezy::array::<6usize, f64>(q);
+        let v = ezy::array::<6usize, f64>(v);
+        let out = ezy::array_mut::<17usize, f64>(out);
+        let parameter_a = c[29usize];
+        let parameter_c = c[28usize];
+        let b = c[11usize];
+        let d = c[12usize];
+        let m0 = c[30usize];
+        let omega = c[1usize];
+        let cos_omega_t = f64::cos(omega * t);
+        out[0usize] = -parameter_a;
+        out[1usize] = 0f64;
+        out[2usize] = parameter_c;
+        out[3usize] = 0f64;
+        out[4usize] = b;
+        out[5usize] = 0f64;
+        out[6usize] = -d;
+        out[7usize] = 0f64;
+        out[8usize] = parameter_c;
+        out[9usize] = 0f64;
+        out[10usize] = 1f64;
+        out[11usize] = 0f64;
+        out[12usize] = -parameter_a;
+        out[13usize] = 0f64;
+        out[14usize] = 1f64;
+        out[15usize] = 0f64;
+        out[16usize] = m0 * cos_omega_t;
+    }
+    fn elements(&self) -> ezy::List<ezy::ElementInfo> {
+        const ELEMENTS: &[ezy::ElementInfo] = &[
+            ezy::ElementInfo {
+                kind: "point",
+                name: ezy::Name::Borrowed("A"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(0usize),
+                            text: ["-a", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(&[]),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "point",
+                name: ezy::Name::Borrowed("C"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(1usize),
+                            text: ["c", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(&[]),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "hinge",
+                name: ezy::Name::Borrowed("B"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(0usize),
+                            text: ["b", "0"],
+                        },
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(1usize),
+                            text: ["-d", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(&[]),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "skate",
+                name: ezy::Name::Borrowed("front"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(1usize),
+                            text: ["c", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(1usize),
+                            text: ["1", "0"],
+                        },
+                    ],
+                ),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "skate",
+                name: ezy::Name::Borrowed("rear_on_ice"),
+                points: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(0usize),
+                            text: ["-a", "0"],
+                        },
+                    ],
+                ),
+                directions: ezy::List::Borrowed(
+                    &[
+                        ezy::LocalVector {
+                            body: ::core::option::Option::Some(0usize),
+                            text: ["1", "0"],
+                        },
+                    ],
+                ),
+                bodies: ezy::List::Borrowed(&[]),
+                settings: &[("limit", "hold")],
+                load: ::core::option::Option::None,
+            },
+            ezy::ElementInfo {
+                kind: "torque",
+                name: ezy::Name::Borrowed(""),
+                points: ezy::List::Borrowed(&[]),
+                directions: ezy::List::Borrowed(&[]),
+                bodies: ezy::List::Borrowed(
+                    &[
+                        ::core::option::Option::Some(0usize),
+                        ::core::option::Option::Some(1usize),
+                    ],
+                ),
+                settings: &[],
+                load: ::core::option::Option::Some((0usize, ezy::LoadKind::Torque)),
+            },
+        ];
+        ezy::List::Borrowed(ELEMENTS)
+    }
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }

@@ -1,0 +1,71 @@
+//! The page of an animation: markup, style and script in one file.
+
+use crate::report::drawing::STYLE;
+use crate::report::page::{escape, prose};
+use crate::scalar::legible;
+
+use super::data::Animation;
+
+const PAGE: &str = include_str!("page.html");
+const LOOKS: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// Around the start, pixels: the view of a browser without scripts.
+const MARGIN: f64 = 60.0;
+
+/// The whole page.
+pub(super) fn page(of: &Animation<'_>) -> String {
+    let info = of.info();
+    let parts = of.drawing.parts.iter().map(|part| {
+        let (class, title, transform) = (&part.class, &part.title, of.drawing.transform(part, &of.start));
+        format!(
+            "<g class=\"part {class}\" transform=\"{transform}\"><title>{}</title>{}</g>\n",
+            escape(title),
+            part.svg
+        )
+    });
+    let parameters = of.parameters().map(|(name, value, unit, documentation)| {
+        let cells = [name, &legible(value).to_string(), unit, documentation].map(escape);
+        format!(
+            "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td>{}</td><td>{}</td></tr>\n",
+            cells[0], cells[1], cells[2], cells[3]
+        )
+    });
+    let outcome = &of.run.outcome;
+    let stopped = match outcome.reached_end() {
+        true => String::new(),
+        false => format!("<p role=\"alert\" class=\"stopped\">The run {}.</p>", escape(&outcome.to_string())),
+    };
+    // `</` would end the script
+    let data = of.json().to_string().replace("</", "<\\/");
+    let [x, y, width, height] = of.drawing.outline();
+    let [width, height] = [width, height].map(|side| side + 2.0 * MARGIN);
+    let view_box = format!("{:.0} {:.0} {width:.0} {height:.0}", x - MARGIN, y - MARGIN);
+    let values = [
+        ("MODEL", escape(info.model)),
+        ("SCENE", escape(info.name)),
+        ("DOCUMENTATION", prose(info.documentation)),
+        ("STOPPED", stopped),
+        ("METHOD", escape(&of.method())),
+        ("OUTCOME", escape(&outcome.to_string())),
+        ("PARAMETERS", parameters.collect()),
+        ("VIEWBOX", view_box),
+        ("PARTS", parts.collect()),
+        ("LOOKS", format!("{LOOKS}{STYLE}")),
+        ("DATA", data),
+        ("SCRIPT", SCRIPT.to_owned()),
+    ];
+    fill(PAGE, &values)
+}
+
+/// Replaces each `{{NAME}}` of a page once, from its beginning to its end.
+fn fill(page: &str, values: &[(&str, String)]) -> String {
+    let mut pieces = page.split("{{");
+    let mut text = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (name, rest) = piece.split_once("}}").unwrap_or((piece, ""));
+        text += values.iter().find(|(known, _)| *known == name).map_or("", |(_, value)| value);
+        text += rest;
+    }
+    text
+}

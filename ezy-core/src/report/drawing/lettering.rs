@@ -1,0 +1,138 @@
+//! Text in a drawing: names of the model as they are typeset, and where there is room for them.
+
+use super::elements::Vector;
+use super::number;
+use crate::report::page::escape;
+
+/// Left, top, right and bottom, pixels.
+pub(super) type Area = [f64; 4];
+
+/// Width of a letter, in sizes of the font.
+const LETTER: f64 = 0.56;
+
+/// `l_centre/2` as SVG: what follows `_`, and digits behind a letter, stand lower.
+pub(super) fn typeset(text: &str) -> String {
+    let mut svg = String::new();
+    let mut rest = text.trim();
+    while let Some(first) = rest.chars().next() {
+        let is_name = |c: char| c.is_alphanumeric() || c == '_';
+        let end = rest.find(|c| !is_name(c)).unwrap_or(rest.len());
+        if !first.is_alphabetic() || end == 0 {
+            let end = rest.find(char::is_alphabetic).unwrap_or(rest.len());
+            svg += &escape(&rest[..end]).replace('*', "\u{2009}").replace('-', "\u{2212}");
+            rest = &rest[end..];
+            continue;
+        }
+        let (name, after) = rest.split_at(end);
+        let stem = name.find(|c: char| c == '_' || c.is_ascii_digit()).unwrap_or(name.len());
+        let (stem, index) = name.split_at(stem);
+        svg += greek(stem);
+        let index = index.trim_start_matches('_').replace('_', ",");
+        if !index.is_empty() {
+            svg += &format!("<tspan dy=\"4\" font-size=\"70%\">{index}</tspan><tspan dy=\"-4\">\u{200b}</tspan>");
+        }
+        rest = after;
+    }
+    svg
+}
+
+/// A Greek letter by its name.
+fn greek(name: &str) -> &str {
+    const LETTERS: [(&str, &str); 12] = [
+        ("alpha", "α"),
+        ("beta", "β"),
+        ("gamma", "γ"),
+        ("delta", "δ"),
+        ("epsilon", "ε"),
+        ("lambda", "λ"),
+        ("mu", "μ"),
+        ("nu", "ν"),
+        ("rho", "ρ"),
+        ("phi", "φ"),
+        ("theta", "θ"),
+        ("omega", "ω"),
+    ];
+    LETTERS.iter().find(|(known, _)| *known == name).map_or(name, |(_, letter)| letter)
+}
+
+/// What is taken on the sheet, and the text that has been put there.
+#[derive(Debug, Default)]
+pub(super) struct Sheet {
+    taken: Vec<Area>,
+    /// Parts of the text that has been put.
+    pub svg: String,
+}
+
+impl Sheet {
+    /// Takes an area.
+    pub(super) fn take(&mut self, area: Area) {
+        self.taken.push(area);
+    }
+
+    /// Takes what is within `half` of a line.
+    pub(super) fn take_line(&mut self, [a, b]: [Vector; 2], half: f64) {
+        let n = ((b[0] - a[0]).hypot(b[1] - a[1]) / half.max(1.0)).ceil().max(1.0);
+        for i in 0..=n as usize {
+            let part = i as f64 / n;
+            let [x, y] = [0, 1].map(|k| a[k] + part * (b[k] - a[k]));
+            self.take([x - half, y - half, x + half, y + half]);
+        }
+    }
+
+    /// How much of an area is taken, square pixels.
+    pub(super) fn overlap(&self, area: Area) -> f64 {
+        let shared = |other: &Area| {
+            let side = |k: usize| (area[k + 2].min(other[k + 2]) - area[k].max(other[k])).max(0.0);
+            side(0) * side(1)
+        };
+        self.taken.iter().map(shared).sum()
+    }
+
+    /// Puts text where most room is: at one of the offsets of its middle from a point.
+    pub(super) fn put(&mut self, text: &str, class: &str, size: f64, at: Vector, offsets: &[Vector]) {
+        let (width, height) = (LETTER * size * text.chars().count() as f64, size);
+        let area = |offset: &Vector| {
+            let [x, y] =
+                [at[0] + offset[0] + offset[0].signum() * width / 2.0 * f64::from(offset[0] != 0.0), at[1] + offset[1]];
+            [x - width / 2.0 - 2.0, y - height / 2.0 - 1.0, x + width / 2.0 + 2.0, y + height / 2.0 + 1.0]
+        };
+        let areas = offsets.iter().map(|offset| (self.overlap(area(offset)), area(offset)));
+        let Some((_, area)) = areas.min_by(|a, b| a.0.total_cmp(&b.0)) else { return };
+        let [x, y] = [(area[0] + area[2]) / 2.0, (area[1] + area[3]) / 2.0 + 0.35 * size].map(number);
+        let text = if class == "length" { typeset(text) } else { escape(text) };
+        self.svg += &format!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\" text-anchor=\"middle\">{text}</text>\n");
+        self.take(area);
+    }
+
+    /// The box around all of it.
+    pub(super) fn bounds(&self) -> Area {
+        let all = self.taken.iter().copied();
+        let joined = all.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]);
+        joined.unwrap_or([0.0, 0.0, 100.0, 100.0])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_names_are_typeset_with_their_indices_lower() {
+        assert_eq!(typeset("b"), "b");
+        assert_eq!(typeset("-2*b"), "\u{2212}2\u{2009}b");
+        let low =
+            |index: &str| format!("<tspan dy=\"4\" font-size=\"70%\">{index}</tspan><tspan dy=\"-4\">\u{200b}</tspan>");
+        assert_eq!(typeset("m1"), format!("m{}", low("1")));
+        assert_eq!(typeset("l_centre/2"), format!("l{}/2", low("centre")));
+        assert_eq!(typeset("omega"), "ω");
+    }
+
+    #[test]
+    fn invariant_text_goes_where_room_is() {
+        let mut sheet = Sheet::default();
+        sheet.take([0.0, -20.0, 60.0, 20.0]);
+        sheet.put("name", "label", 10.0, [0.0; 2], &[[10.0, 0.0], [-10.0, 0.0]]);
+        assert!(sheet.svg.contains("x=\"-21.2\""), "{}", sheet.svg);
+        assert!(sheet.bounds()[0] < -30.0);
+    }
+}

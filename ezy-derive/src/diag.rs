@@ -93,9 +93,9 @@ impl Diagnostics {
 }
 
 impl Warning {
-    /// Stable Rust has no way to warn from a macro but the use of a deprecated item.
+    /// Stable Rust has no way to warn from a macro but the use of a deprecated item, whose name stands before the text.
     fn into_tokens(self) -> TokenStream {
-        let (text, name) = (self.text, Ident::new(self.name, self.span));
+        let (text, name) = (self.text, Ident::new(&format!("EZY_warns_of_{}", self.name), self.span));
         quote_spanned! {self.span=>
             const _: () = {
                 #[deprecated(note = #text)]

@@ -17,7 +17,7 @@ impl Default for Progress {
 impl Progress {
     /// A bar at zero.
     pub fn new() -> Self {
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}");
+        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left  {msg}");
         let bar = ProgressBar::new(N_PARTS);
         Self(match style {
             Ok(style) => bar.with_style(style),

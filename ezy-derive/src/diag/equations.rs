@@ -50,7 +50,7 @@ pub fn dependent_as_declared(at: &Ident, row: &str, others: &[&str]) -> Warning 
     };
     Warning {
         span: at.span(),
-        name: "row_that_repeats_others",
+        name: "constraint_that_repeats_others",
         text: format!(
             "with the declared parameters constraint `{row}` {fault}; runs share the forces between them and say so, \
              remove it if that is not meant"
@@ -61,7 +61,7 @@ pub fn dependent_as_declared(at: &Ident, row: &str, others: &[&str]) -> Warning 
 pub fn integrates(at: &Ident, kind: &str, row: &str) -> Warning {
     Warning {
         span: at.span(),
-        name: "row_of_velocities_that_restricts_positions",
+        name: "velocity_constraint_that_restricts_positions",
         text: format!(
             "{kind} `{row}` integrates to a position constraint, which would hold without drift; \
              write it as `constraint`, `gear` or `drive`, unless its constant is not known"
@@ -72,7 +72,7 @@ pub fn integrates(at: &Ident, kind: &str, row: &str) -> Warning {
 pub fn more_rows_than_coordinates(at: &Ident, n_rows: usize, n_coordinates: usize) -> Warning {
     Warning {
         span: at.span(),
-        name: "more_rows_than_coordinates",
+        name: "more_constraints_than_coordinates",
         text: format!(
             "`{at}` has {n_rows} constraint equations but only {n_coordinates} coordinates: it moves only where constraints repeat \
              each other; runs then share the forces between them and say so"

@@ -1,4 +1,5 @@
-//! Long expressions within others get a symbol, as in a textbook: `u_1 = …` below the equation.
+//! Long expressions within others get a symbol, as in a textbook: `u_1 = …` below the equation. Those that the model file names by a `let` keep
+//! that name.
 
 use std::cell::RefCell;
 
@@ -22,7 +23,8 @@ impl<'a> Abbreviations<'a> {
         let symbols = &equations.symbols;
         let parameters = equations.parameters.iter().map(|id| symbols.parameter(id.0).text);
         let inputs = equations.inputs.iter().filter_map(|&id| Some(symbols.symbol(symbols.input(id)?).text));
-        let taken: Vec<String> = parameters.chain(inputs).collect();
+        let lets = equations.lets.iter().map(|(name, _)| name.clone());
+        let taken: Vec<String> = parameters.chain(inputs).chain(lets).collect();
         let free = |letter: &&str| !taken.iter().any(|name| name.starts_with(letter));
         let letter = ["u", "w", "z", "k", "h"].into_iter().find(free).unwrap_or("abbreviation_");
         Self { equations, letter, sums: RefCell::default() }
@@ -39,12 +41,15 @@ impl<'a> Abbreviations<'a> {
         loop {
             let next = self.sums.borrow().get(definitions.len()).copied();
             let Some(sum) = next else { return definitions };
-            definitions.push((self.name(definitions.len()), self.print(sum)));
+            definitions.push((self.name_of(sum, definitions.len()), self.print(sum)));
         }
     }
 
-    fn name(&self, i: usize) -> Printed {
-        spelling::name(&format!("{}{}", self.letter, i + 1))
+    fn name_of(&self, sum: SumId, i: usize) -> Printed {
+        match self.equations.lets.iter().find(|(_, value)| *value == sum) {
+            Some((name, _)) => spelling::name(name),
+            None => spelling::name(&format!("{}{}", self.letter, i + 1)),
+        }
     }
 }
 
@@ -58,7 +63,9 @@ impl Names for Abbreviations<'_> {
     }
 
     fn abbreviation(&self, sum: SumId, written_out: &Printed) -> Option<Printed> {
-        if written_out.text.chars().count() <= LONG {
+        let is_named =
+            self.equations.lets.iter().any(|(name, value)| *value == sum && written_out.text.len() > name.len());
+        if !is_named && written_out.text.chars().count() <= LONG {
             return None;
         }
         let mut sums = self.sums.borrow_mut();
@@ -66,6 +73,6 @@ impl Names for Abbreviations<'_> {
             sums.push(sum);
             sums.len() - 1
         });
-        Some(self.name(i))
+        Some(self.name_of(sum, i))
     }
 }

@@ -84,6 +84,7 @@ impl<'m> Derived<'m> {
         let series = series.map(|series| kernels.extend(programs::series(vec![series])));
         let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
         kernels.extend(solutions.into_iter().flat_map(programs::solutions));
+        equations.write_lets(model, scene);
         let form = Form::Straight(Box::new(Straight { equations, elimination, jacobians }));
         Self { scene: scene.clone(), form, kernels, series, constants, elements: Vec::new(), modes: Vec::new() }
     }

@@ -76,6 +76,8 @@ pub struct Model {
     pub arrays: Vec<Array>,
     /// Single bodies, and members of arrays as they are referred to.
     pub bodies: Vec<Body>,
+    /// `let` values, by component: equations are printed with their names.
+    pub lets: Vec<NamedValue>,
     /// Parameters of the model and of its effects, in declared order.
     pub parameters: Vec<Parameter>,
     /// Inputs of the model and of its effects, in declared order; declared like parameters.
@@ -279,6 +281,15 @@ pub struct Effect {
 pub struct Start {
     pub name: Ident,
     pub values: Vec<StartValue>,
+}
+
+/// A component of a `let` value.
+#[derive(Debug)]
+pub struct NamedValue {
+    /// `name`, or `name.x` of a vector.
+    pub name: String,
+    pub effect: Option<EffectId>,
+    pub value: Expr,
 }
 
 #[derive(Debug)]

@@ -6,7 +6,8 @@ use super::names::{Scope, Symbol};
 use super::repeat::count_symbol;
 use super::scene::{Choice, parameters};
 use super::unit::Unit;
-use super::{Body, Effect, EffectId, InputId, Model, Parameter, ParameterId, Point, PointId, RowId};
+use super::value::Form;
+use super::{Body, Effect, EffectId, InputId, Model, NamedValue, Parameter, ParameterId, Point, PointId, RowId};
 use crate::diag::{Diagnostics, names, rules, scenes};
 use crate::parse::ast::{self, Item, ItemKind, Phrase};
 use proc_macro2::Ident;
@@ -194,8 +195,13 @@ impl<'a> Resolver<'a> {
     fn resolve_values(&mut self) {
         let (context, model) = (&mut self.context, &mut self.model);
         for id in 0..context.lets.len() {
-            let (_, source) = context.lets[id].source;
-            context.let_value(id, &source.name);
+            let (effect, source) = context.lets[id].source;
+            let Some(value) = context.let_value(id, &source.name) else { continue };
+            let components = match value.form {
+                Form::Scalar(value) => vec![(source.name.to_string(), value)],
+                Form::Vector(x, y) => vec![(format!("{}.x", source.name), x), (format!("{}.y", source.name), y)],
+            };
+            model.lets.extend(components.into_iter().map(|(name, value)| NamedValue { name, effect, value }));
         }
         for id in 0..context.points.len() {
             let name = context.checked_name(context.points[id].source, &[]);
@@ -295,6 +301,7 @@ impl Model {
             indices: Vec::new(),
             arrays: Vec::new(),
             bodies: Vec::new(),
+            lets: Vec::new(),
             parameters: Vec::new(),
             inputs: Vec::new(),
             outputs: Vec::new(),

@@ -1,4 +1,5 @@
-//! The command line of the model: `list`, `show`, `run`, `animate`, `sketch`, `gallery`, `check`, `accuracy`, `completions`, `man`, `help`.
+//! The command line of the model: `list`, `show`, `run`, `sketch`, `animate`, `gallery`, `plot`, `compare`, `check`, `accuracy`, `completions`,
+//! `man`, `help`.
 
 fn main() -> std::process::ExitCode {
     ezy_core::cli::main(&[&my_mechanism::MODEL])

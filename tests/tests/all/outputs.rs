@@ -74,3 +74,24 @@ fn fd_scenes_with_inputs_pass_their_checks() {
         assert_checks(&*(entry.new)());
     }
 }
+
+model! {
+    /// A puck on a belt, whose slip has a name.
+    model Belt {
+        param v: m/s = 1.5;
+        param u: m/s = 0.1;
+        body puck { mass: 1, inertia: 1 }
+        let slip = (puck.vx - v) / u;
+        force at puck(0, 0): (-3 * tanh(slip), 0);
+        start s { at rest; }
+        scene carried { start s; until 1 s; }
+    }
+}
+
+#[test]
+fn analytic_equations_are_printed_with_the_names_of_values() {
+    let info = belt::Carried::default().info();
+    assert_eq!(info.force_entries[0].text, "-3*tanh(slip)");
+    let definitions: Vec<_> = info.abbreviations.iter().map(|a| (a.symbol.text, a.formula.text)).collect();
+    assert_eq!(definitions, [("slip", "-v/u + puck.vx/u")]);
+}

@@ -13,7 +13,8 @@ const DAMPING: f64 = 2.0;
 /// Called before each step; the inputs hold until the next one. All names are those of the model file.
 fn steer(now: &Now<Ridden>, set: &mut Inputs<Ridden>) {
     let wanted = (-0.2 * now.frame.y - 0.8 * now.frame.phi).clamp(-0.4, 0.4);
-    let (angle, rate) = (now.fork.phi - now.frame.phi, now.fork.omega - now.frame.omega);
+    let angle = now.fork.phi - now.frame.phi;
+    let rate = now.fork.omega - now.frame.omega;
     set.steer = STIFFNESS * (wanted - angle) - DAMPING * rate;
 }
 

@@ -126,3 +126,25 @@ fn cutoff(singular_values: &DVector<f64>) -> f64 {
 fn root_weights(mass: &[f64]) -> Vec<f64> {
     weights(mass).into_iter().map(f64::sqrt).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// A stone that nothing holds.
+        pub model Stone {
+            body stone { mass: 2, inertia: 1 }
+            start high { stone at (0, 5) angle 0; at rest; }
+            scene falls { start high; until 1 s; }
+        }
+    }
+
+    #[test]
+    fn analytic_nothing_follows_where_there_are_no_rows() {
+        let scene = stone::Falls::default();
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        assert_eq!(system.free_tangent(0.0, &[0.0, 5.0, 0.0], &[], &[true, true, false]), [0.0; 3]);
+    }
+}

@@ -97,3 +97,47 @@ impl<S: Scene + ?Sized> System<'_, S> {
         answer
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// Two bars between two fixed points, which they just reach.
+        pub model Stretched {
+            body left { mass: 1, inertia: 1/12 }
+            body right { mass: 1, inertia: 1/12 }
+            hinge A: ground(0, 0) ~ left(-0.5, 0);
+            hinge B: left(0.5, 0) ~ right(-0.5, 0);
+            hinge C: right(0.5, 0) ~ ground(2, 0);
+            start straight { left angle 0; right angle 0; at rest; }
+            scene hangs { start straight; until 0.1 s; }
+        }
+    }
+
+    /// Both bars turn, from rest or not, until their centres have moved across by [`BESIDE`]: the bars of 1 m are at twice that as an angle then,
+    /// and the rows are off by twice the angle times the rate, whatever the rate is.
+    #[test]
+    fn analytic_stretched_bars_are_refused_at_any_rate() {
+        let scene = stretched::Hangs::default();
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut state = State { q: vec![0.5, 0.0, 0.0, 1.5, 0.0, 0.0], ..State::zero(6, 0) };
+        let (mut a, mut lambda) = ([0.0; 6], [0.0; 6]);
+        let solved = system.accelerations(0.0, &state.q, &state.v, &mut a, &mut lambda).unwrap();
+        let motion = |rate: f64| vec![0.0, 0.5 * rate, rate, 0.0, 0.5 * rate, -rate];
+        for (rate, acceleration) in
+            [(1.0, 0.0), (1e-6, 0.0), (100.0, 0.0), (0.0, 1.0), (0.0, 1e-6), (0.0, 1e4), (0.1, 1.0)]
+        {
+            state.v = motion(rate);
+            let refused = system.check_beginning(&state, &motion(acceleration), solved, f64::INFINITY);
+            let Err(MotionError::SingularPosition { residual, .. }) = refused else {
+                panic!("{rate} {acceleration}: {refused:?}")
+            };
+            assert!(
+                (residual / (4.0 * BESIDE) - 1.0).abs() <= 4.0 * BESIDE * BESIDE,
+                "{rate} {acceleration}: {residual}"
+            );
+        }
+    }
+}

@@ -179,3 +179,45 @@ impl<T: Scalar> Adaptive<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Moves uniformly, up to a wall at 1 m.
+    struct UpToAWall;
+
+    impl Dynamics<f64> for UpToAWall {
+        fn accelerations(
+            &mut self,
+            t: f64,
+            q: &[f64],
+            _: &[f64],
+            a: &mut [f64],
+            _: &mut [f64],
+        ) -> Result<(), MotionError> {
+            a[0] = 0.0;
+            if q[0] <= 1.0 { Ok(()) } else { Err(MotionError::NotFinite { t, quantity: "a force".into() }) }
+        }
+
+        fn power(&self, _: f64, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
+    }
+
+    /// Of 4 s, 4/3 s and 4/9 s only the last ends before the wall, which is 1 s away. From the wall on no step leads on.
+    #[test]
+    fn analytic_step_whose_stages_leave_where_equations_are_defined_is_made_shorter() {
+        let at = |x: f64| State { t: 0.0, q: vec![x], v: vec![1.0], work: Vec::new() };
+        let step = |start: &State, to: &mut State| {
+            let mut adaptive = Adaptive::new(1, 0, 0, Tolerance { relative: 1e-9, absolute: 1e-9 });
+            adaptive.restart_with(4.0);
+            let from = Node { state: start, a: &[0.0], power: &[] };
+            let outcome = adaptive.step(&mut UpToAWall, from, 10.0, to, |_, _| Passage::Smooth);
+            (outcome, adaptive.n_rejected())
+        };
+        let mut to = at(0.0);
+        assert_eq!(step(&at(0.0), &mut to), (Ok(()), 2));
+        assert!((to.t - 4.0 / 9.0).abs() <= 1e-15 && (to.q[0] - to.t).abs() <= 1e-15, "{to:?}");
+        let (outcome, _) = step(&at(1.0), &mut to);
+        assert!(matches!(outcome, Err(MotionError::NotFinite { .. })), "{outcome:?}");
+    }
+}

@@ -235,6 +235,7 @@ fn follow(from: Node<'_>, t: f64, out: &mut State) {
 mod tests {
     use super::*;
     use crate::linalg::Backend;
+    use crate::simulate::step_limit::is_too_short;
 
     crate::model! {
         /// A puck that a spring pushes from x = 0 on, and from x = 4 m on another one.
@@ -309,6 +310,16 @@ mod tests {
         let from = At::new(0.0, 1.0, 0.0);
         let cut = discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5);
         assert!(matches!(cut, Some(Cut::Over(length)) if length > 0.0 && length < 1e-11), "{cut:?}");
+        // by a step that changes the time, whenever that is
+        for t in [0.0, 1e5] {
+            let mut from = At::new(0.0, 1.0, 0.0);
+            from.state.t = t;
+            let cut = discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5);
+            assert!(
+                matches!(cut, Some(Cut::Over(length)) if !is_too_short(t, length) && length < 1e-11 * t.max(1.0)),
+                "{cut:?}"
+            );
+        }
         // who chatters is not cut any more
         discontinuities.chattering = CHATTERING_GUARD;
         assert_eq!(discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5), None);

@@ -102,4 +102,22 @@ mod tests {
         let (x, n) = found(0.0, 1.0, |x| if x < 0.3 { -1.0 } else { 5.0 });
         assert!((x - 0.3).abs() <= 1e-12 && n <= 90, "{x} after {n}");
     }
+
+    /// Through the three points, x over f is u + c u (u − 1) in units of their ranges. It is followed where it rises all the way, for |c| < 1;
+    /// elsewhere the bracket is halved.
+    #[test]
+    fn analytic_interpolation_is_taken_where_the_inverse_parabola_rises() {
+        for c in [-1.9, -1.01, -0.99, -0.3, 0.0, 0.6, 0.99, 1.01, 1.9] {
+            for u in [0.2_f64, 0.5, 0.7] {
+                let x = |u: f64| u + c * u * (u - 1.0);
+                if x(u) <= 0.0 || x(u) >= 1.0 {
+                    continue;
+                }
+                // the root is half way between the first two values
+                let found = next_part([x(u), 0.0, 1.0], [0.5 * u, -0.5 * u, 1.0 - 0.5 * u]);
+                let expected = if c.abs() < 1.0 { (x(u) - x(0.5 * u)) / x(u) } else { 0.5 };
+                assert!((found - expected).abs() <= 1e-14, "{c} {u}: {found} {expected}");
+            }
+        }
+    }
 }

@@ -67,3 +67,36 @@ impl<'s> AlongSeries<'s> {
         shortens
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    crate::model! {
+        /// A stone that falls.
+        pub model Stone {
+            body stone { mass: 2, inertia: 1 }
+            gravity (0, -10);
+            start high { stone at (0, 5) angle 0; at rest; }
+            scene falls { start high; until 1 s; }
+        }
+    }
+
+    /// Accelerations at the end that are no numbers are not those of a series. A step is halved for them as long as half of it changes the time.
+    #[test]
+    fn analytic_steps_are_halved_as_long_as_halves_change_the_time() {
+        let scene = stone::Falls::default();
+        for (h, is_halved) in [(1e-3, true), (2.1e-14, true), (1.9e-14, false)] {
+            let taylor = Taylor::new(&scene, 8, 0).unwrap();
+            let mut series = AlongSeries::new(taylor, Tolerance { relative: 1e-9, absolute: 1e-9 });
+            let (from, mut to) = (State::zero(3, 0), State::zero(3, 0));
+            to.t = h;
+            let node = |state| Node { state, a: &[f64::NAN; 3], power: &[] };
+            assert_eq!(series.shortens(node(&from), node(&to)), is_halved, "{h:e}");
+            assert_eq!(
+                (series.at_most_s, series.n_rejected()),
+                if is_halved { (0.5 * h, 1) } else { (f64::INFINITY, 0) }
+            );
+        }
+    }
+}

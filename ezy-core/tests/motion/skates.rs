@@ -56,3 +56,33 @@ fn regress_steps_that_changes_of_mode_take_back() {
     // 18 steps to 1.2 s; the sled stops in the one that passes 1 s
     assert_eq!((run.cost.steps, run.cost.rejected, run.events().len()), (19, 1, 3));
 }
+
+model! {
+    /// A sled of 1 kg that is pulled across its runner by 2 N, while what holds it fades and grows again with how far it slid.
+    pub model Fading {
+        body sled { mass: 1, inertia: 1 }
+        skate runner: at sled(0, 0) along sled(1, 0) limit 4 - 4 * t + 16 * sled.y;
+        force at sled(0, 0): (0, 2);
+        start rest { sled at (0, 0) angle 0; at rest; }
+        scene pulled { start rest; until 1.5 s; }
+    }
+}
+
+/// It slides from 0.5 s on. With s from there, y'' = 4 s − 16 y, so that 4 y = s − sin(4 s)/4. Had it held, the limit would be negative after
+/// 1 s, and a step that is longer than that is taken back to where it has one.
+#[test]
+fn analytic_sled_slides_before_its_limit_would_end() {
+    for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-11)] {
+        let run = Simulation::new(&fading::Pulled::default()).method(method).run().unwrap();
+        assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
+        let events: Vec<(&str, f64)> = run.events().iter().map(|of| (of.event.name, of.state.t)).collect();
+        let [("runner slides", t)] = events[..] else { panic!("{method:?}: {events:?}") };
+        let y = run.last().get("sled.y").unwrap();
+        assert!(
+            (t - 0.5).abs() <= LOCATED && (4.0 * y - 1.0 + 0.25 * 4.0_f64.sin()).abs() <= LOCATED,
+            "{method:?}: {t} {y}"
+        );
+        // the step that has no limit at its end, and the one that passes the change
+        assert_eq!(run.cost.rejected, 2, "{method:?}");
+    }
+}

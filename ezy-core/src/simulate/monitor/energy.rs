@@ -105,6 +105,9 @@ mod tests {
             watch.keep(balance);
         }
         assert_eq!(watch.largest, first);
+        // the first of equal ones
+        watch.keep(EnergyError { joules: -first.joules, t: 0.5, ..first });
+        assert_eq!(watch.largest, first);
         watch.keep(EnergyError { joules: f64::NAN, ..first });
         assert!(watch.largest.joules.is_nan());
     }

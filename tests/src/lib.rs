@@ -22,4 +22,6 @@ pub mod shapes;
 #[doc = include_str!("../../README.md")]
 #[doc = include_str!("../../docs/language.md")]
 #[doc = include_str!("../../docs/guide/src/tricycle.md")]
+#[doc = include_str!("../../docs/guide/src/accuracy.md")]
+#[doc = include_str!("../../docs/guide/src/trouble.md")]
 pub mod readme {}

@@ -24,4 +24,5 @@ pub mod shapes;
 #[doc = include_str!("../../docs/guide/src/tricycle.md")]
 #[doc = include_str!("../../docs/guide/src/accuracy.md")]
 #[doc = include_str!("../../docs/guide/src/trouble.md")]
+#[doc = include_str!("../../docs/guide/src/controllers.md")]
 pub mod readme {}

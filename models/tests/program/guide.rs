@@ -89,15 +89,15 @@ fn comparable(printed: &str) -> String {
     printed.lines().map(line).collect()
 }
 
-/// The programs of the guide: `ezy`, and the crate of the second chapter.
+/// The programs of the guide: `ezy`, the crate of the second chapter, and examples.
 fn program(words: &[String]) -> Option<Command> {
     let ezy = Path::new(env!("CARGO_BIN_EXE_ezy"));
+    let example =
+        |name: &str| ezy.with_file_name("examples").join(name).with_extension(std::env::consts::EXE_EXTENSION);
     let (path, arguments) = match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["ezy", ..] => (ezy.to_owned(), &words[1..]),
-        ["cargo", "run", "--", ..] => {
-            let name = format!("examples/tricycle{}", std::env::consts::EXE_SUFFIX);
-            (ezy.with_file_name(name), &words[3..])
-        }
+        ["cargo", "run", "--", ..] => (example("tricycle"), &words[3..]),
+        ["cargo", "run", "--example", name] => (example(name), &words[4..]),
         _ => return None,
     };
     assert!(path.exists(), "{} is not built: cargo build -p ezy-models --examples", path.display());

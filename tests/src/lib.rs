@@ -25,4 +25,5 @@ pub mod shapes;
 #[doc = include_str!("../../docs/guide/src/accuracy.md")]
 #[doc = include_str!("../../docs/guide/src/trouble.md")]
 #[doc = include_str!("../../docs/guide/src/controllers.md")]
+#[doc = include_str!("../../docs/guide/src/language.md")]
 pub mod readme {}

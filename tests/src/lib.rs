@@ -17,8 +17,13 @@ pub mod random_models;
 pub mod reference;
 pub mod shapes;
 
-/// The programs of the README and of the manual, run as documentation tests.
+/// The programs of the README, of the manual and of the guide, run as documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 #[doc = include_str!("../../docs/language.md")]
+#[doc = include_str!("../../docs/guide/src/tricycle.md")]
+#[doc = include_str!("../../docs/guide/src/accuracy.md")]
+#[doc = include_str!("../../docs/guide/src/trouble.md")]
+#[doc = include_str!("../../docs/guide/src/controllers.md")]
+#[doc = include_str!("../../docs/guide/src/language.md")]
 pub mod readme {}

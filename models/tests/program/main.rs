@@ -2,6 +2,7 @@
 
 mod cli;
 mod faults;
+mod guide;
 mod hostile;
 mod new;
 mod pictures;

@@ -21,6 +21,7 @@ mod events;
 mod exact_start;
 mod fuzz;
 mod garage;
+mod guide;
 mod hand_and_generated;
 mod hard;
 mod large;

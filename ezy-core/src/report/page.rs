@@ -31,8 +31,8 @@ const STYLE: &str = "\
 :root { color-scheme: light dark; --ink: #1a1a1a; --paper: #fff; --head: #002d62; --link: #00509e; --soft: #444; --line: #ccc; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e4e4e4; --paper: #191919; --head: #9cc4f5; --link: #8ab8f0; --soft: #b8b8b8; --line: #4a4a4a; }
-  /* white becomes the paper of the page, hues stay */
-  figure svg { filter: invert(.902) hue-rotate(180deg); }
+  /* white becomes the paper of the page, hues stay; sketches take the colours of the page */
+  figure svg:not(.ezy) { filter: invert(.902) hue-rotate(180deg); }
 }
 body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; font: 1rem/1.55 system-ui, sans-serif; color: var(--ink); background: var(--paper); }
 h1, h2, h3 { line-height: 1.25; color: var(--head); }

@@ -80,11 +80,28 @@ pub fn find_name<'n>(
     if let Some(i) = known.clone().position(|k| k == name) {
         return Ok(i);
     }
-    let nearest = known
-        .clone()
-        .map(|k| (strsim::jaro_winkler(k, name), k))
-        .filter(|(similarity, _)| *similarity > SIMILAR)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, k)| k.to_owned());
+    // `speed` of `output.speed`
+    let by_last_part = known.clone().find(|k| k.rsplit_once('.').is_some_and(|(_, last)| last == name));
+    let most_similar = || {
+        let similarities = known.clone().map(|k| (strsim::jaro_winkler(k, name), k));
+        let worth = similarities.filter(|(similarity, _)| *similarity > SIMILAR);
+        worth.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, k)| k)
+    };
+    let nearest = by_last_part.or_else(most_similar).map(str::to_owned);
     Err(UnknownName { kind, name: name.to_owned(), nearest, known: known.map(str::to_owned).collect(), remedy: None })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_part_behind_the_dot_is_a_hint() {
+        let known = ["t", "seat.x", "seat.phi", "output.speed", "output.spread"];
+        let nearest = |name: &str| find_name("column", name, known.into_iter()).unwrap_err().nearest;
+        assert_eq!(nearest("speed").as_deref(), Some("output.speed"));
+        assert_eq!(nearest("phi").as_deref(), Some("seat.phi"));
+        assert_eq!(nearest("seat.ph").as_deref(), Some("seat.phi"));
+        assert_eq!(nearest("zzz"), None);
+    }
 }

@@ -277,6 +277,16 @@ mod tests {
     /// Roots are located to 1e-12 s and more of the time.
     const LOCATED: f64 = 1e-11;
 
+    /// Zero is on neither side.
+    #[test]
+    fn analytic_a_value_changes_sign_between_two_sides() {
+        for (before, after, expected) in
+            [(-1.0, 2.0, true), (1.0, -2.0, true), (1.0, 2.0, false), (-1.0, 0.0, false), (0.0, -1.0, false)]
+        {
+            assert_eq!(changes(before, after), expected, "{before} to {after}");
+        }
+    }
+
     #[test]
     fn analytic_states_ahead_lie_on_a_parabola() {
         let found = At::new(-1.0, 2.0, 6.0).after(0.5);

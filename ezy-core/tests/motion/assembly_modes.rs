@@ -100,6 +100,21 @@ fn refused(system: &mut System<'_, four_bar::Turning>) -> ([f64; 2], StartError)
     found.expect("some guesses are refused")
 }
 
+/// Bars that are bent by 0.1 rad are nearly stretched, where the two modes meet: a guess to either side asks for none of them.
+#[test]
+fn analytic_nearly_stretched_bars_are_in_no_mode() {
+    let (distance, to_bearing) = (1.3_f64.hypot(1.0), (-1.0_f64).atan2(1.3));
+    let length = 0.5 * distance / 0.05_f64.cos();
+    let scene = four_bar::Turning { coupler_length: length, rocker_length: length, ..Default::default() };
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    for guessed in [-0.6, 0.6] {
+        let near = [to_bearing - 0.5 * guessed, to_bearing + 0.5 * guessed - PI];
+        let state = system.consistent_start(&upright(near)).unwrap_or_else(|error| panic!("{guessed}: {error}"));
+        let bent = elbow([state.q[5], state.q[8]]).abs();
+        assert!((bent - 0.1_f64.sin()).abs() <= ROUNDING, "{guessed}: {bent}");
+    }
+}
+
 /// What is told as reached is accepted when it is asked for; the same guess of places, with free angles, asks for no mode.
 #[test]
 fn invariant_mode_that_was_reached_is_accepted_and_what_is_not_guessed_is_in_no_mode() {

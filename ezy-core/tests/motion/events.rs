@@ -63,3 +63,12 @@ fn analytic_a_run_ends_at_the_lowest_position() {
         assert!((last.get("bob.omega").unwrap() + rate).abs() <= MOTION, "{method:?}: {} {rate}", last.velocities[2]);
     }
 }
+
+/// φ'' = −g m l/2 / (I + m (l/2)²) = −9.81 rad/s² where it is level, and less below: 0.5 rad/s is passed 51 ms after the start, before the first step is
+/// sampled inside.
+#[test]
+fn analytic_an_event_soon_after_the_start_is_found() {
+    let run = Simulation::new(&pendulum::Swing::default()).method(Method::rk4(0.25)).until(0.25).run().unwrap();
+    let [slow] = run.events() else { panic!("{:?}", run.events()) };
+    assert!(slow.event.name == "slow" && (slow.state.t - 0.5 / 9.81).abs() < 1e-3, "{}", slow.state.t);
+}

@@ -85,6 +85,15 @@ fn invariant_samples_come_at_their_times_and_at_the_end() {
     }
 }
 
+/// Samples of a step with radau stand on its polynomial: each costs the accelerations that it records, and no step of its own.
+#[test]
+fn invariant_samples_of_radau_cost_one_evaluation_each() {
+    let scene = cart::Pushed::default();
+    let cost = |every| Simulation::new(&scene).method(Method::radau(1e-9)).every(every).run().unwrap().cost;
+    let (few, many) = (cost(2.0), cost(0.01));
+    assert_eq!((many.steps, many.evaluations), (few.steps, few.evaluations + 199));
+}
+
 #[test]
 fn invariant_a_limit_on_steps_ends_a_run_with_what_it_has() {
     let scene = cart::Pushed::default();

@@ -96,11 +96,12 @@ model! {
     pub model Sinking {
         param a: m/s^2 = 4;
         param h: m = 0;
+        param above: m = 0;
         body stone { mass: 2, inertia: 1 }
         slider rail: ground(0, 0) ~ stone(0, 0) along ground(0, 1);
         stop floor: stone.y from h - a * t^2 / 2;
         gravity (0, -10);
-        start resting { stone at (0, h) angle 0; at rest; }
+        start resting { stone at (0, h + above) angle 0; at rest; }
         scene sinks { start resting; until 1 s; }
     }
 }
@@ -110,7 +111,7 @@ model! {
 fn analytic_floor_that_sinks_carries_what_falls_no_slower() {
     for h in [0.0, 1e3, -1e3] {
         for (a, sinks) in [(4.0, 4.0), (9.9, 9.9), (10.1, 10.0), (25.0, 10.0)] {
-            let scene = sinking::Sinks { a, h };
+            let scene = sinking::Sinks { a, h, ..Default::default() };
             for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::rk4(1e-2)] {
                 let run = Simulation::new(&scene).method(method).run().unwrap();
                 let last = run.last();
@@ -124,5 +125,16 @@ fn analytic_floor_that_sinks_carries_what_falls_no_slower() {
                 assert!(!names.contains(&"floor hits"), "{method:?} {a} {h}: {names:?}");
             }
         }
+    }
+}
+
+/// A tenth of what counts as zero, above the floor or in it, is on the floor.
+#[test]
+fn invariant_stone_within_the_tolerance_of_the_floor_rests_on_it() {
+    for above in [-1e-13, 1e-13] {
+        let scene = sinking::Sinks { above, h: 1.0, ..Default::default() };
+        let run = Simulation::new(&scene).method(Method::dop853(1e-12)).until(0.1).run().unwrap();
+        let found = run.sample(0).unwrap().get("lambda.floor").unwrap();
+        assert!((found + 12.0).abs() <= 1e-9 && run.events().is_empty(), "{above}: {found}, {:?}", run.events());
     }
 }

@@ -12,9 +12,13 @@
 // matrices keep the capital letters of the notation
 #![allow(non_snake_case)]
 
+#[cfg(feature = "sparse")]
+mod block;
 mod conditioning;
 mod damped;
 mod equation_residual;
+#[cfg(feature = "sparse")]
+mod joints;
 #[cfg(feature = "sparse")]
 mod lower;
 mod lu;
@@ -33,6 +37,8 @@ mod tolerances;
 #[cfg(not(feature = "sparse"))]
 mod without_sparse;
 
+#[cfg(feature = "sparse")]
+pub(crate) use block::by_joints;
 pub(crate) use conditioning::{ConditionEstimator, Conditioning};
 pub(crate) use damped::{DampedKkt, weights, write_diagonal};
 pub(crate) use equation_residual::EquationResidual;

@@ -69,7 +69,7 @@ pub(super) fn bodies_before_rows(
 }
 
 /// Order of the rows; each clique holds rows that are neighbours of each other.
-fn minimum_degree<'c>(n: usize, cliques: impl Iterator<Item = &'c [usize]>) -> Result<Vec<usize>, String> {
+pub(super) fn minimum_degree<'c>(n: usize, cliques: impl Iterator<Item = &'c [usize]>) -> Result<Vec<usize>, String> {
     let mut neighbours = vec![Vec::new(); n];
     for clique in cliques {
         for (i, &row) in clique.iter().enumerate() {

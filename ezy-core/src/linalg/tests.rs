@@ -87,6 +87,100 @@ fn invariant_sparse_solutions_fulfil_their_equations() {
     }
 }
 
+/// Bodies of three coordinates that joints hold: chains, trees, closed loops, nets, with one, two and three rows, some of one body alone.
+fn mechanisms() -> Vec<Vec<(usize, Vec<usize>)>> {
+    let net = |n: usize| -> Vec<(usize, Vec<usize>)> {
+        let at = |i: usize, j: usize| n * i + j;
+        let along = (0..n).flat_map(|i| (1..n).map(move |j| (1, vec![at(i, j - 1), at(i, j)])));
+        let across = (1..n).flat_map(|i| (0..n).map(move |j| (1, vec![at(i - 1, j), at(i, j)])));
+        along.chain(across).collect()
+    };
+    vec![
+        vec![(2, vec![0])],
+        (0..9).map(|i| (2, if i == 0 { vec![0] } else { vec![i - 1, i] })).collect(),
+        vec![(2, vec![0, 3]), (3, vec![1, 3]), (1, vec![3, 2]), (1, vec![2]), (2, vec![2, 4]), (2, vec![4, 5])],
+        vec![(2, vec![0]), (2, vec![0, 1]), (2, vec![1, 2]), (2, vec![2]), (1, vec![5, 6])],
+        // two joints between the same bodies, which are not one behind the other, and one of three bodies
+        vec![(2, vec![0, 1]), (1, vec![1, 2]), (1, vec![0, 1]), (1, vec![0, 2, 3]), (2, vec![3, 4])],
+        net(4),
+    ]
+}
+
+/// Entries of all coordinates of the bodies of a joint.
+fn pattern_of(joints: &[(usize, Vec<usize>)]) -> SparsityPattern {
+    let columns = |bodies: &[usize]| -> Vec<usize> { bodies.iter().flat_map(|b| 3 * b..3 * b + 3).collect() };
+    let rows: Vec<Vec<usize>> = joints.iter().flat_map(|(n, bodies)| vec![columns(bodies); *n]).collect();
+    pattern(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>())
+}
+
+/// Over blocks as by the general sparse solver, which takes the unknowns one by one; and both fulfil the equations.
+#[test]
+fn cross_blocks_of_joints_give_what_the_sparse_factors_give() {
+    let mut numbers = Numbers(11);
+    for joints in mechanisms() {
+        let pattern = pattern_of(&joints);
+        let n_rows = pattern.n_rows();
+        let n_q = 3 * (1 + joints.iter().flat_map(|of| &of.1).max().unwrap());
+        let mut blocks = by_joints(n_q, &pattern, n_rows).unwrap();
+        let mut sparse = SparseKkt::new(n_q, &pattern, n_rows).unwrap();
+        for _ in 0..20 {
+            let mass: Vec<f64> = numbers.vector(n_q).iter().map(|x| 1.5 + x).collect();
+            let jacobian: Vec<f64> = (0..pattern.n_nonzeros()).map(|_| numbers.entry()).collect();
+            let right = numbers.vector(n_q + n_rows);
+            let damping: Vec<f64> = numbers.vector(n_rows).iter().map(|x| 1.1 + x).collect();
+            for damping in [None, Some(&damping)] {
+                let found = [&mut *blocks, &mut sparse as &mut dyn KktFactorization].map(|kkt| {
+                    match damping {
+                        None => kkt.factor(&mass, &jacobian).unwrap(),
+                        Some(damping) => kkt.factor_damped(&mass, &jacobian, damping).unwrap(),
+                    }
+                    let mut x = right.clone();
+                    kkt.solve(&mut x);
+                    x
+                });
+                let none = Vec::new();
+                for x in &found {
+                    let left = left(&pattern, &mass, &jacobian, damping.unwrap_or(&none), &right, x);
+                    assert!(left <= ROUNDING * largest(x), "{joints:?}: {left:e}");
+                }
+                let scale = largest(&found[0]) / blocks.smallest_pivot();
+                for (x, y) in found[0].iter().zip(&found[1]) {
+                    assert!((x - y).abs() <= 1e-13 * scale, "{joints:?}: {x} {y}, {scale:e}");
+                }
+            }
+        }
+    }
+}
+
+fn largest(x: &[f64]) -> f64 {
+    x.iter().fold(1.0, |largest, x| x.abs().max(largest))
+}
+
+/// Rows [1 0 0] and [cos sin 0] of one joint: what the first leaves of the second is sin². Where one repeats the other, its number is told.
+#[test]
+fn analytic_pivots_within_a_block_are_those_of_its_rows() {
+    let pattern = pattern_of(&[(2, vec![1])]);
+    let mut kkt = by_joints(6, &pattern, 2).unwrap();
+    let mass = [4.0; 6];
+    for angle in [0.1_f64, 0.7, 1.5] {
+        kkt.factor(&mass, &[1.0, 0.0, 0.0, angle.cos(), angle.sin(), 0.0]).unwrap();
+        let expected = angle.sin().powi(2);
+        assert!((kkt.smallest_pivot() - expected).abs() <= 1e-14, "{} {expected}", kkt.smallest_pivot());
+    }
+    let vanished = kkt.factor(&mass, &[1.0, 2.0, 0.0, 2.0, 4.0, 0.0]).expect_err("twice the first row");
+    assert!(vanished.row == Some(1) && vanished.relative.abs() <= 1e-14, "{vanished:?}");
+    assert!(kkt.factor(&mass, &[f64::NAN; 6]).is_err() && kkt.factor(&mass, &[0.0; 6]).is_err());
+}
+
+/// A body in many joints, and an entry that stands twice, are left to other factors.
+#[test]
+fn invariant_blocks_refuse_what_they_cannot_take() {
+    let star: Vec<(usize, Vec<usize>)> = (1..=13).map(|i| (2, vec![0, i])).collect();
+    assert!(by_joints(42, &pattern_of(&star[..12]), 24).is_some());
+    assert!(by_joints(42, &pattern_of(&star), 26).is_none());
+    assert!(by_joints(3, &pattern(&[&[0, 0, 1]]), 1).is_none());
+}
+
 /// Rows [1 0] and [cos sin]: what the first leaves of the second is sin², whatever the masses are.
 #[test]
 fn analytic_smallest_pivot_of_two_rows_is_the_square_of_the_sine() {

@@ -1,0 +1,182 @@
+//! Rows that hold the same bodies, and in which order they are eliminated from `G M⁻¹ Gᵀ`.
+
+use super::order::minimum_degree;
+use super::tolerances::sizes::{HUB_ROWS, MAX_PAIRS};
+use crate::model::SparsityPattern;
+use std::collections::{HashMap, VecDeque};
+
+/// Most rows of one joint: those of a weld.
+pub(super) const MOST_ROWS: usize = 3;
+
+/// Up to three rows, one behind the other, that hold the same bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Joint {
+    pub first_row: usize,
+    pub n_rows: usize,
+    /// Bodies that it holds, ascending; three coordinates each.
+    pub bodies: Vec<usize>,
+}
+
+/// The joints in the order of elimination, and the blocks of the factors.
+pub(super) struct Plan {
+    pub joints: Vec<Joint>,
+    /// Later joints of each one, ascending, whose blocks are not zero.
+    pub later: Vec<Vec<usize>>,
+}
+
+impl Plan {
+    /// None where a body is held by so many rows that they would all be coupled, the factors are too large, or an entry of G is the sum
+    /// of two.
+    pub(super) fn new(n_q: usize, pattern: &SparsityPattern, n_rows: usize) -> Option<Self> {
+        let joints = joints(pattern, n_rows)?;
+        let mut of_body = vec![Vec::new(); n_q.div_ceil(3)];
+        for (k, joint) in joints.iter().enumerate() {
+            joint.bodies.iter().for_each(|&body| of_body[body].push(k));
+        }
+        let n_rows_of = |list: &[usize]| list.iter().map(|&k| joints[k].n_rows).sum::<usize>();
+        if of_body.iter().any(|list| n_rows_of(list) > HUB_ROWS) {
+            return None;
+        }
+        let inwards = inwards(&joints, &of_body);
+        let mut later = later(&inwards, &joints, &of_body)?;
+        let mut order = inwards;
+        // with closed loops another order may leave less
+        let n_original = later_without_fill(&order, &joints, &of_body);
+        if later.iter().map(Vec::len).sum::<usize>() > n_original {
+            let by_degree = minimum_degree(joints.len(), of_body.iter().map(|list| &list[..])).ok()?;
+            let other = self::later(&by_degree, &joints, &of_body)?;
+            if n_updates(&other) < n_updates(&later) {
+                (order, later) = (by_degree, other);
+            }
+        }
+        let mut all: Vec<Option<Joint>> = joints.into_iter().map(Some).collect();
+        let joints = order.iter().filter_map(|&k| all[k].take()).collect();
+        Some(Self { joints, later })
+    }
+}
+
+/// Rows one behind the other that hold the same bodies; none where an entry of G is the sum of two.
+fn joints(pattern: &SparsityPattern, n_rows: usize) -> Option<Vec<Joint>> {
+    let mut joints: Vec<Joint> = Vec::new();
+    for row in 0..n_rows {
+        let columns = &pattern.columns[pattern.starts[row]..pattern.starts[row + 1]];
+        let mut unique = columns.to_vec();
+        unique.sort_unstable();
+        unique.dedup();
+        if unique.len() < columns.len() {
+            return None;
+        }
+        let mut bodies: Vec<usize> = columns.iter().map(|column| column / 3).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        match joints.last_mut() {
+            Some(last) if last.bodies == bodies && last.n_rows < MOST_ROWS => last.n_rows += 1,
+            _ => joints.push(Joint { first_row: row, n_rows: 1, bodies }),
+        }
+    }
+    Some(joints)
+}
+
+/// From the ends of each tree of bodies to its middle, all branches at the same pace: without closed loops nothing is filled in, and
+/// neighbours in the order seldom wait for each other.
+fn inwards(joints: &[Joint], of_body: &[Vec<usize>]) -> Vec<usize> {
+    let mut is_placed = vec![false; joints.len()];
+    let mut outwards = Vec::with_capacity(joints.len());
+    for first in 0..joints.len() {
+        if is_placed[first] {
+            continue;
+        }
+        let one_end = farthest(first, joints, of_body)[0];
+        let path = farthest(one_end, joints, of_body);
+        let middle = path[path.len() / 2];
+        is_placed[middle] = true;
+        let mut next = outwards.len();
+        outwards.push(middle);
+        while next < outwards.len() {
+            for neighbour in neighbours(outwards[next], joints, of_body) {
+                if !std::mem::replace(&mut is_placed[neighbour], true) {
+                    outwards.push(neighbour);
+                }
+            }
+            next += 1;
+        }
+    }
+    outwards.reverse();
+    outwards
+}
+
+/// Joints that share a body with one; some more than once.
+fn neighbours<'a>(k: usize, joints: &'a [Joint], of_body: &'a [Vec<usize>]) -> impl Iterator<Item = usize> + 'a {
+    joints[k].bodies.iter().flat_map(move |&body| of_body[body].iter().copied()).filter(move |&other| other != k)
+}
+
+/// The way back from the joint that is farthest from another one.
+fn farthest(from: usize, joints: &[Joint], of_body: &[Vec<usize>]) -> Vec<usize> {
+    let mut came_from = HashMap::from([(from, from)]);
+    let (mut queue, mut last) = (VecDeque::from([from]), from);
+    while let Some(k) = queue.pop_front() {
+        last = k;
+        for neighbour in neighbours(k, joints, of_body) {
+            came_from.entry(neighbour).or_insert_with(|| {
+                queue.push_back(neighbour);
+                k
+            });
+        }
+    }
+    let mut path = vec![last];
+    while let Some(&k) = path.last()
+        && came_from[&k] != k
+    {
+        path.push(came_from[&k]);
+    }
+    path
+}
+
+/// Position of each joint in an order.
+fn positions(order: &[usize]) -> Vec<usize> {
+    let mut position = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(p, &k)| position[k] = p);
+    position
+}
+
+/// How many pairs of joints share a body.
+fn later_without_fill(order: &[usize], joints: &[Joint], of_body: &[Vec<usize>]) -> usize {
+    let unique = |k: usize| {
+        let mut list: Vec<usize> = neighbours(k, joints, of_body).filter(|&other| other > k).collect();
+        list.sort_unstable();
+        list.dedup();
+        list.len()
+    };
+    order.iter().map(|&k| unique(k)).sum()
+}
+
+/// Later joints of each one, in an order, whose blocks of the factors are not zero; none where they are too many.
+fn later(order: &[usize], joints: &[Joint], of_body: &[Vec<usize>]) -> Option<Vec<Vec<usize>>> {
+    let position = positions(order);
+    let mut later: Vec<Vec<usize>> = Vec::with_capacity(order.len());
+    let mut children = vec![Vec::new(); order.len()];
+    let mut n_pairs = 0_usize;
+    for (p, &k) in order.iter().enumerate() {
+        let mut list: Vec<usize> =
+            neighbours(k, joints, of_body).map(|other| position[other]).filter(|&other| other > p).collect();
+        for &child in &children[p] {
+            list.extend(later[child as usize].iter().copied().filter(|&other| other > p));
+        }
+        list.sort_unstable();
+        list.dedup();
+        if let Some(&parent) = list.first() {
+            children[parent].push(p as u32);
+        }
+        n_pairs += list.len() * list.len();
+        if n_pairs > MAX_PAIRS {
+            return None;
+        }
+        later.push(list);
+    }
+    Some(later)
+}
+
+/// Products of blocks in an elimination.
+fn n_updates(later: &[Vec<usize>]) -> usize {
+    later.iter().map(|list| list.len() * (list.len() + 1) / 2).sum()
+}

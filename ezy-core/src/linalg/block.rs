@@ -1,6 +1,7 @@
 //! Elimination of `A = G M⁻¹ Gᵀ` over blocks: a joint is a block, its rows are the rows of the block.
 
 use super::joints::{Joint, MOST_ROWS, Plan};
+use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 
@@ -11,14 +12,7 @@ type Column<const B: usize> = [f64; B];
 type Block<const B: usize> = [Column<B>; B];
 
 /// The part of G that one joint has of one body: a column for each coordinate.
-#[derive(Debug, Clone, Copy)]
-struct Slot<const B: usize> {
-    body: u32,
-    /// G.
-    rows: [Column<B>; 3],
-    /// `G M⁻¹`.
-    mobile: [Column<B>; 3],
-}
+type Slot<const B: usize> = [Column<B>; 3];
 
 /// What one joint leaves of another, later one.
 struct Coupling {
@@ -34,12 +28,14 @@ struct Coupling {
 ///
 /// Nothing is filled in where bodies form trees, whatever their shape: the cost grows as their number.
 struct BlockKkt<const B: usize> {
-    /// Where each entry of G stands among the slots: slot, coordinate, row.
-    places: Vec<[u32; 2]>,
+    /// Where each entry of G stands among the slots.
+    places: Vec<u32>,
     joints: Vec<Rows>,
     /// Slots of each joint, and one more start.
     slot_starts: Vec<u32>,
     slots: Vec<Slot<B>>,
+    /// The body of each slot.
+    slot_bodies: Vec<u32>,
     /// Blocks of each column of A, the one on the diagonal first, and one more start.
     block_starts: Vec<u32>,
     /// The row of each block.
@@ -60,7 +56,11 @@ struct BlockKkt<const B: usize> {
     mobility: Vec<[f64; 3]>,
     /// Right side and solution, by joint.
     multipliers: Vec<Column<B>>,
+    /// Multipliers before they are refined.
+    first: Vec<Column<B>>,
     smallest_pivot: f64,
+    /// Whether solutions are refined once.
+    refines: bool,
 }
 
 /// Rows of a joint among those of G.
@@ -83,21 +83,21 @@ pub(crate) fn by_joints(n_q: usize, jacobian: &SparsityPattern, n_rows: usize) -
 impl<const B: usize> BlockKkt<B> {
     fn new(n_q: usize, pattern: &SparsityPattern, plan: &Plan) -> Self {
         let Plan { joints, later } = plan;
-        let mut places = vec![[0; 2]; pattern.n_nonzeros()];
-        let (mut slot_starts, mut slots) = (vec![0], Vec::new());
+        let mut places = vec![0; pattern.n_nonzeros()];
+        let (mut slot_starts, mut slot_bodies) = (vec![0], Vec::new());
         for joint in joints {
             for &body in &joint.bodies {
                 for (r, row) in (joint.first_row..joint.first_row + joint.n_rows).enumerate() {
                     for k in pattern.starts[row]..pattern.starts[row + 1] {
                         let (of, c) = (pattern.columns[k] / 3, pattern.columns[k] % 3);
                         if of == body {
-                            places[k] = [slots.len() as u32, (c * B + r) as u32];
+                            places[k] = ((3 * slot_bodies.len() + c) * B + r) as u32;
                         }
                     }
                 }
-                slots.push(Slot { body: body as u32, rows: [[0.0; B]; 3], mobile: [[0.0; B]; 3] });
+                slot_bodies.push(body as u32);
             }
-            slot_starts.push(slots.len() as u32);
+            slot_starts.push(slot_bodies.len() as u32);
         }
         let (mut block_starts, mut block_rows) = (Vec::with_capacity(joints.len() + 1), Vec::new());
         for (k, list) in later.iter().enumerate() {
@@ -140,7 +140,8 @@ impl<const B: usize> BlockKkt<B> {
             places,
             joints: joints.iter().map(|of| Rows { first: of.first_row as u32, n: of.n_rows as u32 }).collect(),
             slot_starts,
-            slots,
+            slots: vec![[[0.0; B]; 3]; slot_bodies.len()],
+            slot_bodies,
             blocks: vec![zero; block_rows.len()],
             block_starts,
             block_rows,
@@ -152,27 +153,25 @@ impl<const B: usize> BlockKkt<B> {
             lower: vec![zero; later.iter().map(Vec::len).max().unwrap_or(0)],
             mobility: vec![[0.0; 3]; n_q / 3],
             multipliers: vec![[0.0; B]; joints.len()],
+            first: vec![[0.0; B]; joints.len()],
             smallest_pivot: 1.0,
+            refines: false,
         }
     }
 
     /// Writes G by joints, and A; `damping` is added to its diagonal.
     fn assemble(&mut self, mass: &[f64], jacobian: &[f64], damping: Option<&[f64]>) {
-        let Self {
-            places, joints, slot_starts, slots, block_starts, blocks, couplings, filled, starts, mobility, ..
-        } = self;
-        mobility.as_flattened_mut().iter_mut().zip(mass).for_each(|(mobility, m)| *mobility = 1.0 / m);
-        for (&[slot, at], g) in places.iter().zip(jacobian) {
-            slots[slot as usize].rows.as_flattened_mut()[at as usize] = *g;
+        self.mobility.as_flattened_mut().iter_mut().zip(mass).for_each(|(mobility, m)| *mobility = 1.0 / m);
+        let entries = self.slots.as_flattened_mut().as_flattened_mut();
+        for (&place, g) in self.places.iter().zip(jacobian) {
+            entries[place as usize] = *g;
         }
-        for slot in &mut *slots {
-            let mobility = &mobility[slot.body as usize];
-            slot.mobile = std::array::from_fn(|c| slot.rows[c].map(|g| g * mobility[c]));
-        }
+        let Self { joints, slot_starts, slots, slot_bodies, block_starts, blocks, starts, mobility, .. } = self;
         for ((k, joint), start) in joints.iter().enumerate().zip(starts) {
             let mut block = [[0.0; B]; B];
-            for slot in &slots[slot_starts[k] as usize..slot_starts[k + 1] as usize] {
-                add_product(&mut block, slot, slot);
+            let own = slot_starts[k] as usize..slot_starts[k + 1] as usize;
+            for (slot, &body) in slots[own.clone()].iter().zip(&slot_bodies[own]) {
+                add_product(&mut block, slot, &mobility[body as usize], slot);
             }
             for (r, column) in block.iter_mut().enumerate() {
                 if r < joint.n as usize {
@@ -184,11 +183,12 @@ impl<const B: usize> BlockKkt<B> {
             }
             blocks[block_starts[k] as usize] = block;
         }
-        filled.iter().for_each(|&block| blocks[block as usize] = [[0.0; B]; B]);
-        for Coupling { slots: [late, early], block, adds } in &*couplings {
+        self.filled.iter().for_each(|&block| blocks[block as usize] = [[0.0; B]; B]);
+        for Coupling { slots: [late, early], block, adds } in &self.couplings {
             let block = &mut blocks[*block as usize];
             let mut sum = if *adds { *block } else { [[0.0; B]; B] };
-            add_product(&mut sum, &slots[*late as usize], &slots[*early as usize]);
+            let mobility = &mobility[slot_bodies[*early as usize] as usize];
+            add_product(&mut sum, &slots[*late as usize], mobility, &slots[*early as usize]);
             *block = sum;
         }
     }
@@ -224,6 +224,30 @@ impl<const B: usize> BlockKkt<B> {
         Ok(())
     }
 
+    /// Takes from `x` what leaves `s` of its rows, by the multipliers that it writes.
+    fn correct(&mut self, x: &mut [[f64; 3]], s: &[f64]) {
+        let Self { joints, slot_starts, slots, slot_bodies, multipliers, .. } = self;
+        for ((k, joint), sum) in joints.iter().enumerate().zip(multipliers) {
+            let given = &s[joint.first as usize..][..joint.n as usize];
+            *sum = std::array::from_fn(|r| given.get(r).map_or(0.0, |s| -s));
+            let own = slot_starts[k] as usize..slot_starts[k + 1] as usize;
+            for (slot, &body) in slots[own.clone()].iter().zip(&slot_bodies[own]) {
+                for (column, x) in slot.iter().zip(&x[body as usize]) {
+                    sum.iter_mut().zip(column).for_each(|(sum, g)| *sum += g * x);
+                }
+            }
+        }
+        self.substitute();
+        let Self { slot_starts, slots, slot_bodies, multipliers, mobility, .. } = self;
+        for (k, solved) in multipliers.iter().enumerate() {
+            let own = slot_starts[k] as usize..slot_starts[k + 1] as usize;
+            for (slot, &body) in slots[own.clone()].iter().zip(&slot_bodies[own]) {
+                let (x, mobility) = (x[body as usize].iter_mut(), &mobility[body as usize]);
+                x.zip(mobility).zip(slot).for_each(|((x, mobility), column)| *x -= mobility * dot(column, solved));
+            }
+        }
+    }
+
     /// Solves `A y = b` in `multipliers`.
     fn substitute(&mut self) {
         let Self { blocks, inverses, block_starts, block_rows, multipliers, .. } = self;
@@ -249,11 +273,14 @@ impl<const B: usize> BlockKkt<B> {
 impl<const B: usize> KktFactorization for BlockKkt<B> {
     fn factor(&mut self, mass: &[f64], jacobian: &[f64]) -> Result<(), VanishedPivot> {
         self.assemble(mass, jacobian, None);
-        self.eliminate(PIVOT_TOLERANCE)
+        self.eliminate(PIVOT_TOLERANCE)?;
+        self.refines = self.smallest_pivot < REFINED;
+        Ok(())
     }
 
     fn factor_damped(&mut self, mass: &[f64], jacobian: &[f64], damping: &[f64]) -> Result<(), VanishedPivot> {
         self.assemble(mass, jacobian, Some(damping));
+        self.refines = false;
         self.eliminate(0.0)
     }
 
@@ -261,31 +288,24 @@ impl<const B: usize> KktFactorization for BlockKkt<B> {
         self.smallest_pivot
     }
 
-    /// A y = G M⁻¹ r − s, and x = M⁻¹ r − M⁻¹ Gᵀ y.
+    /// From x = M⁻¹ r and y = 0 on: what x leaves of its rows, `A δ = G x − s`, is taken from x by `M⁻¹ Gᵀ δ`. Once gives the solution; once more
+    /// gives back the digits that small pivots cost.
     fn solve(&mut self, right_side: &mut [f64]) {
         let (x, y) = right_side.split_at_mut(3 * self.mobility.len());
         let x = x.as_chunks_mut::<3>().0;
         for (x, mobility) in x.iter_mut().zip(&self.mobility) {
-            x.iter_mut().zip(mobility).for_each(|(x, mobility)| *x *= mobility);
+            x.iter_mut().zip(mobility).for_each(|(x, mobility)| *x *= *mobility);
         }
-        let Self { joints, slot_starts, slots, multipliers, .. } = self;
-        for ((k, joint), sum) in joints.iter().enumerate().zip(multipliers) {
-            let given = &y[joint.first as usize..][..joint.n as usize];
-            *sum = std::array::from_fn(|r| given.get(r).map_or(0.0, |s| -s));
-            for slot in &slots[slot_starts[k] as usize..slot_starts[k + 1] as usize] {
-                let free = &x[slot.body as usize];
-                for (column, free) in slot.rows.iter().zip(free) {
-                    sum.iter_mut().zip(column).for_each(|(sum, g)| *sum += g * free);
-                }
-            }
+        if self.refines {
+            self.correct(x, y);
+            self.first.copy_from_slice(&self.multipliers);
         }
-        self.substitute();
-        let Self { joints, slot_starts, slots, multipliers, .. } = self;
-        for ((k, joint), solved) in joints.iter().enumerate().zip(&*multipliers) {
-            for slot in &slots[slot_starts[k] as usize..slot_starts[k + 1] as usize] {
-                let x = &mut x[slot.body as usize];
-                x.iter_mut().zip(&slot.mobile).for_each(|(x, column)| *x -= dot(column, solved));
-            }
+        self.correct(x, y);
+        if self.refines {
+            let multipliers = self.multipliers.as_flattened_mut().iter_mut();
+            multipliers.zip(self.first.as_flattened()).for_each(|(sum, first)| *sum += first);
+        }
+        for (joint, solved) in self.joints.iter().zip(&self.multipliers) {
             y[joint.first as usize..][..joint.n as usize].iter_mut().zip(solved).for_each(|(y, solved)| *y = *solved);
         }
     }
@@ -293,9 +313,10 @@ impl<const B: usize> KktFactorization for BlockKkt<B> {
 
 /// `block += G_a M⁻¹ G_bᵀ`.
 #[inline]
-fn add_product<const B: usize>(block: &mut Block<B>, a: &Slot<B>, b: &Slot<B>) {
-    for (a, b) in a.mobile.iter().zip(&b.rows) {
+fn add_product<const B: usize>(block: &mut Block<B>, a: &Slot<B>, mobility: &[f64; 3], b: &Slot<B>) {
+    for ((a, b), mobility) in a.iter().zip(b).zip(mobility) {
         for (column, b) in block.iter_mut().zip(b) {
+            let b = b * mobility;
             column.iter_mut().zip(a).for_each(|(entry, a)| *entry += a * b);
         }
     }
@@ -361,4 +382,30 @@ fn invert<const B: usize>(block: &Block<B>, inverse: &mut Block<B>) -> Column<B>
         inverse[c] = x;
     }
     pivots
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rows of one body that are `angle` apart, so that the second pivot is sin²: x = 0, whatever pushes, and y with the digits that the
+    /// angle has. Where the pivot is not small nothing is spent on it.
+    #[test]
+    fn analytic_small_pivots_cost_no_digits() {
+        const ROWS: SparsityPattern = SparsityPattern::new(&[0, 3, 6], &[0, 1, 2, 0, 1, 2]);
+        let mut kkt = BlockKkt::<2>::new(3, &ROWS, &Plan::new(3, &ROWS, 2).unwrap());
+        for (angle, refines) in [(0.5_f64, false), (0.1, false), (1e-2, true), (1e-4, true)] {
+            let (sin, cos) = angle.sin_cos();
+            kkt.factor(&[1.0; 3], &[1.0, 0.0, 0.0, cos, sin, 0.0]).unwrap();
+            assert_eq!(kkt.refines, refines, "{angle}");
+            // y_2 sin = 3, and y_1 + y_2 cos = 2
+            let mut x = [2.0, 3.0, 0.0, 0.0, 0.0];
+            kkt.solve(&mut x);
+            let second = 3.0 / sin;
+            let first = 2.0 - second * cos;
+            let lost = ((x[4] - second) / second).abs().max(((x[3] - first) / first).abs());
+            let bound = f64::EPSILON * if refines { 8.0 / angle } else { 8.0 / (sin * sin) };
+            assert!(lost <= bound && x[0].abs().max(x[1].abs()) <= 6.0 * bound, "{angle}: {lost:e}, {x:?}");
+        }
+    }
 }

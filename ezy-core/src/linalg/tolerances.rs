@@ -39,6 +39,15 @@ pub(crate) mod refinement {
     pub(crate) const NEGLIGIBLE: f64 = 1e-2;
 }
 
+/// The elimination over blocks.
+#[cfg(feature = "sparse")]
+pub(crate) mod blocks {
+    /// Below this pivot solutions are refined: 3 of 16 digits are lost there, and a ratio of masses of 1e3 has it.
+    /// Unit: 1, of what the pivot started from.
+    /// Test: `analytic_small_pivots_cost_no_digits`.
+    pub(crate) const REFINED: f64 = 1e-3;
+}
+
 /// Large systems with redundant rows.
 pub(crate) mod damped {
     /// ε: with a relative rounding of 1e-16 in positions, what σ = 3e-5 tells about

@@ -1,6 +1,6 @@
 //! Elimination of `A = G M⁻¹ Gᵀ` over blocks: a joint is a block, its rows are the rows of the block.
 
-use super::joints::{Joint, MOST_ROWS, Plan};
+use super::joints::{Joint, Plan};
 use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
@@ -76,7 +76,7 @@ pub(crate) fn by_joints(n_q: usize, jacobian: &SparsityPattern, n_rows: usize) -
     Some(match plan.joints.iter().map(|joint| joint.n_rows).max() {
         None | Some(0 | 1) => Box::new(BlockKkt::<1>::new(n_q, jacobian, &plan)),
         Some(2) => Box::new(BlockKkt::<2>::new(n_q, jacobian, &plan)),
-        Some(_) => Box::new(BlockKkt::<MOST_ROWS>::new(n_q, jacobian, &plan)),
+        Some(_) => Box::new(BlockKkt::<3>::new(n_q, jacobian, &plan)),
     })
 }
 

@@ -5,10 +5,7 @@ use super::tolerances::sizes::{HUB_ROWS, MAX_PAIRS};
 use crate::model::SparsityPattern;
 use std::collections::{HashMap, VecDeque};
 
-/// Most rows of one joint: those of a weld.
-pub(super) const MOST_ROWS: usize = 3;
-
-/// Up to three rows, one behind the other, that hold the same bodies.
+/// Up to three rows, as many as a weld has, one behind the other, that hold the same bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Joint {
     pub first_row: usize,
@@ -70,7 +67,7 @@ fn joints(pattern: &SparsityPattern, n_rows: usize) -> Option<Vec<Joint>> {
         bodies.sort_unstable();
         bodies.dedup();
         match joints.last_mut() {
-            Some(last) if last.bodies == bodies && last.n_rows < MOST_ROWS => last.n_rows += 1,
+            Some(last) if last.bodies == bodies && last.n_rows < 3 => last.n_rows += 1,
             _ => joints.push(Joint { first_row: row, n_rows: 1, bodies }),
         }
     }

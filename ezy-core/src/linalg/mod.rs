@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | generated | M > 0, G of full rank | the scene's own straight-line elimination, [`crate::model::Equations::accelerations`] |
 //! | dense | the motion determined | null-space method after full pivoting of G ([`NullSpaceKkt`]) |
-//! | sparse | M > 0, G of full rank | LDLᵀ in an order known beforehand ([`SparseKkt`]) |
+//! | sparse | M > 0, G of full rank | LDLᵀ of G M⁻¹ Gᵀ over blocks of joints, or of K ([`SparseKkt`]), in an order known beforehand |
 //!
 //! Which constraints depend on each other is asked of [`RankRevealing`] alone. Where they do, the dense solver takes the place of
 //! generated and sparse ones, and in systems of more than [`LARGEST_DIAGNOSED`] equations rows are damped ([`DampedKkt`]).
@@ -75,7 +75,7 @@ pub enum Backend {
     Generated,
     /// Null-space method; the only one for massless bodies. Up to [`LARGEST_DENSE`] equations.
     Dense,
-    /// Sparse LDLᵀ; needs positive masses and inertias.
+    /// LDLᵀ over blocks of joints, or entry by entry; needs positive masses and inertias.
     Sparse,
 }
 

@@ -1,5 +1,7 @@
 //! Elimination of `A = G M⁻¹ Gᵀ` over blocks: a joint is a block, its rows are the rows of the block.
 
+#![allow(clippy::needless_range_loop, reason = "the triangles of a block are read by row and column")]
+
 use super::joints::{Joint, Plan};
 use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};

@@ -57,7 +57,7 @@ pub(crate) use tolerances::sizes::{LARGEST_DENSE, LARGEST_DIAGNOSED};
 #[doc(hidden)]
 pub use without_sparse::SparseKkt;
 #[cfg(not(feature = "sparse"))]
-pub(crate) use without_sparse::{SparseLu, SparseNumber};
+pub(crate) use without_sparse::{SparseLu, SparseNumber, by_joints};
 
 /// Whether there are sparse factorisations.
 pub(crate) const HAS_SPARSE: bool = cfg!(feature = "sparse");

@@ -64,5 +64,6 @@ mod symmetries;
 mod taylor;
 mod tolerances;
 mod trajectories;
+mod treads;
 mod unequal_masses;
 mod work;

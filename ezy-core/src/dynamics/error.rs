@@ -229,6 +229,26 @@ pub enum MotionError {
         /// Its value.
         value: f64,
     },
+    /// An input that a run integrates was set beside its motion.
+    #[error(
+        "input `{name}` is {} {unit} at t = {t} s and was set to {} {unit}: what constraints follow cannot jump, here by {:.1e} {unit}; \
+         leave it, and lead it there by its acceleration: for example `set.{input}_acceleration = w*w*(goal - set.{input}) - 2.0*w*set.{input}_rate`, \
+         which takes a few times 1/w", legible(*.is), legible(*.set), .set - .is
+    )]
+    InputJumps {
+        /// Time from which it would hold, s.
+        t: f64,
+        /// Name of the value, the rate or their time: `steer_rate`.
+        name: &'static str,
+        /// Name of the input: `steer`.
+        input: &'static str,
+        /// Its unit.
+        unit: &'static str,
+        /// Where its motion is.
+        is: f64,
+        /// What was set.
+        set: f64,
+    },
     /// A stop returns more than it gets, or nothing that is a number.
     #[error("the restitution of stop `{stop}` is {} at t = {t} s; it must be between 0 and 1", legible(*.value))]
     Restitution {

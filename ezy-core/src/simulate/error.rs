@@ -83,6 +83,17 @@ pub enum SetupError {
         /// Name of the coordinate or velocity.
         name: Name,
     },
+    /// Its value follows from its acceleration.
+    #[error(
+        "input `{name}` is given as a table, but it follows from its acceleration; give the table for `{input}_acceleration`, and one \
+         number for `{name}`, with which it starts"
+    )]
+    IntegratedInput {
+        /// Name of the value or the rate.
+        name: &'static str,
+        /// Name of the input.
+        input: &'static str,
+    },
     /// The scene has no Taylor series.
     #[error("scene `{scene}` has no Taylor series: {}; use another method, such as dop853", why(*.series))]
     NoSeries {

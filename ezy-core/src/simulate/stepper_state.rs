@@ -337,7 +337,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     }
 
     fn follow(&mut self, from: &Self) {
-        self.system.inputs_mut().copy_from_slice(from.system.inputs());
+        self.system.copy_inputs(&from.system);
         self.place(&from.now.state);
         self.now.state.work.copy_from_slice(&from.now.state.work);
     }

@@ -56,6 +56,7 @@ mod singularity_crossing_cases;
 mod start;
 mod starts_assembly;
 mod starts_projected;
+mod steered;
 mod stepper;
 mod stick_slip;
 mod stop;

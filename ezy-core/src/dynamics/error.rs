@@ -208,6 +208,23 @@ pub enum MotionError {
         /// The step, s.
         step_s: f64,
     },
+    /// An angle became too large for the tolerance of angles.
+    #[error(
+        "{name} is {angle:.3e} rad at t = {t} s, where doubles are {spacing:.1e} rad apart, more than the tolerance of angles, \
+         {tolerance:.1e} rad; give a larger one, end the run earlier, or continue in a new run from the angle less whole turns"
+    )]
+    AngleUnresolved {
+        /// End of the step, s.
+        t: f64,
+        /// Name of the coordinate.
+        name: Name,
+        /// The angle, rad.
+        angle: f64,
+        /// Distance of neighbouring doubles there, rad.
+        spacing: f64,
+        /// The tolerance, rad.
+        tolerance: f64,
+    },
     /// A number overflowed or is undefined.
     #[error(
         "{quantity} is not finite after t = {t} s: the motion has become too fast for the step, or a law is \

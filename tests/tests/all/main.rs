@@ -4,6 +4,7 @@ mod scenes;
 
 mod accuracy;
 mod adaptive;
+mod angles;
 mod architecture;
 mod assembly_modes;
 mod backends;

@@ -254,6 +254,9 @@ pub struct SceneInfo {
     pub parameters: &'static [ParameterInfo],
     /// `n_i` inputs of the model and of the scene's effects.
     pub inputs: &'static [InputInfo],
+    /// Places of the inputs that a run integrates (`by acceleration`). Behind each stand its rate, its acceleration, and the time of value
+    /// and rate, as inputs of their own.
+    pub integrated_inputs: &'static [usize],
     /// `n_o` outputs of the model and of the scene's effects.
     pub outputs: List<OutputInfo>,
     /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the discontinuities of

@@ -62,7 +62,7 @@ pub struct Expected {
 }
 
 /// A value with a word of its own.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Setting {
     pub word: &'static str,
     pub unit: &'static str,
@@ -103,6 +103,10 @@ const GRAVITY: Expected = Expected { what: "gravity", unit: "m/s^2" };
 
 /// The settings of friction at a point.
 const FRICTION: &[Setting] = &[setting("force", "N", Required), setting("speed", "m/s", Required)];
+/// The same along a direction, on a surface that may move.
+const FRICTION_ALONG: &[Setting] = &[FRICTION[0], FRICTION[1], TREAD];
+/// The velocity along a direction at which nothing slips.
+const TREAD: Setting = setting("tread", "m/s", Absent);
 
 const fn position(word: &'static str, form: &'static [Part], example: &'static str) -> Word {
     Word { word, class: PositionRow, form, example }
@@ -206,7 +210,7 @@ pub static WORDS: &[Word] = &[
     force(
         "friction",
         &[Choice(&[
-            &[At, Choice(&[&[Along, Colon, Settings(FRICTION)], &[Colon, Settings(FRICTION)]])],
+            &[At, Choice(&[&[Along, Colon, Settings(FRICTION_ALONG)], &[Colon, Settings(FRICTION)]])],
             &[Couple, Colon, Settings(&[setting("torque", "N*m", Required), setting("rate", "rad/s", Required)])],
         ])],
         "friction at A: force mu * n, speed 1e-3;",
@@ -221,6 +225,7 @@ pub static WORDS: &[Word] = &[
                 setting("stiffness", "N", Required),
                 setting("limit", "N", Absent),
                 setting("speed", "m/s", Absent),
+                TREAD,
             ]),
         ],
         "tyre at A along seat(1, 0): stiffness c, limit mu * n;",

@@ -43,6 +43,7 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     n_position_rows: 0,
     parameters: &[],
     inputs: &[],
+    integrated_inputs: &[],
     outputs: List::Borrowed(&[]),
     events: &[],
     stick_slip: None,

@@ -159,7 +159,7 @@ pub(super) struct PlotArguments {
     /// Draw over this column in place of time: a path, a phase plane; two lengths are drawn with equal axes
     #[arg(long, value_name = "COLUMN")]
     pub against: Option<String>,
-    /// Run with each of these values: of a parameter, count, input or start value, or of method, step, rtol, atol, project,
+    /// Run with each of these values: of a parameter, count, input or start value, or of method, step, rtol, atol, angle-tol, project,
     /// metric; may be repeated
     #[arg(long, value_name = "NAME=A,B,…", value_parser = parse_variation)]
     pub vary: Vec<Variation>,
@@ -182,7 +182,7 @@ pub(super) struct CompareArguments {
     /// Two motions, or one with --vary; then columns, such as '*.phi' [default: all]
     #[arg(value_name = "FILE.csv|MODEL/SCENE|COLUMN", required = true)]
     pub what: Vec<String>,
-    /// Run with each of two values: of a parameter, count, input or start value, or of method, step, rtol, atol, project, metric
+    /// Run with each of two values: of a parameter, count, input or start value, or of method, step, rtol, atol, angle-tol, project, metric
     #[arg(long, value_name = "NAME=A,B", value_parser = parse_variation)]
     pub vary: Vec<Variation>,
     /// Draw both motions and their difference; .svg, .png or .html. Without columns, that with the largest relative difference

@@ -15,9 +15,9 @@ const STEP_S: f64 = 1e-3;
 const RELATIVE_TOLERANCE: f64 = 1e-9;
 
 pub(super) fn method(arguments: &MotionArguments) -> Result<Method, Failure> {
-    let MotionArguments { method, step, rtol, atol, .. } = arguments;
+    let MotionArguments { method, step, rtol, atol, angle_tol, .. } = arguments;
     match method {
-        MethodName::Rk4 => match rtol.or(*atol) {
+        MethodName::Rk4 => match rtol.or(*atol).or(*angle_tol) {
             Some(_) => Err(Failure::wrong_use(
                 "rk4 has a fixed step: give `--step`, or a method with a tolerance, such as `--method dop853`",
             )),
@@ -37,7 +37,8 @@ fn tolerance(method: &str, arguments: &MotionArguments) -> Result<Tolerance, Fai
         )));
     }
     let relative = arguments.rtol.unwrap_or(RELATIVE_TOLERANCE);
-    Ok(Tolerance { relative, absolute: arguments.atol.unwrap_or(relative) })
+    let absolute = arguments.atol.unwrap_or(relative);
+    Ok(Tolerance { angle: arguments.angle_tol, ..Tolerance::new(relative, absolute) })
 }
 
 /// Inputs of the file, then those of the command line, which win.

@@ -26,6 +26,9 @@ pub(super) struct MotionArguments {
     /// Absolute tolerance in m, rad, m/s, rad/s [default: that of --rtol]
     #[arg(long, value_name = "A", value_parser = parse_number, allow_negative_numbers = true)]
     pub atol: Option<f64>,
+    /// Tolerance of angles in rad, in place of --rtol and --atol, for rotors whose angles grow
+    #[arg(long, value_name = "A", value_parser = parse_number, allow_negative_numbers = true)]
+    pub angle_tol: Option<f64>,
     /// What is projected onto the constraints after each step
     #[arg(long, value_enum, default_value_t)]
     pub project: Projection,

@@ -34,6 +34,9 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outc
         "acceleration": by_coordinate(|last, i| last.accelerations[i]),
         "multipliers": named(&mut info.rows.iter().map(|row| &*row.name), |last, i| last.multipliers[i]),
     });
+    if let Some(angle) = method.tolerance().and_then(|tolerance| tolerance.angle) {
+        end["angle_tolerance"] = json!(angle);
+    }
     if info.n_inputs() > 0 {
         end["inputs"] = named(&mut info.inputs.iter().map(|input| input.name), |last, i| last.inputs[i]);
     }
@@ -198,7 +201,7 @@ fn remark(run: &Run, method: Method, radau_runs: bool) -> String {
 fn energy_remark(energy: EnergyError, steps: u64, method: Method, radau_runs: bool) -> String {
     let EnergyError { relative: share, t, .. } = energy;
     let explained = match method.tolerance() {
-        Some(Tolerance { relative, absolute }) => OF_A_STEP * steps as f64 * relative.max(absolute),
+        Some(Tolerance { relative, absolute, .. }) => OF_A_STEP * steps as f64 * relative.max(absolute),
         None => f64::INFINITY,
     };
     if share <= explained.min(EnergyError::LARGEST_OF_FIXED_STEPS) {

@@ -74,8 +74,11 @@ fn setting(method: Method) -> String {
     let short = |x: f64| rounded(x, 3);
     match (method, method.tolerance()) {
         (Method::Rk4 { step_s }, _) => format!("--step {}", short(step_s)),
-        (_, Some(Tolerance { relative, absolute })) if relative == absolute => format!("--rtol {}", short(relative)),
-        (_, Some(Tolerance { relative, absolute })) => format!("--rtol {} --atol {}", short(relative), short(absolute)),
+        (_, Some(Tolerance { relative, absolute, angle })) => {
+            let atol = if relative == absolute { String::new() } else { format!(" --atol {}", short(absolute)) };
+            let angle_tol = angle.map_or(String::new(), |angle| format!(" --angle-tol {}", short(angle)));
+            format!("--rtol {}{atol}{angle_tol}", short(relative))
+        }
         (_, None) => String::new(),
     }
 }

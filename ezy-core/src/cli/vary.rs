@@ -27,7 +27,7 @@ pub(super) fn parse_variation(text: &str) -> Result<Variation, String> {
 }
 
 /// What can be varied besides the names of a scene.
-const SETTINGS: [&str; 6] = ["method", "step", "rtol", "atol", "project", "metric"];
+const SETTINGS: [&str; 7] = ["method", "step", "rtol", "atol", "angle-tol", "project", "metric"];
 
 /// The arguments of each run, with what tells it from the others: every value of the first variation with every one of the next.
 pub(super) fn varied(
@@ -63,6 +63,7 @@ fn set(arguments: &mut MotionArguments, name: &str, value: &str, info: &SceneInf
         "step" => arguments.step = Some(number()?),
         "rtol" => arguments.rtol = Some(number()?),
         "atol" => arguments.atol = Some(number()?),
+        "angle-tol" => arguments.angle_tol = Some(number()?),
         _ => {
             let parameters = info.parameters.iter().map(|parameter| parameter.name);
             let parameters: Vec<&str> = parameters.chain(info.counts().iter().map(|count| count.name)).collect();

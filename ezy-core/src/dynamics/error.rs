@@ -208,6 +208,23 @@ pub enum MotionError {
         /// The step, s.
         step_s: f64,
     },
+    /// An angle became too large for the tolerance of angles.
+    #[error(
+        "{name} is {angle:.3e} rad at t = {t} s, where doubles are {spacing:.1e} rad apart, more than the tolerance of angles, \
+         {tolerance:.1e} rad; give a larger one, end the run earlier, or continue in a new run from the angle less whole turns"
+    )]
+    AngleUnresolved {
+        /// End of the step, s.
+        t: f64,
+        /// Name of the coordinate.
+        name: Name,
+        /// The angle, rad.
+        angle: f64,
+        /// Distance of neighbouring doubles there, rad.
+        spacing: f64,
+        /// The tolerance, rad.
+        tolerance: f64,
+    },
     /// A number overflowed or is undefined.
     #[error(
         "{quantity} is not finite after t = {t} s: the motion has become too fast for the step, or a law is \
@@ -228,6 +245,26 @@ pub enum MotionError {
         name: &'static str,
         /// Its value.
         value: f64,
+    },
+    /// An input that a run integrates was set beside its motion.
+    #[error(
+        "input `{name}` is {} {unit} at t = {t} s and was set to {} {unit}: what constraints follow cannot jump, here by {:.1e} {unit}; \
+         leave it, and lead it there by its acceleration: for example `set.{input}_acceleration = w*w*(goal - set.{input}) - 2.0*w*set.{input}_rate`, \
+         which takes a few times 1/w", legible(*.is), legible(*.set), .set - .is
+    )]
+    InputJumps {
+        /// Time from which it would hold, s.
+        t: f64,
+        /// Name of the value, the rate or their time: `steer_rate`.
+        name: &'static str,
+        /// Name of the input: `steer`.
+        input: &'static str,
+        /// Its unit.
+        unit: &'static str,
+        /// Where its motion is.
+        is: f64,
+        /// What was set.
+        set: f64,
     },
     /// A stop returns more than it gets, or nothing that is a number.
     #[error("the restitution of stop `{stop}` is {} at t = {t} s; it must be between 0 and 1", legible(*.value))]

@@ -14,6 +14,7 @@ mod euclidean;
 mod factors;
 mod free_correction;
 mod geometry;
+mod integrated_inputs;
 mod moved;
 mod on_rows;
 mod projection;
@@ -32,6 +33,7 @@ mod worst;
 
 pub(crate) use any::{Dynamics, SystemOf};
 pub use error::{MotionError, StartError, SystemError};
+pub(crate) use integrated_inputs::Jump;
 pub use moved::MovedValue;
 pub(crate) use on_rows::OnRows;
 pub use projection::{Metric, Projection};

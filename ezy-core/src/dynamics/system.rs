@@ -22,6 +22,8 @@ pub struct System<'s, S: Scene + ?Sized> {
     pub(super) info: Arc<SceneInfo>,
     /// What kernels read as `c`: inputs, then constants.
     pub(super) fixed: Vec<f64>,
+    /// Value, rate and their time of the inputs that a run integrates.
+    pub(super) integrated: Vec<[f64; 3]>,
     pub(super) mass: Vec<f64>,
     pub(super) geometry: Geometry,
     pub(super) solver: Solver,
@@ -71,6 +73,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         }
         let mut fixed = vec![0.0; info.n_fixed()];
         fixed.iter_mut().zip(info.inputs).for_each(|(value, input)| *value = input.default);
+        let integrated = info.integrated_inputs.iter().map(|&i| [fixed[i], fixed[i + 1], fixed[i + 3]]).collect();
         scene.constants(&parameters, &mut fixed);
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let mut mass = vec![0.0; n_q];
@@ -96,6 +99,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
             factors: Factors::new(n_q, n_c, jacobian.clone()),
             least_pivot: 1.0,
             fixed,
+            integrated,
             mass,
             euclidean: None,
             buffers: Buffers { jacobian, sums: vec![0.0; n_c], residual: vec![0.0; n_c], delta: vec![0.0; n_q] },

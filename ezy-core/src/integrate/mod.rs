@@ -44,17 +44,17 @@ impl Method {
     /// The method of Dormand and Prince of order 8, with one number for the relative and the absolute tolerance (m, rad,
     /// m/s, rad/s).
     pub const fn dop853(tolerance: f64) -> Self {
-        Self::Dop853(Tolerance { relative: tolerance, absolute: tolerance })
+        Self::Dop853(Tolerance::new(tolerance, tolerance))
     }
 
     /// Taylor's method, with one number for the relative and the absolute tolerance (m, rad, m/s, rad/s).
     pub const fn taylor(tolerance: f64) -> Self {
-        Self::Taylor(Tolerance { relative: tolerance, absolute: tolerance })
+        Self::Taylor(Tolerance::new(tolerance, tolerance))
     }
 
     /// Radau IIA of order 5, with one number for the relative and the absolute tolerance (m, rad, m/s, rad/s).
     pub const fn radau(tolerance: f64) -> Self {
-        Self::Radau(Tolerance { relative: tolerance, absolute: tolerance })
+        Self::Radau(Tolerance::new(tolerance, tolerance))
     }
 
     /// Tolerance of a method that chooses its steps; none for one with a fixed step.
@@ -62,6 +62,21 @@ impl Method {
         match self {
             Self::Rk4 { .. } => None,
             Self::Dop853(tolerance) | Self::Taylor(tolerance) | Self::Radau(tolerance) => Some(tolerance),
+        }
+    }
+
+    /// The same method with an absolute tolerance of angles, rad, in place of `absolute + relative · |φ|`: for rotors, whose angles grow
+    /// while only their remainder after whole turns matters. A method with a fixed step has no tolerance and stays what it is.
+    ///
+    /// A run ends with an error where an angle becomes so large that doubles near it are farther apart than this.
+    #[must_use]
+    pub fn angle_tolerance(self, rad: f64) -> Self {
+        let with = |tolerance: Tolerance| Tolerance { angle: Some(rad), ..tolerance };
+        match self {
+            Self::Rk4 { .. } => self,
+            Self::Dop853(tolerance) => Self::Dop853(with(tolerance)),
+            Self::Taylor(tolerance) => Self::Taylor(with(tolerance)),
+            Self::Radau(tolerance) => Self::Radau(with(tolerance)),
         }
     }
 

@@ -1,5 +1,8 @@
 //! The lengths of steps: fixed, or from the error of the last one.
 
+use crate::model::coordinate::is_angle;
+use crate::scalar::Scalar;
+
 /// Steps are aimed at this part of the largest allowed error, so that few are rejected.
 const SAFETY: f64 = 0.9;
 /// A step changes at most by these factors.
@@ -10,18 +13,54 @@ const BETA: f64 = 0.04;
 /// Smallest error that is used for prediction.
 const LEAST_ERROR: f64 = 1e-4;
 
-/// Tolerated errors of a step: `absolute + relative · |y|` for each number of the state.
+/// Tolerated errors of a step: `absolute + relative · |y|` for each number of the state, or `angle` for each angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     /// Relative tolerance.
     pub relative: f64,
     /// Absolute tolerance, in m, rad, m/s, rad/s alike.
     pub absolute: f64,
+    /// Tolerance of angles, rad, in place of the other two where angles grow; angular velocities keep to the other two.
+    pub angle: Option<f64>,
 }
 
 impl Tolerance {
     /// The smallest relative tolerance: below it an error estimate is rounding.
     pub const SMALLEST_RELATIVE: f64 = 1e-15;
+
+    /// Relative and absolute tolerance, the same for angles.
+    pub const fn new(relative: f64, absolute: f64) -> Self {
+        Self { relative, absolute, angle: None }
+    }
+
+    /// The relative tolerance becomes `relative`, and the others change in proportion.
+    pub(crate) fn with_relative(self, relative: f64) -> Self {
+        let factor = relative / self.relative;
+        Self { relative, absolute: self.absolute * factor, angle: self.angle.map(|angle| angle * factor) }
+    }
+
+    /// Tolerated error of number `i` of a state whose first `n_q` numbers are the coordinates, where it has this size.
+    pub(crate) fn of(&self, i: usize, n_q: usize, size: f64) -> f64 {
+        match self.angle {
+            Some(angle) if i < n_q && is_angle(i) => angle,
+            _ => self.absolute + self.relative * size,
+        }
+    }
+
+    /// The smallest tolerated error relative to the number, of coordinates `q`.
+    pub(crate) fn smallest_relative(&self, q: &[f64]) -> f64 {
+        let largest =
+            q.iter().enumerate().filter(|(i, _)| is_angle(*i)).fold(1.0, |largest: f64, (_, x)| largest.max(x.abs()));
+        self.angle.map_or(self.relative, |angle| self.relative.min(angle / largest))
+    }
+
+    /// The first of the coordinates `q` that is an angle so large that doubles near it are farther apart than its tolerance, and how far.
+    pub(crate) fn unresolved<T: Scalar>(&self, q: &[T]) -> Option<(usize, f64)> {
+        let tolerated = self.angle?;
+        let spacings =
+            q.iter().enumerate().filter(|(i, _)| is_angle(*i)).map(|(i, x)| (i, f64::EPSILON * x.magnitude()));
+        spacings.into_iter().find(|(_, spacing)| *spacing > tolerated)
+    }
 }
 
 /// A proportional-integral controller for a method whose error goes with the power `order` of the step.

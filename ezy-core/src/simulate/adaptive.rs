@@ -68,6 +68,11 @@ impl<T: Scalar> Adaptive<T> {
         self.watch.since()
     }
 
+    /// Tolerated errors.
+    pub(super) fn tolerance(&self) -> Tolerance {
+        self.tolerance
+    }
+
     /// Rejected steps.
     pub(super) fn n_rejected(&self) -> u64 {
         self.rejected
@@ -208,7 +213,7 @@ mod tests {
     fn analytic_step_whose_stages_leave_where_equations_are_defined_is_made_shorter() {
         let at = |x: f64| State { t: 0.0, q: vec![x], v: vec![1.0], work: Vec::new() };
         let step = |start: &State, to: &mut State| {
-            let mut adaptive = Adaptive::new(1, 0, 0, Tolerance { relative: 1e-9, absolute: 1e-9 });
+            let mut adaptive = Adaptive::new(1, 0, 0, Tolerance::new(1e-9, 1e-9));
             adaptive.restart_with(4.0);
             let from = Node { state: start, a: &[0.0], power: &[] };
             let outcome = adaptive.step(&mut UpToAWall, from, 10.0, to, |_, _| Passage::Smooth);

@@ -14,7 +14,7 @@ use super::{Run, SetupError, Simulation, Stepper, estimated_run};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
 use crate::memory;
-use crate::model::{Scene, Start};
+use crate::model::{Scene, SceneInfo, Start};
 use crate::record::{Recorder, input_index};
 
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
@@ -53,7 +53,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     fn run_in_modes(mut self, others: &[&'s S]) -> Result<Run, SetupError> {
         let mut system = System::new(self.scene, self.settings.backend)?;
         let start = self.start(&system)?;
-        let control = self.take_control(&mut system)?;
+        let control = self.take_control(start.t, &mut system)?;
         let schedule = self.schedule(start.t, control.is_idle())?;
         let limits = self.settings.limits.checked()?;
         let events = if self.settings.watched { self.scene.info().events } else { &[] };
@@ -84,8 +84,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         let mut system = System::new(self.scene, self.settings.backend)?;
         let start = self.start(&system)?;
         let step_s = self.fixed_step()?;
+        let control = self.take_control(start.t, &mut system)?;
         let state = system.consistent_start(&start)?;
-        let control = self.take_control(&mut system)?;
         let stepper = self.stepper_in(system)?;
         Ok(Stepper::new(stepper, control, step_s, start, state))
     }
@@ -117,16 +117,20 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 
     /// Tables and control law of the run; constant inputs are set at once. Of two settings of one input the later one counts.
-    fn take_control(&mut self, system: &mut System<'_, S>) -> Result<Control<'s>, SetupError> {
+    fn take_control(&mut self, start_s: f64, system: &mut System<'_, S>) -> Result<Control<'s>, SetupError> {
         let mut control = Control { tables: Vec::new(), law: self.hooks.law.take() };
         for (name, table) in self.settings.inputs.drain(..) {
             let i = input_index(system.info(), &name)?;
             control.tables.retain(|(other, _)| *other != i);
             match table.constant() {
                 Some(value) => system.inputs_mut()[i] = value,
-                None => control.tables.push((i, table)),
+                None => {
+                    refuse_integrated(system.info(), i)?;
+                    control.tables.push((i, table));
+                }
             }
         }
+        system.begin_inputs(start_s);
         Ok(control)
     }
 
@@ -184,10 +188,22 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 }
 
+/// Value and rate of an input by acceleration follow from where they start.
+fn refuse_integrated(info: &SceneInfo, i: usize) -> Result<(), SetupError> {
+    let first = info.integrated_inputs.iter().find(|first| [**first, **first + 1, **first + 3].contains(&i));
+    match first {
+        Some(&first) => Err(SetupError::IntegratedInput { name: info.inputs[i].name, input: info.inputs[first].name }),
+        None => Ok(()),
+    }
+}
+
 pub(super) fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {
-    let Tolerance { relative, absolute } = tolerance;
+    let Tolerance { relative, absolute, angle } = tolerance;
     let usable = |x: f64, least: f64| (least..=LARGEST_TOLERANCE).contains(&x);
     let smallest = Tolerance::SMALLEST_RELATIVE;
+    if let Some(rad) = angle.filter(|rad| !usable(*rad, f64::MIN_POSITIVE)) {
+        return Err(SetupError::AngleTolerance { rad, largest: LARGEST_TOLERANCE });
+    }
     if usable(relative, smallest) && usable(absolute, f64::MIN_POSITIVE) {
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! Tables and control laws that set the inputs of a run.
 
 use super::input_table::InputTable;
-use crate::dynamics::{MotionError, State, System};
+use crate::dynamics::{Jump, MotionError, State, System};
 use crate::model::Scene;
 
 /// Sets inputs at the start of a step from the state and itself.
@@ -59,6 +59,7 @@ impl Control<'_> {
         system: &mut System<'_, S>,
     ) -> Result<(), MotionError> {
         let t = state.t;
+        system.integrate_inputs(t);
         let inputs = system.inputs_mut();
         for (i, table) in &self.tables {
             inputs[*i] = table.at(t + 0.5 * h);
@@ -70,11 +71,22 @@ impl Control<'_> {
     }
 }
 
-/// An error with the name of the first input that is not finite.
+/// An error with the name of the first input that is not finite, or that a run integrates and that jumped.
 pub(super) fn check_inputs<S: Scene + ?Sized>(t: f64, system: &System<'_, S>) -> Result<(), MotionError> {
     let named = system.info().inputs.iter().zip(system.inputs());
     match named.into_iter().find(|(_, value)| !value.is_finite()) {
         Some((input, &value)) => Err(MotionError::InputNotFinite { t, name: input.name, value }),
-        None => Ok(()),
+        None => match system.jump() {
+            Some(jump) => Err(jumps(t, system, jump)),
+            None => Ok(()),
+        },
     }
+}
+
+#[cold]
+fn jumps<S: Scene + ?Sized>(t: f64, system: &System<'_, S>, Jump { index, is, set }: Jump) -> MotionError {
+    let info = system.info();
+    let first = info.integrated_inputs.iter().rev().find(|first| **first <= index).copied().unwrap_or(index);
+    let (part, input) = (&info.inputs[index], info.inputs[first].name);
+    MotionError::InputJumps { t, name: part.name, input, unit: part.unit, is, set }
 }

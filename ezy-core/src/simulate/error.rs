@@ -83,6 +83,25 @@ pub enum SetupError {
         /// Name of the coordinate or velocity.
         name: Name,
     },
+    /// The tolerance of angles is not positive or too large.
+    #[error("the tolerance of angles is {rad:e} rad; give a positive one up to {largest:e} rad, or none")]
+    AngleTolerance {
+        /// Tolerance of angles, rad.
+        rad: f64,
+        /// Largest one that is accepted, rad.
+        largest: f64,
+    },
+    /// Its value follows from its acceleration.
+    #[error(
+        "input `{name}` is given as a table, but it follows from its acceleration; give the table for `{input}_acceleration`, and one \
+         number for `{name}`, with which it starts"
+    )]
+    IntegratedInput {
+        /// Name of the value or the rate.
+        name: &'static str,
+        /// Name of the input.
+        input: &'static str,
+    },
     /// The scene has no Taylor series.
     #[error("scene `{scene}` has no Taylor series: {}; use another method, such as dop853", why(*.series))]
     NoSeries {

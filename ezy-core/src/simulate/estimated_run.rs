@@ -97,8 +97,8 @@ fn seconds(method: Method) -> Vec<Method> {
         Method::Taylor(tolerance) => (tolerance, Method::Taylor, Method::Dop853, ROUNDING),
         Method::Radau(tolerance) => (tolerance, Method::Radau, Method::Dop853, ROUNDING_OF_RADAU),
     };
-    let Tolerance { relative, absolute } = tolerance;
-    let with = |other: f64| Tolerance { relative: other, absolute: absolute * (other / relative) };
+    let relative = tolerance.relative;
+    let with = |other: f64| tolerance.with_relative(other);
     let tighter = with(Tolerance::SMALLEST_RELATIVE.max(TIGHTER * relative));
     let looser = with(LARGEST_TOLERANCE.min(LOOSER * relative));
     let first = if relative < rounding { other(tighter) } else { same(tighter) };
@@ -192,7 +192,7 @@ mod tests {
         assert_eq!(seconds(Method::rk4(0.01)), [Method::rk4(0.005)]);
         let relative_of = |method: Method| {
             let of_seconds = seconds(method).into_iter().map(|method| {
-                let Tolerance { relative, absolute } = method.tolerance().unwrap();
+                let Tolerance { relative, absolute, .. } = method.tolerance().unwrap();
                 // the ratio of both is kept
                 assert!((absolute / relative - 1.0).abs() <= 1e-15);
                 (method.name(), relative)
@@ -207,7 +207,7 @@ mod tests {
         assert_eq!(relative_of(Method::radau(2e-11))[0].0, "radau");
         assert_eq!(relative_of(Method::radau(0.5e-11))[0].0, "dop853");
         assert_eq!(relative_of(Method::radau(0.5))[1], ("radau", 1.0));
-        let with = Method::Dop853(Tolerance { relative: 1e-6, absolute: 1e-3 });
+        let with = Method::Dop853(Tolerance::new(1e-6, 1e-3));
         let Method::Dop853(Tolerance { absolute, .. }) = seconds(with)[0] else { panic!() };
         assert!((absolute / 1e-5 - 1.0).abs() <= 1e-15, "{absolute:e}");
     }

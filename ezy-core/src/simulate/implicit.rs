@@ -95,7 +95,7 @@ impl Implicit {
     /// explain. Where constraints make fast velocities of small errors of positions, such as of a wheel that trails its hinge by 1 mm, a long
     /// step has errors that its estimate does not see.
     fn correction(&self, v: &[f64]) -> f64 {
-        let Tolerance { relative, absolute } = self.tolerance;
+        let Tolerance { relative, absolute, .. } = self.tolerance;
         let explained = |v: f64| LARGEST_CORRECTION * (absolute + relative * v.abs());
         self.found.iter().zip(v).fold(0.0, |largest: f64, (found, v)| largest.max((v - found).abs() / explained(*v)))
     }

@@ -64,7 +64,8 @@ struct Heading<'f> {
 /// Reads the inputs of a scene, to be handed to [`Simulation::input`](super::Simulation::input): a column `t` in s and
 /// one for each input, with straight lines between rows; two rows at one time are a jump.
 ///
-/// Of a file that a run wrote, the columns of inputs are read, and each value holds until the next row, as it did there.
+/// Of a file that a run wrote, the columns of inputs are read, and each value holds until the next row, as it did there. Of inputs by
+/// acceleration, value and rate are read from the first row.
 /// Lines that begin with `#` are left out. Files of up to 512 MiB are read, and rows of up to 16 MiB.
 ///
 /// # Errors
@@ -107,8 +108,18 @@ pub fn read_inputs(file: impl Read, info: &SceneInfo) -> Result<Vec<(String, Inp
         }
     }
     let table = if of_a_run { InputTable::held } else { InputTable::new };
-    let tables = headings.iter().zip(values);
-    tables.map(|(heading, values)| Ok((heading.name.to_owned(), table(times.clone(), values)?))).collect()
+    let tables = headings.iter().zip(values).map(|(heading, values)| {
+        let start = values.first().filter(|_| of_a_run && is_integrated(info, heading.name));
+        let table = start.map_or_else(|| table(times.clone(), values.clone()), |value| Ok(InputTable::from(*value)));
+        Ok((heading.name.to_owned(), table?))
+    });
+    tables.collect()
+}
+
+/// Whether a run integrated the input, so that its start says all.
+fn is_integrated(info: &SceneInfo, name: &str) -> bool {
+    let parts = info.integrated_inputs.iter().flat_map(|first| [*first, first + 1, first + 3]);
+    parts.into_iter().any(|i| info.inputs[i].name == name)
 }
 
 fn check_unit(heading: &Heading<'_>, unit: &'static str) -> Result<(), InputFileError> {

@@ -23,6 +23,8 @@ pub(super) struct Sampler<'s> {
     outputs: Vec<f64>,
     /// The constraint that the active mode does not have, and its multiplier as a multiple of the skate's limit.
     pub lacking: Option<(usize, f64)>,
+    /// Those of the last sample.
+    inputs: Vec<f64>,
     /// Multipliers, with that of this constraint.
     multipliers: Vec<f64>,
 }
@@ -44,6 +46,7 @@ impl<'s> Sampler<'s> {
             wanted,
             outputs: vec![0.0; if wanted.outputs { info.n_outputs() } else { 0 }],
             lacking: None,
+            inputs: vec![0.0; info.n_inputs()],
             multipliers: Vec::new(),
             info,
         }
@@ -102,6 +105,7 @@ impl<'s> Sampler<'s> {
                 &self.multipliers
             }
         };
+        system.inputs_at(*t, &mut self.inputs);
         let sample = Sample {
             info: &self.info,
             wanted: self.wanted,
@@ -110,7 +114,7 @@ impl<'s> Sampler<'s> {
             velocities: v,
             accelerations: &self.a,
             multipliers,
-            inputs: system.inputs(),
+            inputs: &self.inputs,
             outputs: &self.outputs,
             work: works,
             energy,

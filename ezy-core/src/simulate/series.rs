@@ -88,7 +88,7 @@ mod tests {
         let scene = stone::Falls::default();
         for (h, is_halved) in [(1e-3, true), (2.1e-14, true), (1.9e-14, false)] {
             let taylor = Taylor::new(&scene, 8, 0).unwrap();
-            let mut series = AlongSeries::new(taylor, Tolerance { relative: 1e-9, absolute: 1e-9 });
+            let mut series = AlongSeries::new(taylor, Tolerance::new(1e-9, 1e-9));
             let (from, mut to) = (State::zero(3, 0), State::zero(3, 0));
             to.t = h;
             let node = |state| Node { state, a: &[f64::NAN; 3], power: &[] };

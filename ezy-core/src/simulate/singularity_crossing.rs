@@ -41,7 +41,7 @@ impl SingularityCrossing {
         let info = system.info();
         let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
         let n_works = end.power.len();
-        let wanted = tolerance.unwrap_or(Tolerance { relative: OF_FIXED_STEPS, absolute: OF_FIXED_STEPS });
+        let wanted = tolerance.unwrap_or(Tolerance::new(OF_FIXED_STEPS, OF_FIXED_STEPS));
         Self {
             method: Dop853::new(n_q, info.n_rows(), n_works),
             on_rows: State::zero(n_q, 0),

@@ -143,6 +143,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
 
     fn begin(&mut self) {
         self.stepper.system.inputs_mut().copy_from_slice(&self.first_inputs);
+        self.stepper.system.begin_inputs(self.stepper.now.state.t);
         self.n_steps = 0;
         self.evaluated = false;
         self.start_s = self.stepper.now.state.t;
@@ -203,6 +204,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
                 // from a discontinuity on
                 h = t_next - self.stepper.now.state.t;
             }
+            self.stepper.system.integrate_inputs(self.stepper.now.state.t);
             self.n_steps += 1;
         }
         Ok(())

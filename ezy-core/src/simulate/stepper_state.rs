@@ -9,7 +9,8 @@ use super::snapshot::Snapshot;
 use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, QUARTERED, SHORTENED, TOO_NEAR};
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
-use crate::model::Scene;
+use crate::model::{Scene, SceneInfo};
+use crate::scalar::Scalar;
 use std::sync::Arc;
 
 /// The state `now`, and the end `next` of the step under way.
@@ -118,7 +119,8 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             self.usual_s = length.max(self.usual_s - FADING * length);
         }
         let State { t, q, .. } = &self.now.state;
-        outcome.map_err(|error| self.system.locked_up(*t, q, error))
+        outcome.map_err(|error| self.system.locked_up(*t, q, error))?;
+        check_angles(self.system.info(), self.tolerance, &self.next.state)
     }
 
     /// A step across a singular position, or a part of such a step; false where there is none.
@@ -337,7 +339,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     }
 
     fn follow(&mut self, from: &Self) {
-        self.system.inputs_mut().copy_from_slice(from.system.inputs());
+        self.system.copy_inputs(&from.system);
         self.place(&from.now.state);
         self.now.state.work.copy_from_slice(&from.now.state.work);
     }
@@ -396,6 +398,22 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
     pub(super) fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);
         self.integrator.accept();
+    }
+}
+
+/// That no angle is too large for the tolerance of angles.
+pub(super) fn check_angles<T: Scalar>(
+    info: &SceneInfo,
+    tolerance: Option<Tolerance>,
+    state: &State<T>,
+) -> Result<(), MotionError> {
+    let Some(tolerance) = tolerance else { return Ok(()) };
+    match tolerance.unresolved(&state.q).zip(tolerance.angle) {
+        None => Ok(()),
+        Some(((i, spacing), tolerance)) => {
+            let (name, angle) = (info.coordinates[i].name.clone(), state.q[i].magnitude());
+            Err(MotionError::AngleUnresolved { t: state.t, name, angle, spacing, tolerance })
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::SetupError;
 use super::adaptive::Adaptive;
 use super::discontinuities::Passage;
+use super::stepper_state::check_angles;
 use crate::dynamics::{Dynamics, MotionError, State, SystemOf, not_finite};
 use crate::integrate::{Clock, Method, Node, Rk4};
 use crate::model::{Equations, SceneInfo};
@@ -79,6 +80,9 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
             return Err(MotionError::NotFinite { t: now.t, quantity });
         }
         system.project(next.t, &mut next.q, &mut next.v)?;
+        if let Steps::Dop853(adaptive) = method {
+            check_angles(info, Some(adaptive.tolerance()), next)?;
+        }
         std::mem::swap(now, next);
         Ok(())
     }

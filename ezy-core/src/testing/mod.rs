@@ -40,13 +40,20 @@ use probe::Probe;
 /// [`CheckError::Failed`] with the report when a check failed, others when the scene cannot be set up or started.
 pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckError> {
     let mut system = System::new(scene, Backend::Auto)?;
-    // inputs that differ from each other and from zero
-    system.inputs_mut().iter_mut().enumerate().for_each(|(i, input)| *input += 1.0 + 0.5 * i as f64);
+    let info = scene.info();
+    let is_integrated = |i: usize| info.integrated_inputs.iter().any(|first| (*first..first + 4).contains(&i));
+    // inputs that differ from each other and from zero; constraints at the start have those that are declared
+    let differ = |inputs: &mut [f64], integrated: bool| {
+        let chosen = inputs.iter_mut().enumerate().filter(|(i, _)| is_integrated(*i) == integrated);
+        chosen.for_each(|(i, input)| *input += 1.0 + 0.5 * i as f64);
+    };
+    differ(system.inputs_mut(), false);
     let given = system.scene_start();
     let start = system.consistent_start(&given)?;
     let moved = system.moved_values(&given, &start);
-    let info = scene.info();
-    let probe = Probe::new(scene, system.fixed());
+    let mut fixed = system.fixed().to_vec();
+    differ(&mut fixed[..info.n_inputs()], true);
+    let probe = Probe::new(scene, &fixed);
     let agreement = solvers::agreement_at_start(&mut system, &start);
     let rank = Some(system.rank_loss(start.t, &start.q)).filter(RankLoss::is_lost);
     let mut checks = vec![

@@ -19,9 +19,9 @@ pub enum StepsBy {
 }
 
 /// Any error will do: the step is given.
-const ANY: Tolerance = Tolerance { relative: 1.0, absolute: 1.0 };
+const ANY: Tolerance = Tolerance::new(1.0, 1.0);
 /// The iteration goes on to rounding.
-const CONVERGED: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-10 };
+const CONVERGED: Tolerance = Tolerance::new(1e-10, 1e-10);
 
 enum Method<'s> {
     Rk4(Box<Rk4>),

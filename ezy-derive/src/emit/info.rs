@@ -11,7 +11,7 @@ use crate::mechanics::derived::Straight;
 use crate::mechanics::kernels::{Kernel, Quantity};
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Derived, Equations, EventKind, Group, SceneEvent};
-use crate::model::{Bound, Coordinate, InputId, Model, Parameter, ParameterId, Relation, Scene};
+use crate::model::{Bound, Coordinate, InputId, Model, Parameter, ParameterId, Part, Relation, Scene};
 use crate::symbolic::SumId;
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::program::Count;
@@ -35,6 +35,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let rows = rows(equations, names);
     let n_position_rows = equations.constraints.n_position_rows;
     let parameters = parameters(model, &equations.parameters, &equations.symbols);
+    let integrated_inputs = integrated_inputs(model, &equations.inputs);
     let inputs = inputs(model, &equations.inputs, &equations.symbols);
     let outputs = outputs(model, equations, names);
     let events = equations.events.iter().map(|event| self::event(event, &names.print(event.value)));
@@ -78,6 +79,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             n_position_rows: #n_position_rows,
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            integrated_inputs: &[#(#integrated_inputs),*],
             outputs: #outputs,
             events: &[#(#events),*],
             stick_slip: #stick_slip,
@@ -201,6 +203,11 @@ pub fn inputs(model: &Model, inputs: &[InputId], symbols: &Symbols) -> Vec<Token
             Some(quote!(ezy::InputInfo { #members }))
         })
         .collect()
+}
+
+/// The places of inputs `by acceleration`.
+pub fn integrated_inputs(model: &Model, inputs: &[InputId]) -> Vec<usize> {
+    (0..inputs.len()).filter(|&i| model.inputs[inputs[i].0].part == Some(Part::Value)).collect()
 }
 
 /// The members that parameters and inputs have in common.

@@ -64,6 +64,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
     let n_constants = derived.constants.coefficients().len();
     let (model_name, name, documentation) = (model.name.to_string(), scene.name.to_string(), &scene.documentation);
     let parameters = info::parameters(model, &templates.parameters, &templates.symbols);
+    let integrated_inputs = info::integrated_inputs(model, &templates.inputs);
     let inputs = info::inputs(model, &templates.inputs, &templates.symbols);
     let effects = info::effects(model, &templates.groups);
     let until = scene.until_s;
@@ -89,6 +90,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream 
             n_position_rows: 0,
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            integrated_inputs: &[#(#integrated_inputs),*],
             outputs: #none,
             events: &[#(#events),*],
             stick_slip: ::core::option::Option::None,

@@ -2,7 +2,7 @@
 
 use super::symbols::Symbols;
 use crate::function::{Function, Operator};
-use crate::model::{self, Arguments, BodyId, Component, Expr, Model};
+use crate::model::{self, Arguments, BodyId, Component, Expr, InputId, Model, Part};
 use crate::symbolic::coefficient::Coefficient;
 use crate::symbolic::{Algebra, SumId, Symbol};
 
@@ -35,6 +35,7 @@ impl<'a> Writer<'a> {
                 self.algebra.constant(parameter)
             }
             Expr::Input(id) => self.symbols.input(*id).map_or(SumId::ZERO, |symbol| self.algebra.symbol(symbol)),
+            Expr::Integrated(first, part) => self.integrated(*first, *part),
             Expr::Coordinate(body, component) => {
                 let symbol = self.symbols.coordinate(*body, *component);
                 self.algebra.symbol(symbol)
@@ -76,6 +77,23 @@ impl<'a> Writer<'a> {
                 self.algebra.call(*function, arguments)
             }
         }
+    }
+
+    /// The value s + ṡ τ + s̈ τ²/2 of an input by acceleration, or its rate ṡ + s̈ τ, with τ = t − since.
+    fn integrated(&mut self, first: InputId, part: Part) -> SumId {
+        let [value, rate, acceleration, since] =
+            std::array::from_fn(|i| self.write(&Expr::Input(InputId(first.0 + i))));
+        let time = self.algebra.symbol(Symbol::TIME);
+        let elapsed = self.algebra.sub(time, since);
+        let gained = self.algebra.mul(acceleration, elapsed);
+        if part == Part::Rate {
+            return self.algebra.add(rate, gained);
+        }
+        let half = self.algebra.number(0.5);
+        let mean = self.algebra.mul(half, gained);
+        let mean = self.algebra.add(rate, mean);
+        let way = self.algebra.mul(mean, elapsed);
+        self.algebra.add(value, way)
     }
 
     /// A value that `model` has checked to depend on parameters alone.

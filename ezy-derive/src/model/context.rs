@@ -19,6 +19,8 @@ pub struct Context<'a> {
     pub units: Vec<Option<Unit>>,
     /// By [`super::InputId`].
     pub input_units: Vec<Option<Unit>>,
+    /// By [`super::InputId`].
+    pub input_parts: Vec<Option<ast::Part>>,
     pub lets: Vec<Lazy<(Scope, &'a ast::Let), Value>>,
     /// How many `let` values are in work.
     pub n_lets_in_work: usize,
@@ -49,6 +51,7 @@ impl<'a> Context<'a> {
             names: Names::default(),
             units: Vec::new(),
             input_units: Vec::new(),
+            input_parts: Vec::new(),
             lets: Vec::new(),
             n_lets_in_work: 0,
             points: Vec::new(),
@@ -170,7 +173,7 @@ impl Purpose {
 pub fn motion(expr: &Expr) -> Motion {
     match expr {
         Expr::Input(_) => Motion::Input,
-        Expr::Time => Motion::Time,
+        Expr::Time | Expr::Integrated(..) => Motion::Time,
         Expr::Coordinate(..) | Expr::PointPosition(..) | Expr::MemberPosition(..) | Expr::HingeAngle(_) => {
             Motion::Position
         }

@@ -6,7 +6,7 @@ use super::dimension::{Dimension, Measure};
 use super::names::Symbol;
 use super::unit::Unit;
 use super::value::{Form, Value};
-use super::{Direction, Expr};
+use super::{Direction, Expr, InputId};
 use crate::diag::{names, repeats, rules, values};
 use crate::function::Operator;
 use crate::parse::ast;
@@ -177,9 +177,16 @@ impl Context<'_> {
                 Some(in_si(Expr::Parameter(id), unit))
             }
             Some(Symbol::Input(id)) => {
-                self.forbid_motion(name, Motion::Input, purpose)?;
+                let part = self.input_parts.get(id.0).copied().flatten();
+                let (expr, moves) = match part {
+                    Some(part @ (ast::Part::Value | ast::Part::Rate)) => {
+                        (Expr::Integrated(InputId(id.0 - part as usize), part), Motion::Time)
+                    }
+                    _ => (Expr::Input(id), Motion::Input),
+                };
+                self.forbid_motion(name, moves, purpose)?;
                 let unit = self.input_units.get(id.0).copied().flatten();
-                Some(in_si(Expr::Input(id), unit))
+                Some(in_si(expr, unit))
             }
             Some(Symbol::Let(id)) => {
                 let value = self.let_value(id, name)?;
@@ -250,7 +257,7 @@ const fn remedy(motion: Motion, limit: Motion) -> &'static str {
     match (motion, limit) {
         (_, Motion::Parameters) => "write an expression of numbers, `pi` and parameters",
         (Motion::Input, _) => {
-            "a constraint needs its rate; write a stiff force law, or prescribe the motion by a `drive` in `t`"
+            "a constraint needs its rate: declare it `by acceleration`, as `input angle: rad = 0 by acceleration;`"
         }
         _ => "a position constraint knows positions and `t`; write `velocity constraint` for a velocity constraint",
     }
@@ -259,7 +266,9 @@ const fn remedy(motion: Motion, limit: Motion) -> &'static str {
 /// What to write in place of something that a stop cannot follow.
 const fn remedy_in_stop(motion: Motion) -> &'static str {
     match motion {
-        Motion::Input => "the constraint of a stop needs its rate; write parameters, positions and `t`",
+        Motion::Input => {
+            "the constraint of a stop needs its rate: declare it `by acceleration`, as `input height: m = 0 by acceleration;`"
+        }
         _ => "a stop bounds positions; an `event` tells when a velocity passes a value",
     }
 }

@@ -30,7 +30,7 @@ mod value;
 pub mod whole;
 
 pub use crate::function::{Function, Operator};
-pub use crate::parse::ast::Relation;
+pub use crate::parse::ast::{Part, Relation};
 pub use coordinate::{Component, Coordinate};
 pub use resolve::resolve;
 
@@ -152,6 +152,8 @@ pub struct Parameter {
     pub documentation: String,
     /// The effect that declares it.
     pub effect: Option<EffectId>,
+    /// Of an input `by acceleration`, whose parts follow each other.
+    pub part: Option<Part>,
 }
 
 /// A scalar output; a vector is two of them.
@@ -432,6 +434,8 @@ pub enum Expr {
     Time,
     Parameter(ParameterId),
     Input(InputId),
+    /// The value at the present time of an input `by acceleration`, or its rate; by the first of its parts.
+    Integrated(InputId, Part),
     /// `body.x`, `body.y`, `body.phi`
     Coordinate(BodyId, Component),
     /// `body.vx`, `body.vy`, `body.omega`

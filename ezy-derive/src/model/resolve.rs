@@ -90,6 +90,7 @@ impl<'a> Resolver<'a> {
                 let (resolved, unit) = self.parameter(input, "input", &item.documentation, scope);
                 self.model.inputs.push(resolved);
                 self.context.input_units.push(unit);
+                self.context.input_parts.push(input.part);
                 (&input.name, Symbol::Input(InputId(self.context.input_units.len() - 1)))
             }
             ItemKind::Count(count) => {
@@ -150,6 +151,7 @@ impl<'a> Resolver<'a> {
             default_text: parameter.value_text.clone(),
             documentation: documentation.to_owned(),
             effect,
+            part: parameter.part,
         };
         (resolved, unit)
     }

@@ -76,6 +76,18 @@ pub struct Parameter {
     pub value: Expr,
     /// The value as written, blanks removed.
     pub value_text: String,
+    /// Of an input `by acceleration`.
+    pub part: Option<Part>,
+}
+
+/// One of the four numbers of an input `by acceleration`, in the order in which they are declared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    Value,
+    Rate,
+    Acceleration,
+    /// The time of value and rate.
+    Since,
 }
 
 #[derive(Debug)]

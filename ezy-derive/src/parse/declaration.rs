@@ -1,7 +1,7 @@
 //! Items of one line: `count`, `param`, `input`, `output`, `let`, `body`, `point`, `release`, `stop`.
 
 use super::Log;
-use super::ast::{Body, Count, Expr, ItemKind, Let, Output, Parameter, Point, Stop};
+use super::ast::{Body, Count, Expr, ItemKind, Let, Output, Parameter, Part, Point, Stop};
 use super::expression::{expression, indexed};
 use super::place::on_body;
 use super::token::{braced, comma_or_end, expected, name, sign, take_word, written};
@@ -19,12 +19,22 @@ pub fn count(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
 
 /// `name: unit = value;`, `name = value;`
 pub fn parameter(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
-    quantity(input, "param", "the name of the parameter").map(ItemKind::Parameter)
+    let parameter = quantity(input, "param", "the name of the parameter")?;
+    sign::<Token![;]>(input)?;
+    Ok(ItemKind::Parameter(parameter))
 }
 
-/// The same.
+/// The same, or with `by acceleration`.
 pub fn input(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
-    quantity(input, "input", "the name of the input").map(ItemKind::Input)
+    let mut parameter = quantity(input, "input", "the name of the input")?;
+    if take_word(input, "by") {
+        if !take_word(input, "acceleration") {
+            return Err(expected(input, "`acceleration`"));
+        }
+        parameter.part = Some(Part::Value);
+    }
+    sign::<Token![;]>(input)?;
+    Ok(ItemKind::Input(parameter))
 }
 
 fn quantity(input: ParseStream, keyword: &str, what: &str) -> Result<Parameter> {
@@ -37,8 +47,7 @@ fn quantity(input: ParseStream, keyword: &str, what: &str) -> Result<Parameter> 
     let begin = input.cursor();
     let value = expression(input)?;
     let value_text = written(begin, input);
-    sign::<Token![;]>(input)?;
-    Ok(Parameter { name, unit, value, value_text })
+    Ok(Parameter { name, unit, value, value_text, part: None })
 }
 
 /// `name: unit = expression;`, `name = expression;`

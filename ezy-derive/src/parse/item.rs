@@ -4,7 +4,7 @@ use super::ast::{Effect, Item, ItemKind, Loop};
 use super::repeat::repeated;
 use super::statement::statement;
 use super::token::{braced, expected, name, peek_word, skip, take};
-use super::{Log, declaration, event, scene, start};
+use super::{Log, declaration, event, integrated, scene, start};
 use crate::diag::syntax;
 use crate::grammar::WORDS;
 use proc_macro2::Ident;
@@ -100,7 +100,11 @@ pub fn items(input: ParseStream, level: Level, loops: &[Loop], items: &mut Vec<I
                 Ok(())
             })
         } else {
-            item(input, level, loops, log).map(|item| items.push(item))
+            item(input, level, loops, log).map(|item| {
+                let parts = integrated::parts(&item);
+                items.push(item);
+                items.extend(parts);
+            })
         };
         match outcome {
             Ok(()) => {}

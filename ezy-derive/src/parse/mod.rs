@@ -4,6 +4,7 @@ pub mod ast;
 mod declaration;
 mod event;
 mod expression;
+mod integrated;
 mod item;
 mod place;
 mod repeat;

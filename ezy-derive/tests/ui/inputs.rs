@@ -6,11 +6,15 @@ ezy_core::model! {
         input torque: N*m = 0.0;
         input gap: m = 0.1;
         input shift: m = m1;
+        input reach: m = 0.3 by acceleration;
+        input tilt: rad = 0 by rate;
         body seat { mass: m1, inertia: 10.0 * gap }
         body bar { mass: 1.0, inertia: 0.005 }
         point A = seat(-gap, 0);
         rod strut: seat(0.6, 0) ~ bar(-0.1, 0) length gap;
         drive steering: bar.phi - seat.phi = atan2(gap, 1);
+        rod brace: seat(0.6, 0) ~ bar(0.1, 0) length reach + reach_acceleration;
+        rod stay: seat(0.5, 0) ~ bar(0.1, 0) length reach_rate;
         output speed: m = norm(seat.v);
         effect rider { torque seat ~ bar: torque * seat.omega; force at bar(0, 0): (speed, 0); }
         start folded { seat at (gap, 0) angle 0; }

@@ -15,8 +15,11 @@ ezy_core::model! {
         effect drag { force at bar(a, 0): -k; }
         effect push { force at bar(a + bar.phi, 0): (1, bar.v); }
         effect twist { torque bar: a + seat.phi; }
+        effect belt { friction at bar(a, 0) along bar(1, 0): force 2, speed 0.1, tread seat.omega; }
+        effect track { friction at bar(a, 0): force 2, speed 0.1, tread a * seat.omega; }
+        effect wheel { tyre at bar(a, 0) along bar(1, 0): stiffness 90, tread seat.r; }
         start folded { seat at (0, 0) angle 0; }
-        scene driven { start folded; until 60 s; with pump, resistance, drag, push, twist; }
+        scene driven { start folded; until 60 s; with pump, resistance, drag, push, twist, belt, wheel; }
     }
 }
 

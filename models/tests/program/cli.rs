@@ -597,3 +597,24 @@ fn invariant_each_command_has_a_manual_page() {
     }
     assert_wrong_use(&["man", "nope"], "no command `nope`; there are list, show, run");
 }
+
+#[test]
+fn invariant_tolerance_of_angles_is_used_and_told() {
+    let spinning = ["run", "pendulum/swing", "--until", "0.02", "--start", "bob.omega=30000", "--json"];
+    let with = |options: &[&str]| ezy(&[&spinning[..], options].concat());
+    let run = with(&["--method", "dop853", "--angle-tol", "1e-8"]);
+    let json: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
+    assert_eq!(json["angle_tolerance"], 1e-8, "{}", text(&run.stderr));
+    let run = with(&["--method", "dop853"]);
+    assert!(!text(&run.stdout).contains("angle_tolerance"));
+    let run = with(&["--method", "dop853", "--angle-tol", "1e-13"]);
+    assert!(text(&run.stderr).contains("more than the tolerance of angles, 1.0e-13 rad"), "{}", text(&run.stderr));
+    let refused = [
+        (&["--angle-tol", "1e-8"][..], "rk4 has a fixed step"),
+        (&["--method", "taylor", "--angle-tol", "0"], "the tolerance of angles is 0e0 rad; give a positive one"),
+    ];
+    for (options, message) in refused {
+        let run = with(options);
+        assert!(run.status.code() == Some(2) && text(&run.stderr).contains(message), "{}", text(&run.stderr));
+    }
+}

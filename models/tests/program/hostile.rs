@@ -110,10 +110,18 @@ fn of(words: &[&str]) -> Vec<OsString> {
 #[test]
 fn invariant_hostile_numbers_of_a_run_are_refused_or_give_numbers() {
     for value in VALUES {
-        for option in
-            ["--until", "--step", "--rtol", "--atol", "--every", "--max-drift", "--max-energy-error", "--max-steps"]
-        {
-            let method = if matches!(option, "--rtol" | "--atol") { "dop853" } else { "rk4" };
+        for option in [
+            "--until",
+            "--step",
+            "--rtol",
+            "--atol",
+            "--angle-tol",
+            "--every",
+            "--max-drift",
+            "--max-energy-error",
+            "--max-steps",
+        ] {
+            let method = if matches!(option, "--rtol" | "--atol" | "--angle-tol") { "dop853" } else { "rk4" };
             judge(&of(&["run", "ezyroller/ridden", "--json", "--method", method, &format!("{option}={value}")]
                 .into_iter()
                 .chain(["--until", "0.01"].into_iter().filter(|_| option != "--until"))

@@ -35,7 +35,7 @@ impl Order {
     pub fn new(draw: &mut Draw, wild: bool) -> Self {
         let step_s = draw.instead_of(1e-3, wild);
         let relative = draw.instead_of(1e-8, wild);
-        let tolerance = Tolerance { relative, absolute: draw.instead_of(relative, wild) };
+        let tolerance = Tolerance::new(relative, draw.instead_of(relative, wild));
         let (method, until_s) = match draw.below(6) {
             0 => (Method::Dop853(tolerance), draw.instead_of(1e-2, false)),
             1 => (Method::Taylor(tolerance), draw.instead_of(1e-2, false)),

@@ -10,6 +10,7 @@ mod tests;
 use super::step_control::Tolerance;
 use super::{Node, compensated};
 use crate::dynamics::{Dynamics, MotionError, State};
+use crate::model::coordinate::is_angle;
 use crate::scalar::Scalar;
 use sums::{Block, Sum, WIDTH};
 use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, difference_6, error_3, error_5, stages};
@@ -132,8 +133,10 @@ impl<T: Scalar> Dop853<T> {
     ) -> Result<f64, MotionError> {
         self.begin(from);
         let n = 2 * self.n_q;
+        let n_q = self.n_q;
         let norm = |x: &[T], start: &[T]| {
-            let scaled = x.iter().zip(start).map(|(&x, &y)| x / scale(tolerance, y.abs()));
+            let scaled = x.iter().zip(start).enumerate();
+            let scaled = scaled.map(|(i, (&x, &y))| x / scale_of(tolerance, i, n_q, y.abs()));
             let squares = scaled.fold(T::from_f64(0.0), |sum, x| sum + x * x);
             (squares / T::from_f64(n.max(1) as f64)).sqrt().magnitude()
         };
@@ -233,9 +236,9 @@ impl<T: Scalar> Dop853<T> {
     pub(crate) fn error_of_order_5(&self, h: f64, tolerance: Tolerance) -> f64 {
         let n = 2 * self.n_q;
         let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());
-        let errors = ends.zip(self.errors[0].as_flattened());
-        let squares = errors.map(|((start, end), error)| {
-            let error = *error / scale(tolerance, start.abs().max(end.abs()));
+        let errors = ends.zip(self.errors[0].as_flattened()).enumerate();
+        let squares = errors.map(|(i, ((start, end), error))| {
+            let error = *error / scale_of(tolerance, i, self.n_q, start.abs().max(end.abs()));
             error * error
         });
         let sum = squares.fold(T::from_f64(0.0), |sum, square| sum + square);
@@ -243,14 +246,23 @@ impl<T: Scalar> Dop853<T> {
     }
 
     fn weighted_error(&self, h: f64, tolerance: Tolerance) -> f64 {
+        // apart, since a test of each number would keep the loop from running in lanes
+        match tolerance.angle {
+            None => self.error_by(h, tolerance, |_, size| scale(tolerance, size)),
+            Some(_) => self.error_by(h, tolerance, |i, size| scale_of(tolerance, i, self.n_q, size)),
+        }
+    }
+
+    #[inline(always)]
+    fn error_by(&self, h: f64, tolerance: Tolerance, scale: impl Fn(usize, T) -> T) -> f64 {
         let [fives, threes, sixes] = &self.errors;
         let n = 2 * self.n_q;
         let zero = T::from_f64(0.0);
         let (mut five, mut three, mut six) = (zero, zero, zero);
         let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());
         let errors = fives.as_flattened().iter().zip(threes.as_flattened()).zip(sixes.as_flattened());
-        for ((start, end), ((of_5, of_3), of_6)) in ends.zip(errors) {
-            let scale = scale(tolerance, start.abs().max(end.abs()));
+        for (i, ((start, end), ((of_5, of_3), of_6))) in ends.zip(errors).enumerate() {
+            let scale = scale(i, start.abs().max(end.abs()));
             let (of_5, of_3, of_6) = (*of_5 / scale, *of_3 / scale, *of_6 / scale);
             five = five + of_5 * of_5;
             three = three + of_3 * of_3;
@@ -268,6 +280,15 @@ impl<T: Scalar> Dop853<T> {
 #[inline(always)]
 fn scale<T: Scalar>(tolerance: Tolerance, size: T) -> T {
     T::from_f64(tolerance.absolute) + T::from_f64(tolerance.relative) * size
+}
+
+/// Tolerance for number `i` of (q, v), of this size.
+#[inline]
+fn scale_of<T: Scalar>(tolerance: Tolerance, i: usize, n_q: usize, size: T) -> T {
+    match tolerance.angle {
+        Some(angle) if i < n_q && is_angle(i) => T::from_f64(angle),
+        _ => scale(tolerance, size),
+    }
 }
 
 /// y = (q, v, w, zeros) from its parts.

@@ -24,7 +24,7 @@ impl Dynamics<f64> for Swing {
     }
 }
 
-const TOLERANCE: Tolerance = Tolerance { relative: 1e-3, absolute: 1e-2 };
+const TOLERANCE: Tolerance = Tolerance::new(1e-3, 1e-2);
 
 /// Rounding of some tens of operations.
 const ROUNDING: f64 = 1e-12;
@@ -72,7 +72,7 @@ fn analytic_sixth_differences_count_above_rounding() {
         // errors over their tolerances are 0.1, 2 and 0.5 over the relative one
         let (five, three) = (2.0 * (larger / relative).powi(2), 2.0 * (2.0 / relative).powi(2));
         let expected = 0.5 * five / (2.0 * (five + 0.01 * three)).sqrt();
-        let found = method.weighted_error(0.5, Tolerance { relative, absolute: 0.0 });
+        let found = method.weighted_error(0.5, Tolerance::new(relative, 0.0));
         assert!((found / expected - 1.0).abs() <= ROUNDING, "{relative:e}: {found} {expected}");
     }
 }
@@ -168,7 +168,7 @@ fn analytic_values_between_and_their_error() {
         assert_eq!(out.t, 9.0);
     }
     method.stage = vec![[-3.0, 1.0, 1e9, 0.0]];
-    let tolerance = Tolerance { relative: 0.01, absolute: 0.1 };
+    let tolerance = Tolerance::new(0.01, 0.1);
     // of q over 0.1 + 0.03, of v over 0.1 + 0.02; the larger one of each number counts
     let (last, before) = (0.04 / 0.12, 0.16 / 0.12);
     close(256.0 * method.dense_error(tolerance), last * last / before);

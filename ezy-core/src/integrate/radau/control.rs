@@ -32,8 +32,7 @@ const FIRST_REJECTED: f64 = 0.1;
 /// Largest estimate for which values between steps are within a tolerance: the estimate is of order 4 in the step, their error
 /// of order 5.
 pub(crate) fn tolerance_of_estimate(tolerance: Tolerance) -> Tolerance {
-    let relative = tolerance.relative.powf(0.8);
-    Tolerance { relative, absolute: tolerance.absolute * (relative / tolerance.relative) }
+    tolerance.with_relative(tolerance.relative.powf(0.8))
 }
 
 /// What an error over the tolerance of estimates is over that of values between steps.
@@ -148,7 +147,7 @@ mod tests {
     /// The estimate is of order 4, values between steps are of order 5: a tolerance of 1e-10 is 1e-8 of the estimate.
     #[test]
     fn analytic_tolerance_of_the_estimate_is_that_of_an_order_less() {
-        let of_estimate = tolerance_of_estimate(Tolerance { relative: 1e-10, absolute: 1e-7 });
+        let of_estimate = tolerance_of_estimate(Tolerance::new(1e-10, 1e-7));
         let close = |x: f64, y: f64| assert!((x / y - 1.0).abs() <= 1e-12, "{x} {y}");
         close(of_estimate.relative, 1e-8);
         close(of_estimate.absolute, 1e-5);

@@ -114,7 +114,7 @@ impl Convergence {
 mod tests {
     use super::*;
 
-    const TOLERANCE: Tolerance = Tolerance { relative: 1e-6, absolute: 1e-6 };
+    const TOLERANCE: Tolerance = Tolerance::new(1e-6, 1e-6);
 
     /// Rounding of some powers.
     const ROUNDING: f64 = 1e-12;
@@ -164,7 +164,7 @@ mod tests {
         for (relative, goal) in [(1e-6, 1e-3), (1e-2, 0.03), (1e-14, 10.0 * f64::EPSILON / 1e-14)] {
             for share in [1.0, 1e-2] {
                 let ends = |change: f64| {
-                    let mut convergence = Convergence::new(Tolerance { relative, absolute: 1.0 }, share);
+                    let mut convergence = Convergence::new(Tolerance::new(relative, 1.0), share);
                     matches!(convergence.judge(change, 0.0), Verdict::Converged)
                 };
                 let largest = goal / share.powf(0.8);

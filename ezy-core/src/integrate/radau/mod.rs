@@ -220,6 +220,8 @@ impl Radau {
         h: f64,
         tolerance: Tolerance,
     ) -> Result<Result<u32, f64>, MotionError> {
+        // what rounding leaves, over the tolerance, is largest where that is smallest
+        let tolerance = Tolerance { relative: tolerance.smallest_relative(&from.state.q), ..tolerance };
         if self.n_coupled == 0 {
             let outcome = self.iterate(system, from.state, h, Convergence::new(tolerance, self.share), None);
             if outcome.is_ok() || self.coupled.is_none() {
@@ -316,9 +318,9 @@ impl Radau {
     }
 
     fn weigh(&mut self, start: &State, tolerance: Tolerance) {
-        let numbers = start.q.iter().chain(&start.v);
-        for (weight, x) in self.weights.iter_mut().zip(numbers) {
-            *weight = 1.0 / (tolerance.absolute + tolerance.relative * x.abs());
+        let numbers = start.q.iter().chain(&start.v).enumerate();
+        for (weight, (i, x)) in self.weights.iter_mut().zip(numbers) {
+            *weight = 1.0 / tolerance.of(i, start.q.len(), x.abs());
         }
     }
 

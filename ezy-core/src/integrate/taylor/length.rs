@@ -62,8 +62,9 @@ pub(super) fn longest_step<T: Scalar>(store: &SeriesStore<T>, order: usize, weig
 
 /// Reciprocals of the tolerances of q, then of v.
 pub(super) fn write_weights<T: Scalar>(store: &SeriesStore<T>, tolerance: Tolerance, weights: &mut [f64]) {
-    for (weight, x) in weights.iter_mut().zip(&store.q) {
-        *weight = 1.0 / (tolerance.absolute + tolerance.relative * x.magnitude());
+    let n_q = weights.len() / 2;
+    for (i, (weight, x)) in weights.iter_mut().zip(&store.q).enumerate() {
+        *weight = 1.0 / tolerance.of(i, n_q, x.magnitude());
     }
 }
 
@@ -152,14 +153,14 @@ mod tests {
         assert_eq!(norm([0.0, 0.0, 2.0, 1.0], 1), 10.0);
         assert_eq!(norm([0.0, 0.0, 1.0, 1.0], 2), 21.0);
         let mut weights = [0.0; 4];
-        write_weights(&store, Tolerance { relative: 0.5, absolute: 1.0 }, &mut weights);
+        write_weights(&store, Tolerance::new(0.5, 1.0), &mut weights);
         assert_eq!(weights, [0.5, 1.0 / 1.5, 1.0 / 3.0, 1.0 / 2.5]);
     }
 
     /// 1 − ln(ε)/2 for the least work, two more for what does not depend on the order; between 6 and 24.
     #[test]
     fn analytic_order_grows_with_the_logarithm_of_the_tolerance() {
-        let order = |relative, absolute| order_for(Tolerance { relative, absolute });
+        let order = |relative, absolute| order_for(Tolerance::new(relative, absolute));
         // 3 + 4.605 n/4 for 10^(−2n)…
         assert_eq!([1e-1, 1e-4, 1e-8, 1e-12].map(|tolerance| order(tolerance, tolerance)), [6, 8, 13, 17]);
         assert_eq!((order(1e-12, 1e-4), order(1e-4, 1e-12)), (8, 8), "the larger one counts");

@@ -162,7 +162,7 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
     /// One step, which ends at `end` at the latest. It costs about a hundred steps of [`Taylor`](super::Taylor); no allocation.
     fn step(&mut self, end: f64) -> Result<(), MotionError> {
         let Self { store, weights, t, .. } = self;
-        write_weights(store, Tolerance { relative: TOLERANCE, absolute: TOLERANCE }, weights);
+        write_weights(store, Tolerance::new(TOLERANCE, TOLERANCE), weights);
         let (length, left) = (longest_step(store, ORDER, weights), end - *t);
         if length < left && length <= SHORTEST * t.abs().max(1.0) {
             return Err(MotionError::StepCollapsed { t: *t, step_s: length });

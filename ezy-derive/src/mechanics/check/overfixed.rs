@@ -10,13 +10,14 @@ use crate::symbolic::evaluate::Point;
 /// Given values may be rounded to some digits, such as 1.5708 for a right angle of an arm of metres.
 const HOLDS: f64 = 1e-3;
 
-/// Reports rows that the given values break, with the declared parameters.
+/// Reports rows that the given values break, with the declared parameters and inputs.
 pub fn start(model: &Model, scene: &Scene, equations: &mut Equations, diag: &mut Diagnostics) {
     let n_q = equations.mass.len();
     let counts = model.counts.iter().map(|count| count.default as f64);
     let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).chain(counts).collect();
-    let Equations { algebra, symbols, constraints, start, .. } = equations;
-    let mut state = Given { symbols, defaults, q: vec![None; n_q], v: vec![None; n_q] };
+    let Equations { algebra, symbols, inputs, constraints, start, .. } = equations;
+    let inputs = inputs.iter().map(|id| model.inputs[id.0].default).collect();
+    let mut state = Given { symbols, defaults, inputs, q: vec![None; n_q], v: vec![None; n_q] };
     for given in start.iter().filter(|given| !given.near) {
         let value = algebra.evaluate(given.value, &state);
         let target = if given.rate { &mut state.v } else { &mut state.q };
@@ -47,6 +48,7 @@ pub fn start(model: &Model, scene: &Scene, equations: &mut Equations, diag: &mut
 struct Given<'a> {
     symbols: &'a Symbols,
     defaults: Vec<f64>,
+    inputs: Vec<f64>,
     q: Vec<Option<f64>>,
     v: Vec<Option<f64>>,
 }
@@ -63,7 +65,8 @@ impl Point for Given<'_> {
         match self.symbols.meaning(symbol) {
             Meaning::Coordinate(i) => self.q[i].unwrap_or(0.0),
             Meaning::Velocity(i) => self.v[i].unwrap_or(0.0),
-            Meaning::Time | Meaning::Input(_) | Meaning::Index(_) | Meaning::Named(_) => 0.0,
+            Meaning::Input(i) => self.inputs[i],
+            Meaning::Time | Meaning::Index(_) | Meaning::Named(_) => 0.0,
         }
     }
 

@@ -1,4 +1,4 @@
-//! `friction at P: force f, speed u`, the same `along d`, `friction a ~ b: torque m, rate w`: dry friction, smoothed.
+//! `friction at P: force f, speed u`, the same `along d` with `tread w`, `friction a ~ b: torque m, rate w`: dry friction, smoothed.
 //!
 //! The law f v/√(v² + u²) goes through zero: it reaches 0.7 of f at the speed u and f far above it (Andersson, Söderberg,
 //! Björklund, Tribology International 40 (2007) compare such laws). Its share v/√(v² + u²) of f tells steps where it turns around.
@@ -21,21 +21,27 @@ pub fn add(writer: &mut Writer<'_>, of: &Arguments, load: &mut Load) {
         load.couple(writer, &of.bodies, torque);
         return;
     };
-    let mut velocity = writer.velocity(place);
-    let root = if let Some(direction) = of.directions.first() {
+    let velocity = writer.velocity(place);
+    if let Some(direction) = of.directions.first() {
         let along = writer.unit_direction(direction);
-        let speed = writer.dot(velocity, along);
-        velocity = along.map(|x| writer.algebra.mul(speed, x));
-        let square = writer.algebra.mul(speed, speed);
+        let (speed, tread) = (writer.dot(velocity, along), writer.setting(of, 2));
+        let slip = writer.algebra.sub(speed, tread);
+        let square = writer.algebra.mul(slip, slip);
         let root = smoothed(writer, square, knee);
-        add_layer(writer, speed, root);
-        root
-    } else {
-        let square = writer.dot(velocity, velocity);
-        let root = smoothed(writer, square, knee);
-        velocity.into_iter().for_each(|component| add_layer(writer, component, root));
-        root
-    };
+        add_layer(writer, slip, root);
+        let factor = factor(writer, largest, root);
+        let force = along.map(|x| {
+            let velocity = writer.algebra.mul(slip, x);
+            writer.algebra.mul(factor, velocity)
+        });
+        load.at(writer, place, force);
+        let lengthwise = writer.algebra.mul(factor, slip);
+        load.on_tread(writer, tread, lengthwise);
+        return;
+    }
+    let square = writer.dot(velocity, velocity);
+    let root = smoothed(writer, square, knee);
+    velocity.into_iter().for_each(|component| add_layer(writer, component, root));
     let factor = factor(writer, largest, root);
     let force = velocity.map(|v| writer.algebra.mul(factor, v));
     load.at(writer, place, force);

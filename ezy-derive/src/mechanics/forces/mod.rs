@@ -71,6 +71,17 @@ impl Load {
         }
     }
 
+    /// The reaction on what moves a tread, to the force along it on the point that it touches: −f ∂w/∂v.
+    fn on_tread(&mut self, writer: &mut Writer<'_>, tread: SumId, force: SumId) {
+        let symbols = writer.algebra.symbols_of(tread);
+        for velocity in symbols {
+            let Some(i) = writer.symbols.velocity_of(velocity) else { continue };
+            let slope = writer.algebra.diff(tread, velocity);
+            let part = writer.algebra.mul(force, slope);
+            self.work_force[i] = writer.algebra.sub(self.work_force[i], part);
+        }
+    }
+
     /// A torque on a body; on the ground it has no effect.
     fn turn(&mut self, writer: &mut Writer<'_>, body: Option<BodyId>, torque: SumId) {
         let Some(body) = body else { return };

@@ -75,6 +75,9 @@ pub enum Force {
     FrictionAlong(Place, Direction, Value, Value),
     FrictionCouple(usize, Option<usize>, Value, Value),
     Tyre(Place, Direction, Value, Option<Value>, Value),
+    /// On a tread that runs at radius φ̇ of a body.
+    FrictionOnTread(Place, Direction, Value, Value, Value, usize),
+    TyreWithTread(Place, Direction, Value, Option<Value>, Value, Value, usize),
 }
 
 #[derive(Debug, Default)]
@@ -269,7 +272,7 @@ impl Builder {
         let at = self.place(Some(body));
         let direction = self.direction(other.unwrap_or(body));
         let damping = (self.random.below(2) == 0).then(|| self.value(0.3, 1.5));
-        match self.random.below(13) {
+        match self.random.below(15) {
             0 => Force::Gravity(self.signed(), self.signed()),
             1 => Force::Vector(at, self.law(), self.signed()),
             2 => Force::Along(at, direction, self.law()),
@@ -282,7 +285,15 @@ impl Builder {
             9 => Force::Friction(at, self.value(0.3, 1.5), self.value(0.3, 1.5)),
             10 => Force::FrictionAlong(at, direction, self.value(0.3, 1.5), self.value(0.3, 1.5)),
             11 => Force::FrictionCouple(body, other, self.value(0.3, 1.5), self.value(0.3, 1.5)),
-            _ => Force::Tyre(at, direction, self.value(1.0, 5.0), damping, self.value(0.3, 1.5)),
+            12 => Force::Tyre(at, direction, self.value(1.0, 5.0), damping, self.value(0.3, 1.5)),
+            13 => {
+                let [largest, knee] = [self.value(0.3, 1.5), self.value(0.3, 1.5)];
+                Force::FrictionOnTread(at, direction, largest, knee, self.signed(), other.unwrap_or(body))
+            }
+            _ => {
+                let [stiffness, knee] = [self.value(1.0, 5.0), self.value(0.3, 1.5)];
+                Force::TyreWithTread(at, direction, stiffness, damping, knee, self.signed(), other.unwrap_or(body))
+            }
         }
     }
 }
@@ -332,6 +343,7 @@ impl Row {
 impl Force {
     fn text(&self) -> String {
         let couple = |body: &usize, other: &Option<usize>| format!("b{body} ~ {}", name(*other));
+        let limited = |limit: &Option<Value>| limit.as_ref().map(|f| format!(", limit {f}")).unwrap_or_default();
         let damped = |damping: &Option<Value>| damping.as_ref().map(|c| format!(", damping {c}")).unwrap_or_default();
         match self {
             Self::Gravity(x, y) => format!("gravity ({x}, {y});"),
@@ -357,8 +369,18 @@ impl Force {
                 format!("friction {}: torque {torque}, rate {rate};", couple(body, other))
             }
             Self::Tyre(at, along, c, limit, speed) => {
-                let limit = limit.as_ref().map(|limit| format!(", limit {limit}")).unwrap_or_default();
-                format!("tyre at {at} along {along}: stiffness {c}{limit}, speed {speed};")
+                format!("tyre at {at} along {along}: stiffness {c}{}, speed {speed};", limited(limit))
+            }
+            Self::FrictionOnTread(at, along, force, speed, radius, wheel) => {
+                format!(
+                    "friction at {at} along {along}: force {force}, speed {speed}, tread {radius} * b{wheel}.omega;"
+                )
+            }
+            Self::TyreWithTread(at, along, c, limit, speed, radius, wheel) => {
+                let limit = limited(limit);
+                format!(
+                    "tyre at {at} along {along}: stiffness {c}{limit}, speed {speed}, tread {radius} * b{wheel}.omega;"
+                )
             }
         }
     }

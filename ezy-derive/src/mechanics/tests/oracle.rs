@@ -187,6 +187,25 @@ pub fn forces(made: &Mechanism, at: &State) -> (Vec<f64>, f64) {
                 };
                 felt.push(place, times(-side, across(along)));
             }
+            Force::FrictionOnTread(place, along, largest, knee, radius, wheel) => {
+                let along = unit(along, &at.q);
+                let slip = dot(along, velocity(place, at)) - radius.number * at.v[3 * wheel + 2];
+                let force = -largest.number * slip / slip.hypot(knee.number);
+                felt.push(place, times(force, along));
+                felt.twist(Some(*wheel), None, -radius.number * force);
+            }
+            Force::TyreWithTread(place, along, stiffness, limit, knee, radius, wheel) => {
+                let (along, v) = (unit(along, &at.q), velocity(place, at));
+                let rolling = radius.number * at.v[3 * wheel + 2];
+                let slip = [dot(along, v) - rolling, dot(across(along), v)];
+                let speed = slip[0].hypot(slip[1]);
+                let elastic = stiffness.number * speed.atan2(rolling.hypot(knee.number));
+                let size = limit.as_ref().map_or(elastic, |limit| limit.number * (elastic / limit.number).tanh());
+                let force = times(-size / speed, slip);
+                felt.push(place, times(force[0], along));
+                felt.push(place, times(force[1], across(along)));
+                felt.twist(Some(*wheel), None, -radius.number * force[0]);
+            }
         }
     }
     (felt.force, potential)

@@ -9,7 +9,7 @@ use crate::linalg::Backend;
 
 const M: f64 = 4.0;
 
-const TOLERANCE: Tolerance = Tolerance { relative: 1e-6, absolute: 1e-6 };
+const TOLERANCE: Tolerance = Tolerance::new(1e-6, 1e-6);
 
 /// Rounding of sums of numbers of ten, over parts of a step of 1e-4 of them.
 const ROUNDING: f64 = 1e-10;

@@ -361,6 +361,7 @@ impl Coast {
             },
         ],
         inputs: &[],
+        integrated_inputs: &[],
         outputs: ezy::List::Borrowed(&[]),
         events: &[],
         stick_slip: ::core::option::Option::None,

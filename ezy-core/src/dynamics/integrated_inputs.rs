@@ -1,0 +1,69 @@
+//! Inputs `by acceleration`: value s and rate ṡ at a time t₀, and the acceleration s̈ from there on. Kernels read these four numbers and
+//! compute s + ṡ τ + s̈ τ²/2 with τ = t − t₀, so that the constraints have a rate and an acceleration.
+
+use super::System;
+use crate::model::Scene;
+
+/// An input that a run integrates was set beside its motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Jump {
+    /// Index of the input.
+    pub index: usize,
+    /// Where its motion is.
+    pub is: f64,
+    /// What was set.
+    pub set: f64,
+}
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// Lets integrated inputs move from `t` on, with the present values and rates.
+    pub(crate) fn begin_inputs(&mut self, t: f64) {
+        for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {
+            self.fixed[i + 3] = t;
+            *integrated = [self.fixed[i], self.fixed[i + 1], t];
+        }
+    }
+
+    /// Moves value and rate of integrated inputs to `t`, with the acceleration that was set. An input that jumped is left as it is.
+    pub(crate) fn integrate_inputs(&mut self, t: f64) {
+        if self.integrated.is_empty() || self.jump().is_some() {
+            return;
+        }
+        self.factors.forget();
+        for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {
+            *integrated = at(t, &self.fixed, i);
+            let [value, rate, since] = *integrated;
+            (self.fixed[i], self.fixed[i + 1], self.fixed[i + 3]) = (value, rate, since);
+        }
+    }
+
+    /// The first integrated input whose value, rate or time was set to something else than its motion.
+    pub(crate) fn jump(&self) -> Option<Jump> {
+        let inputs = self.info.integrated_inputs.iter().zip(&self.integrated);
+        let parts = inputs.flat_map(|(&i, integrated)| [i, i + 1, i + 3].into_iter().zip(*integrated));
+        let mut parts = parts.map(|(index, is)| Jump { index, is, set: self.fixed[index] });
+        parts.find(|jump| jump.is != jump.set)
+    }
+
+    /// The inputs with value and rate at `t` of those that are integrated; writes `n_i`.
+    pub(crate) fn inputs_at(&self, t: f64, out: &mut [f64]) {
+        out.copy_from_slice(self.inputs());
+        for &i in self.info.integrated_inputs {
+            [out[i], out[i + 1], out[i + 3]] = at(t, &self.fixed, i);
+        }
+    }
+
+    /// Takes over the inputs of a system with the same ones.
+    pub(crate) fn copy_inputs(&mut self, from: &Self) {
+        self.inputs_mut().copy_from_slice(from.inputs());
+        self.integrated.copy_from_slice(&from.integrated);
+    }
+}
+
+/// Value and rate at `t` of the input at place `i`, and `t`.
+fn at(t: f64, inputs: &[f64], i: usize) -> [f64; 3] {
+    let [value, rate, acceleration, since] = std::array::from_fn(|part| inputs[i + part]);
+    let elapsed = t - since;
+    let gained = acceleration * elapsed;
+    [value + (rate + 0.5 * gained) * elapsed, rate + gained, t]
+}

@@ -22,17 +22,23 @@ CALM = ("prefers-reduced-motion", "reduce")
 DARK = ("prefers-color-scheme", "dark")
 
 # what a reader of the page sees
-TRANSFORMS = "[...document.querySelectorAll('#parts > g')].map(g => g.getAttribute('transform'))"
+PICTURE = "document.getElementById('canvas').toDataURL()"
 CLOCK = "document.getElementById('clock').textContent"
 PLAYING = "document.body.classList.contains('playing')"
 WIDE = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 # brightness of the page and of its text, from 0 to 1
 COLOURS = """['backgroundColor', 'color'].map(of => getComputedStyle(document.body)[of]
     .match(/\\d+/g).slice(0, 3).reduce((sum, x) => sum + x / 765, 0))"""
-# bodies inside the picture
-INSIDE = """(() => { const box = document.getElementById('stage').getBoundingClientRect();
-    return [...document.querySelectorAll('#parts .body')].some(path => { const own = path.getBoundingClientRect();
-        return own.right > box.left && own.left < box.right && own.bottom > box.top && own.top < box.bottom; }); })()"""
+# parts inside the picture: pixels of the canvas with ink
+INSIDE = """(() => { const canvas = document.getElementById('canvas');
+    const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    let inked = 0;
+    for (let i = 3; i < pixels.length; i += 4) inked += pixels[i] > 0;
+    return inked > 100; })()"""
+# on paper the parts are SVG, where they are on the screen
+ON_PAPER = """[getComputedStyle(document.getElementById('parts')).display !== 'none',
+    getComputedStyle(document.getElementById('canvas')).display === 'none'].every(Boolean)"""
+TRANSFORMS = "[...document.querySelectorAll('#parts > g')].map(g => g.getAttribute('transform'))"
 
 failures = []
 
@@ -50,9 +56,9 @@ def check(browser, page, name, shots):
     # plays by itself, and space stops it
     browser.open(page)
     expect(browser.evaluate(PLAYING), f"{name} plays when it is opened")
-    before = browser.evaluate(TRANSFORMS)
+    before = browser.evaluate(PICTURE)
     time.sleep(0.5)
-    expect(browser.evaluate(TRANSFORMS) != before, f"{name} moves")
+    expect(browser.evaluate(PICTURE) != before, f"{name} moves")
     browser.press(" ")
     expect(not browser.evaluate(PLAYING), f"space stops {name}")
     expect(not browser.errors, f"{name} reports {browser.errors}")
@@ -60,11 +66,11 @@ def check(browser, page, name, shots):
     # who asks for less motion gets it; keys do what the list says
     browser.open(page, features=[CALM])
     expect(not browser.evaluate(PLAYING), f"{name} stands still for who prefers it")
-    first, clock = browser.evaluate(TRANSFORMS), browser.evaluate(CLOCK)
+    first, clock = browser.evaluate(PICTURE), browser.evaluate(CLOCK)
     browser.press("ArrowRight", shift=True)
-    expect(browser.evaluate(TRANSFORMS) != first and browser.evaluate(CLOCK) != clock, f"right arrow moves {name}")
+    expect(browser.evaluate(PICTURE) != first and browser.evaluate(CLOCK) != clock, f"right arrow moves {name}")
     browser.press("ArrowLeft", shift=True)
-    expect(browser.evaluate(TRANSFORMS) == first, f"left arrow takes {name} back")
+    expect(browser.evaluate(PICTURE) == first, f"left arrow takes {name} back")
     browser.press("End")
     end = browser.evaluate(CLOCK)
     browser.press("Home")
@@ -96,7 +102,11 @@ def check(browser, page, name, shots):
     browser.media("print", [DARK])
     paper, ink = browser.evaluate(COLOURS)
     expect(paper > 0.9 and ink < 0.1, f"{name} is printed in black on white: {paper:.2f}, {ink:.2f}")
+    expect(browser.evaluate(ON_PAPER), f"{name} is printed sharp")
+    browser.press("ArrowRight", shift=True)
+    before = browser.evaluate(TRANSFORMS)
     browser.print(shots / f"{name.replace('/', '-')}.pdf")
+    expect(browser.evaluate(TRANSFORMS) != before, f"{name} is printed as it is shown")
     expect(not browser.errors, f"{name} reports {browser.errors}")
 
 

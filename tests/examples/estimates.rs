@@ -102,6 +102,6 @@ fn figure(points: Points) -> Figure {
     for (name, ratio) in [("equal", 1.0), ("a factor of five", FACTOR), ("", 1.0 / FACTOR)] {
         figure = figure.guide(name, vec![1e-13, 1e2], vec![ratio; 2]);
     }
-    // room above and below
-    figure.guide("", vec![1e-13; 2], vec![0.1, 10.0])
+    // room above and below: of a single point nothing is seen
+    [0.1, 10.0].into_iter().fold(figure, |figure, ratio| figure.guide("", vec![1e-13], vec![ratio]))
 }

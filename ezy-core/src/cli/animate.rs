@@ -2,6 +2,7 @@
 
 mod data;
 mod page;
+mod pixels;
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +11,7 @@ use crate::output;
 use crate::simulate::{Outcome, Run, SetupError};
 
 use super::Models;
-use super::arguments::AnimateArguments;
+use super::arguments::{AnimateArguments, FrameFormat};
 use super::failure::{Failure, print};
 use super::interruption::Interruption;
 use super::motion::{end, method, refused, simulation};
@@ -27,6 +28,9 @@ const N_NUMBERS: f64 = 200_000.0;
 const FEWEST_FRAMES: f64 = 50.0;
 /// Frames of a picture that moves, and of a directory of pictures.
 const N_PICTURES: f64 = 120.0;
+/// Frames of a GIF at most, and the time of one at least, hundredths of a second.
+const MOST_OF_GIF: f64 = 200.0;
+const SHORTEST_OF_GIF: f64 = 4.0;
 /// A picture that moves takes real time between these, s.
 const SHORTEST_S: f64 = 3.0;
 const LONGEST_S: f64 = 20.0;
@@ -41,31 +45,87 @@ pub(super) fn animate(models: Models<'_>, arguments: &AnimateArguments) -> Resul
     let scene = scene_with(model, entry, &motion.set)?;
     let default = || PathBuf::from(format!("out/animation-{}-{}.html", typed(model.name), entry.name));
     let path = arguments.out.clone().unwrap_or_else(default);
-    let is_picture = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"));
+    let kind = Kind::of(&path)?;
+    let has_pixels = kind == Kind::Gif || (arguments.frames.is_some() && arguments.format == FrameFormat::Png);
+    match (has_pixels, arguments.width) {
+        (true, _) => super::drawing::check()?,
+        (false, Some(_)) => {
+            return Err(Failure::wrong_use(
+                "--width is that of pixels; give --out FILE.gif or --frames DIR --format png with it",
+            ));
+        }
+        (false, None) => {}
+    }
     let info = scene.info();
-    let n_frames = if is_picture || arguments.frames.is_some() { N_PICTURES } else { n_frames(&info) };
-    let every_s = arguments.every.unwrap_or_else(|| end(motion, &info) / n_frames);
+    let end_s = end(motion, &info);
+    let n_frames = match kind {
+        Kind::Gif => n_of_gif(seconds(end_s)),
+        Kind::Page if arguments.frames.is_none() => n_frames(&info),
+        _ => N_PICTURES,
+    };
+    let every_s = arguments.every.unwrap_or(end_s / n_frames);
     let interruption = Interruption::listen();
     let run = record(motion, scene.as_ref(), every_s, interruption)?;
     let animation = Animation::new(scene.as_ref(), &run, method(motion)?);
     let film = animation.film();
-    let (what, text) = match is_picture {
-        true => ("picture", film.moving(run.last().t.clamp(SHORTEST_S, LONGEST_S))),
-        false => ("page", page::page(&animation)),
+    let width = arguments.width.unwrap_or_else(|| film.width());
+    let (what, bytes) = match kind {
+        Kind::Svg => ("picture", film.moving(seconds(run.last().t)).into_bytes()),
+        Kind::Gif => ("picture", pixels::gif(&film, seconds(run.last().t), width)?),
+        Kind::Page => ("page", page::page(&animation).into_bytes()),
     };
-    write(&path, &text)?;
+    write(&path, &bytes)?;
     print(&format!("{}/{} {}\nThe {what}: {}\n", info.model, info.name, run.outcome, path.display()))?;
     if let Some(directory) = &arguments.frames {
-        for (i, frame) in film.frames().enumerate() {
-            write(&directory.join(format!("frame-{i:04}.svg")), &frame)?;
+        let name = |i: usize, ending: &str| directory.join(format!("frame-{i:04}.{ending}"));
+        match arguments.format {
+            FrameFormat::Svg => film.frames().enumerate().try_for_each(|(i, frame)| write(&name(i, "svg"), frame))?,
+            FrameFormat::Png => {
+                (0..run.samples().len()).try_for_each(|i| write(&name(i, "png"), pixels::png(&film, i, width)?))?;
+            }
         }
-        print(&format!("The first frame: {}\n", directory.join("frame-0000.svg").display()))?;
+        let ending = if arguments.format == FrameFormat::Svg { "svg" } else { "png" };
+        print(&format!("The first frame: {}\n", name(0, ending).display()))?;
     }
     match run.outcome {
         _ if run.outcome.reached_end() => Ok(()),
         Outcome::Interrupted { .. } => Err(interruption.failure(format!("the run {}", run.outcome))),
         _ => Err(Failure::stopped(format!("the run {}", run.outcome))),
     }
+}
+
+/// What is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Page,
+    Svg,
+    Gif,
+}
+
+impl Kind {
+    /// By the ending of its name; a device has none.
+    fn of(path: &Path) -> Result<Self, Failure> {
+        match path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).as_deref() {
+            None | Some("html" | "htm") => Ok(Self::Page),
+            Some("svg") => Ok(Self::Svg),
+            Some("gif") => Ok(Self::Gif),
+            Some(_) => Err(Failure::wrong_use(format!(
+                "`{}`: animations are written as .html, .svg or .gif; give --out such a file",
+                path.display()
+            ))),
+        }
+    }
+}
+
+/// How long a picture moves.
+fn seconds(end_s: f64) -> f64 {
+    end_s.clamp(SHORTEST_S, LONGEST_S)
+}
+
+/// Frames of a GIF, whose times are whole hundredths of a second.
+fn n_of_gif(seconds: f64) -> f64 {
+    let hundredths = (100.0 * seconds / MOST_OF_GIF).ceil().max(SHORTEST_OF_GIF);
+    (100.0 * seconds / hundredths).round()
 }
 
 /// The run with a sample for each frame.
@@ -105,10 +165,10 @@ fn n_frames(info: &SceneInfo) -> f64 {
 }
 
 /// Writes a file, and makes its folder.
-pub(super) fn write(path: &Path, text: &str) -> Result<(), Failure> {
+pub(super) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let made = folder.map_or(Ok(()), std::fs::create_dir_all);
-    made.and_then(|()| output::write(path, text)).map_err(|cause| {
+    made.and_then(|()| output::write(path, bytes)).map_err(|cause| {
         let path = path.display();
         Failure::wrong_use(format!("`{path}` cannot be written: {cause}; give --out a file that may be written"))
     })

@@ -107,12 +107,27 @@ pub(super) struct AnimateArguments {
     /// Seconds between the frames [default: a thousandth of the run, or more where the page would become large]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
-    /// The page; a name that ends in .svg gets a picture that moves, for slides [default: out/animation-MODEL-SCENE.html]
-    #[arg(long, value_name = "FILE.html")]
+    /// The page, .html, or a picture that moves: .gif for slides, .svg for web pages [default: out/animation-MODEL-SCENE.html]
+    #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Write the frames as SVG pictures into a directory, too
+    /// Write the frames as pictures into a directory, too
     #[arg(long, value_name = "DIR")]
     pub frames: Option<PathBuf>,
+    /// How the frames are written
+    #[arg(long, value_enum, default_value_t, requires = "frames")]
+    pub format: FrameFormat,
+    /// Pixels across a frame of a .gif or .png [default: 960 along its longer side]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(50..=4000))]
+    pub width: Option<u32>,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum FrameFormat {
+    /// SVG, sharp at any size
+    #[default]
+    Svg,
+    /// PNG, for programs that make videos
+    Png,
 }
 
 /// Draws the mechanism of a scene: bodies, joints, wheels and springs with their names and lengths, as SVG

@@ -51,7 +51,7 @@ pub(super) fn gallery(models: Models<'_>, arguments: &GalleryArguments) -> Resul
         print(&format!("{name}\n"))?;
     }
     let index = directory.join("index.html");
-    write(&index, &PAGE.replace("{{MODELS}}", &items))?;
+    write(&index, PAGE.replace("{{MODELS}}", &items))?;
     print(&format!("The gallery: {}\n", index.display()))?;
     match &faults[..] {
         [] => Ok(()),

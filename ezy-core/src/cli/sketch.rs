@@ -24,7 +24,7 @@ pub(super) fn sketch(models: Models<'_>, arguments: &SketchArguments) -> Result<
         .out
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("out/sketch-{}-{}.svg", typed(model.name), entry.name)));
-    write(&path, &drawing::sketch(scene.as_ref(), &run.last()))?;
+    write(&path, drawing::sketch(scene.as_ref(), &run.last()))?;
     print(&format!("The sketch: {}\n", path.display()))?;
     match run.outcome.reached_end() {
         true => Ok(()),

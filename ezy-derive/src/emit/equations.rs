@@ -107,13 +107,15 @@ fn jacobian(
     let row_names = || constraints.rows[rows.clone()].iter().map(|row| row.name.clone());
     let entries = constraints.jacobian[rows.clone()].iter();
     if n_q <= WIDEST_MATRIX {
-        let dense = entries.map(|entries| {
+        let dense = entries.clone().map(|entries| {
             let mut row: Vec<Printed> = (0..n_q).map(|_| ZERO.into()).collect();
             entries.iter().for_each(|&(column, entry)| row[column] = names.print(entry));
             row
         });
-        let sides = [Side::One(symbol), Side::Matrix(dense.collect())];
-        return Equation::new(name, &sides, &row_names().collect::<Vec<_>>());
+        let matrix = Side::Matrix(dense.collect());
+        if matrix.fits() {
+            return Equation::new(name, &[Side::One(symbol), matrix], &row_names().collect::<Vec<_>>());
+        }
     }
     let coordinates = equations.symbols.coordinate_names();
     let listed = row_names().zip(entries).map(|(name, entries)| {

@@ -353,6 +353,7 @@ fn formula_of(names: &Abbreviations<'_>, sum: SumId) -> TokenStream {
 
 pub fn formula(printed: &Printed) -> TokenStream {
     let Printed { text, latex, mathml, .. } = printed;
+    let mathml = format!("<mrow>{mathml}</mrow>");
     quote!(ezy::Formula { text: #text, latex: #latex, mathml: #mathml })
 }
 

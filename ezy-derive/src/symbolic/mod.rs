@@ -8,6 +8,7 @@
 //! Nothing here knows bodies or tokens.
 
 mod at_zero;
+mod break_lines;
 pub mod call;
 pub mod coefficient;
 mod dependence;

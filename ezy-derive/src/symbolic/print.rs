@@ -11,7 +11,25 @@ pub struct Printed {
     pub latex: String,
     pub mathml: String,
     level: Level,
+    /// Where a line may end.
+    pub(super) breaks: Vec<Break>,
 }
+
+/// A place between two terms of a sum, or two items of a list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Break {
+    /// Where a line ends first: 0.
+    pub depth: usize,
+    /// Parentheses that are open there.
+    pub n_open: usize,
+    /// Bytes before it in each notation.
+    pub text: usize,
+    pub latex: usize,
+    pub mathml: usize,
+}
+
+/// A number of more signs is written with a power of ten: a double has 17 digits, a sign, a point and some zeros.
+const LONGEST_NUMBER: usize = 24;
 
 /// How tightly the outermost operation binds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,20 +53,64 @@ pub trait Names {
 
 impl Printed {
     pub fn atom(text: impl Into<String>, latex: impl Into<String>, mathml: impl Into<String>) -> Self {
-        Self { text: text.into(), latex: latex.into(), mathml: mathml.into(), level: Level::Atom }
+        Self { text: text.into(), latex: latex.into(), mathml: mathml.into(), level: Level::Atom, breaks: Vec::new() }
     }
 
     fn number(x: f64) -> Self {
-        let text = format!("{x}");
-        Self::atom(text.clone(), text.clone(), format!("<mn>{text}</mn>"))
+        let (text, short) = (format!("{x}"), format!("{x:e}"));
+        match short.split_once('e') {
+            Some((digits, power)) if text.len() > LONGEST_NUMBER => Self::atom(
+                short.clone(),
+                format!("{digits} \\cdot 10^{{{power}}}"),
+                format!("<mrow><mn>{digits}</mn><mo>·</mo><msup><mn>10</mn><mn>{power}</mn></msup></mrow>"),
+            ),
+            _ => Self::atom(text.clone(), text.clone(), format!("<mn>{text}</mn>")),
+        }
     }
 
     fn in_parentheses(self) -> Self {
-        Self::atom(
-            format!("({})", self.text),
-            format!("\\left({}\\right)", self.latex),
-            format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", self.mathml),
-        )
+        let mut out = Self::atom("(", "\\left(", "<mrow><mo>(</mo>");
+        out.append(&self, 1);
+        out.push(")", "\\right)", "<mo>)</mo></mrow>");
+        out
+    }
+
+    /// Writes signs behind.
+    pub fn push(&mut self, text: &str, latex: &str, mathml: &str) {
+        self.text += text;
+        self.latex += latex;
+        self.mathml += mathml;
+    }
+
+    /// A line may end here.
+    pub fn push_break(&mut self) {
+        self.breaks.push(Break {
+            depth: 0,
+            n_open: 0,
+            text: self.text.len(),
+            latex: self.latex.len(),
+            mathml: self.mathml.len(),
+        });
+    }
+
+    /// Writes an expression behind, within so many pairs of parentheses that begin here.
+    fn append(&mut self, other: &Self, n_open: usize) {
+        let [text, latex, mathml] = [self.text.len(), self.latex.len(), self.mathml.len()];
+        self.breaks.extend(other.breaks.iter().map(|at| Break {
+            depth: at.depth + n_open,
+            n_open: at.n_open + n_open,
+            text: at.text + text,
+            latex: at.latex + latex,
+            mathml: at.mathml + mathml,
+        }));
+        self.push(&other.text, &other.latex, &other.mathml);
+    }
+
+    /// Writes an item of a list behind, in which lines end last.
+    pub fn append_item(&mut self, item: &Self) {
+        let n = self.breaks.len();
+        self.append(item, 0);
+        self.breaks[n..].iter_mut().for_each(|at| at.depth += 1);
     }
 
     fn at_least(self, level: Level) -> Self {
@@ -59,9 +121,7 @@ impl Printed {
 /// A sum as an expression; zero prints as 0.
 pub fn print(algebra: &Algebra, names: &impl Names, sum: SumId) -> Printed {
     let printer = Printer { algebra, names };
-    let mut printed = printer.sum(sum);
-    printed.mathml = format!("<mrow>{}</mrow>", printed.mathml);
-    printed
+    printer.sum(sum)
 }
 
 struct Printer<'a, N> {
@@ -163,7 +223,8 @@ impl<N: Names> Printer<'_, N> {
 
 fn add(parts: Vec<(bool, Printed)>) -> Printed {
     let single = parts.len() == 1;
-    let mut out = Printed { text: String::new(), latex: String::new(), mathml: String::new(), level: Level::Sum };
+    let mut out = Printed::atom("", "", "");
+    out.level = Level::Sum;
     for (i, (negative, part)) in parts.into_iter().enumerate() {
         if single && !negative {
             return part;
@@ -175,9 +236,11 @@ fn add(parts: Vec<(bool, Printed)>) -> Printed {
             (_, false) => (" + ", "<mo>+</mo>"),
             (_, true) => (" - ", "<mo>−</mo>"),
         };
-        out.text += &format!("{sign}{}", part.text);
-        out.latex += &format!("{sign}{}", part.latex);
-        out.mathml += &format!("{mark}{}", part.mathml);
+        if i > 0 {
+            out.push_break();
+        }
+        out.push(sign, sign, mark);
+        out.append(&part, 0);
     }
     out
 }
@@ -197,10 +260,8 @@ fn product(factors: Vec<Printed>) -> Printed {
     let Some(second) = factors.next() else { return first };
     let mut out = first.at_least(Level::Product);
     for factor in std::iter::once(second).chain(factors) {
-        let factor = factor.at_least(Level::Power);
-        out.text += &format!("*{}", factor.text);
-        out.latex += &format!(" \\, {}", factor.latex);
-        out.mathml += &format!("<mspace width=\"0.17em\"/>{}", factor.mathml);
+        out.push("*", " \\, ", "<mspace width=\"0.17em\"/>");
+        out.append(&factor.at_least(Level::Power), 0);
     }
     out.level = Level::Product;
     out
@@ -216,6 +277,7 @@ fn quotient(top: Printed, bottom: Vec<Printed>) -> Printed {
         mathml: format!("<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>", top.mathml, bottom.mathml),
         text: format!("{}/{}", top.at_least(Level::Product).text, bottom.at_least(Level::Power).text),
         level: Level::Product,
+        breaks: Vec::new(),
     }
 }
 
@@ -232,6 +294,7 @@ fn raise(base: Printed, n: i32) -> Printed {
         latex: format!("{}^{{{n}}}", base.latex),
         mathml,
         level: Level::Power,
+        breaks: Vec::new(),
     }
 }
 
@@ -278,5 +341,6 @@ fn call(function: Function, power: Option<i32>, arguments: Vec<Printed>) -> Prin
         latex: format!("{latex_name}{exponent}{latex}"),
         mathml: format!("<mrow>{mathml_name}<mo>&#x2061;</mo>{mathml}</mrow>"),
         level: Level::Power,
+        breaks: Vec::new(),
     }
 }

@@ -1,6 +1,7 @@
 //! The `ezy` program, run as its users run it. What depends on time, `accuracy`, is a program of its own, beside which nothing runs.
 
 mod cli;
+mod equations;
 mod faults;
 mod guide;
 mod hostile;

@@ -112,6 +112,25 @@ fn invariant_moving_picture_and_frames_are_svg() {
 }
 
 #[test]
+fn invariant_frames_are_pixels_where_that_is_asked_for() {
+    let folder = directory("pixels");
+    let (file, frames) = (folder.join("moving.gif"), folder.join("frames"));
+    let arguments = ["animate", "fourbar/turning", "--until", "1", "--every", "0.5", "--out", file.to_str().unwrap()];
+    let done = output(
+        &[&arguments[..], &["--frames", frames.to_str().unwrap(), "--format", "png", "--width", "123"]].concat(),
+    );
+    assert!(done.contains("frame-0000.png"), "{done}");
+    let moving = std::fs::read(&file).unwrap();
+    assert_eq!((&moving[..6], &moving[6..8]), (&b"GIF89a"[..], &[123, 0][..]));
+    let names = std::fs::read_dir(&frames).unwrap().map(|entry| entry.unwrap().path());
+    let all: Vec<Vec<u8>> = names.map(|path| std::fs::read(path).unwrap()).collect();
+    assert_eq!(all.len(), 3);
+    assert!(all.iter().all(|png| png.starts_with(b"\x89PNG") && png[16..20] == [0, 0, 0, 123]));
+    // time goes on
+    assert!(all[0] != all[1] && all[1] != all[2]);
+}
+
+#[test]
 fn invariant_sketch_has_the_lengths_of_the_model_and_its_own_time() {
     let file = directory("sketch").join("later.svg");
     output(&["sketch", "EzyRoller/coast", "--at", "0.5", "--set", "a=0.3", "--out", file.to_str().unwrap()]);
@@ -130,6 +149,10 @@ fn invariant_wrong_arguments_of_pictures_exit_with_2() {
     assert_wrong_use(&["animate", "ezyroller/drivne"], "driven");
     assert_wrong_use(&["animate", "ezyroller/driven", "--every", "0"], "positive interval");
     assert_wrong_use(&["animate", "ezyroller/driven", "--rtol", "1e-6"], "rk4 has a fixed step");
+    assert_wrong_use(&["animate", "ezyroller/driven", "--out", "a.apng"], ".html, .svg or .gif");
+    assert_wrong_use(&["animate", "ezyroller/driven", "--width", "300"], "--out FILE.gif");
+    assert_wrong_use(&["animate", "ezyroller/driven", "--format", "png"], "--frames");
+    assert_wrong_use(&["animate", "ezyroller/driven", "--out", "a.gif", "--width", "5"], "50..=4000");
     let folder = directory("taken");
     assert_wrong_use(&["sketch", "ezyroller/driven", "--out", folder.to_str().unwrap()], "--out");
 }

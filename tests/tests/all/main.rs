@@ -32,6 +32,7 @@ mod long_runs;
 mod massless;
 mod massless_links;
 mod monitors;
+mod moving_pictures;
 mod names;
 mod order;
 mod other_mechanisms;

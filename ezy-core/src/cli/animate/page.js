@@ -6,8 +6,7 @@
   const { t: times, scale, poses, anchors, arrows } = data;
   const last = times.length - 1, start = times[0], end = times[last];
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  const parts = [...$("parts").children];
-  const stage = $("stage"), world = $("world");
+  const stage = $("stage");
 
   // ---- state at a time: x and y in pixels, y downwards; angles in radians, counterclockwise
 
@@ -40,19 +39,19 @@
     return body < 0 ? [x, y] : [mix(poses[body][0]) + x, mix(poses[body][1]) + y];
   }
   const pixels = ([x, y]) => [x * scale, -y * scale];
-  const degrees = ([x, y]) => -Math.atan2(y, x) * 180 / Math.PI;
+  const turn = ([x, y]) => -Math.atan2(y, x);
   const short = (x) => x.toFixed(2);
 
-  function transform([kind, a, b]) {
+  // Place in pixels, angle clockwise and stretch along x of a part.
+  function placed([kind, a, b]) {
     if (kind === "body") {
       const [x, y, phi] = pose(a);
-      return `translate(${short(x * scale)} ${short(-y * scale)})rotate(${short(-phi * 180 / Math.PI)})`;
+      return [x * scale, -y * scale, -phi, 1];
     }
     const p = point(a), [x, y] = pixels(p);
-    const at = `translate(${short(x)} ${short(y)})`;
-    if (kind === "at") return b === null ? at : `${at}rotate(${short(degrees(vector(b)))})`;
+    if (kind === "at") return [x, y, b === null ? 0 : turn(vector(b)), 1];
     const q = point(b), gap = [q[0] - p[0], q[1] - p[1]];
-    return `${at}rotate(${short(degrees(gap))})scale(${(Math.hypot(...gap) * scale / 100).toFixed(4)} 1)`;
+    return [x, y, turn(gap), Math.hypot(...gap) * scale / 100];
   }
 
   // ---- the whole motion: boxes around points
@@ -79,12 +78,12 @@
 
   // ---- camera
 
-  let zoom = 1, factor = 1, offset = [0, 0];
+  let zoom = 1, factor = 1, offset = [0, 0], origin = [0, 0];
   const view = () => [stage.clientWidth || 800, stage.clientHeight || 450];
 
   function camera() {
     const [w, h] = view(), body = +$("follow").value;
-    stage.setAttribute("viewBox", `0 0 ${w} ${h}`);
+    for (const layer of [stage, $("back")]) layer.setAttribute("viewBox", `0 0 ${w} ${h}`);
     let centre;
     if (body < 0) {
       zoom = factor * Math.min(w / (box.right - box.left), h / (box.bottom - box.top));
@@ -94,10 +93,10 @@
       centre = pixels(pose(body));
     }
     centre = [centre[0] - offset[0] / zoom, centre[1] - offset[1] / zoom];
-    world.setAttribute("transform", `translate(${short(w / 2 - zoom * centre[0])} ${short(h / 2 - zoom * centre[1])})scale(${zoom.toFixed(5)})`);
+    const [ox, oy] = origin = [w / 2 - zoom * centre[0], h / 2 - zoom * centre[1]];
+    for (const world of document.querySelectorAll(".world")) world.setAttribute("transform", `translate(${short(ox)} ${short(oy)})scale(${zoom.toFixed(5)})`);
     const step = nice(90 / (zoom * scale)) * zoom * scale;
     let lines = "";
-    const ox = w / 2 - zoom * centre[0], oy = h / 2 - zoom * centre[1];
     for (let x = ((ox % step) + step) % step; x < w; x += step) lines += `M${short(x)} 0V${h}`;
     for (let y = ((oy % step) + step) % step; y < h; y += step) lines += `M0 ${short(y)}H${w}`;
     $("grid").setAttribute("d", lines);
@@ -110,6 +109,90 @@
   function nice(x) {
     const power = 10 ** Math.floor(Math.log10(x));
     return power * [1, 2, 5, 10].find((f) => f * power >= x * 0.999);
+  }
+
+  // ---- parts: their outlines once, their looks for each colour scheme
+
+  const canvas = $("canvas"), ink = canvas.getContext("2d");
+  const parts = [...$("parts").children].map((element, i) => ({
+    element, motion: data.parts[i], title: element.firstChild.textContent,
+    shapes: [...element.children].slice(1).map((shape) => ({ shape, outline: outline(shape) })),
+  }));
+  function outline(shape) {
+    const path = new Path2D(shape.getAttribute("d") || ""), number = (name) => +shape.getAttribute(name);
+    if (shape.tagName === "circle") path.arc(0, 0, number("r"), 0, 2 * Math.PI);
+    if (shape.tagName === "rect") path.roundRect(number("x"), number("y"), number("width"), number("height"), number("rx"));
+    return path;
+  }
+  function look() {
+    const known = {};
+    const read = ({ fill, fillOpacity, stroke, strokeWidth, strokeLinecap, strokeLinejoin }) => ({
+      fill: fill === "none" ? null : fill.replace(/rgb\((.*)\)/, `rgba($1, ${fillOpacity})`),
+      stroke: stroke === "none" ? null : stroke, width: parseFloat(strokeWidth), cap: strokeLinecap, join: strokeLinejoin,
+    });
+    for (const part of parts) {
+      const kind = part.element.getAttribute("class");
+      part.hidden = known[kind] ??= getComputedStyle(part.element).display === "none";
+      for (const drawn of part.shapes) drawn.look = known[`${kind} ${drawn.shape.getAttribute("class")}`] ??= read(getComputedStyle(drawn.shape));
+    }
+  }
+  // The axes of the canvas become those of a part. Lines are as wide wherever they are, so that a stretch is not of the axes.
+  function enter([x, y, angle]) {
+    const dots = devicePixelRatio, c = zoom * dots * Math.cos(angle), s = zoom * dots * Math.sin(angle);
+    ink.setTransform(c, s, -s, c, dots * (origin[0] + zoom * x), dots * (origin[1] + zoom * y));
+  }
+  function stretched(outline, stretch) {
+    if (stretch === 1) return outline;
+    const path = new Path2D();
+    path.addPath(outline, new DOMMatrix([stretch, 0, 0, 1, 0, 0]));
+    return path;
+  }
+  function drawParts() {
+    const size = view().map((side) => Math.round(side * devicePixelRatio));
+    if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
+    ink.setTransform(1, 0, 0, 1, 0, 0);
+    ink.clearRect(0, 0, ...size);
+    let last = null;
+    for (const { hidden, motion, shapes } of parts) {
+      if (hidden) continue;
+      const at = placed(motion);
+      enter(at);
+      for (const { outline, look } of shapes) {
+        const path = stretched(outline, at[3]);
+        if (look !== last) {
+          ink.fillStyle = look.fill;
+          ink.strokeStyle = look.stroke;
+          ink.lineWidth = look.width / zoom;
+          ink.lineCap = look.cap;
+          ink.lineJoin = look.join;
+          last = look;
+        }
+        if (look.fill) ink.fill(path);
+        if (look.stroke) ink.stroke(path);
+      }
+    }
+  }
+  // The name of the foremost part there.
+  function named(event) {
+    const at = [event.offsetX * devicePixelRatio, event.offsetY * devicePixelRatio];
+    const isThere = ({ hidden, motion, shapes }) => {
+      if (hidden) return false;
+      const place = placed(motion);
+      enter(place);
+      ink.lineWidth = 6 / zoom;
+      return shapes.some(({ outline, look }) => {
+        const path = stretched(outline, place[3]);
+        return look.fill && ink.isPointInPath(path, ...at) || ink.isPointInStroke(path, ...at);
+      });
+    };
+    return parts.findLast(isThere)?.title ?? "";
+  }
+  // For paper: the same parts as SVG.
+  function drawSharp() {
+    for (const { element, motion } of parts) {
+      const [x, y, angle, stretch] = placed(motion);
+      element.setAttribute("transform", `translate(${short(x)} ${short(y)})rotate(${short(angle * 180 / Math.PI)})scale(${stretch.toFixed(4)} 1)`);
+    }
   }
 
   // ---- arrows, names, traces
@@ -251,8 +334,7 @@
     now = Math.min(end, Math.max(start, t));
     locate(now);
     camera();
-    parts.forEach((element, i) => element.setAttribute("transform", transform(data.parts[i])));
-    drawArrows(); drawNames(); drawTrace();
+    drawParts(); drawArrows(); drawNames(); drawTrace();
     plots.forEach((plot) => plot());
     $("time").value = Math.round(1e4 * (end > start ? (now - start) / (end - start) : 0));
     $("clock").textContent = `t = ${now.toFixed(decimals)} s`;
@@ -323,13 +405,18 @@
   $("shownames").addEventListener("change", () => { $("names").style.display = $("shownames").checked ? "" : "none"; again(); });
   stage.addEventListener("wheel", (event) => { if (event.ctrlKey) { event.preventDefault(); grow(Math.exp(-event.deltaY / 200)); } }, { passive: false });
   stage.addEventListener("pointermove", (event) => {
+    if (!event.buttons && !playing) stage.parentElement.title = named(event);
     if (event.buttons && event.pointerType === "mouse") { offset[0] += event.movementX; offset[1] += event.movementY; again(); }
   });
 
-  addEventListener("beforeprint", () => { document.querySelector("details").open = true; });
+  addEventListener("beforeprint", () => { document.querySelector("details").open = true; again(); drawSharp(); });
+  addEventListener("afterprint", again);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { look(); again(); });
 
   // ---- first view
 
+  document.body.classList.add("scripted");
+  look();
   $("time").max = 1e4;
   data.bodies.slice(0, 100).forEach((name, i) => $("follow").add(new Option(name, i)));
   places.slice(0, 100).forEach(([name], i) => $("traceof").add(new Option(name, i)));

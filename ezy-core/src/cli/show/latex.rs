@@ -4,7 +4,31 @@ use crate::model::{EliminationStep, Equation, SceneInfo};
 
 use super::{OPERATIONS, freedom, kernels, pattern, pivot, with_equations};
 
+/// A line of the source has so many signs, where it has spaces.
+const WIDEST_LINE: usize = 100;
+
 pub(super) fn scene(info: &SceneInfo) -> String {
+    content(info).lines().map(|line| wrapped(line) + "\n").collect()
+}
+
+/// A line of the source on several ones, which LaTeX reads as one. Comments remain as they are.
+fn wrapped(line: &str) -> String {
+    if line.starts_with('%') {
+        return line.to_owned();
+    }
+    let mut lines = vec![String::new()];
+    for word in line.split(' ') {
+        let last = lines.len() - 1;
+        if lines[last].is_empty() || lines[last].chars().count() + word.chars().count() < WIDEST_LINE {
+            lines[last] += &format!("{word} ");
+        } else {
+            lines.push(format!("  {word} "));
+        }
+    }
+    lines.iter().map(|line| line.trim_end()).collect::<Vec<_>>().join("\n")
+}
+
+fn content(info: &SceneInfo) -> String {
     let [positions, velocities] = freedom(info);
     let mut text = format!("% {}/{}; \\usepackage{{amsmath}}\n", info.model, info.name);
     text += &format!("\\section*{{{}/{}}}\n\n", plain(info.model), plain(info.name));
@@ -43,7 +67,7 @@ pub(super) fn scene(info: &SceneInfo) -> String {
 
 fn display(equation: &Equation) -> String {
     let title = format!("{}{}", equation.name[..1].to_uppercase(), &equation.name[1..]);
-    format!("\n% {}\n{title}:\n\\[\n{}\n\\]\n", equation.name, equation.latex)
+    format!("\n% {}\n{title}:\n\\[\n{}\n\\]\n", equation.name, equation.latex.replace(" \\\\ ", " \\\\\n"))
 }
 
 fn elimination(info: &SceneInfo, step: &EliminationStep) -> String {

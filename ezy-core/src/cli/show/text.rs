@@ -9,8 +9,8 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     let mut text = format!("{}/{}\n{}\n", info.model, info.name, info.documentation.trim());
     let [positions, velocities] = freedom(info);
     text += &format!(
-        "\ndegrees of freedom: {positions} in position, {velocities} in velocity; {} bodies, {} position constraints, {} velocity constraints, \
-         {} entries of the Jacobian\n",
+        "\ndegrees of freedom: {positions} in position, {velocities} in velocity\n\
+         {} bodies, {} position constraints, {} velocity constraints, {} entries of the Jacobian\n",
         info.bodies.len(),
         info.n_position_rows,
         info.n_rows() - info.n_position_rows,
@@ -44,7 +44,12 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
         let used = heads.iter().filter(|head| !head.is_empty()).count();
         if !rows.is_empty() {
             let mut table = Table::new(heads[..used].iter().copied());
-            rows.iter().for_each(|row| table.push(row[..used].iter().copied()));
+            for row in rows {
+                let cells: Vec<Vec<String>> = row[..used].iter().map(|cell| in_lines(cell)).collect();
+                for i in 0..cells.iter().map(Vec::len).max().unwrap_or(0) {
+                    table.push(cells.iter().map(|lines| lines.get(i).cloned().unwrap_or_default()));
+                }
+            }
             tables.push(table);
         }
     };
@@ -66,7 +71,9 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     put(["output", "unit", "formula", "what it is", ""], outputs.collect());
     let events = info.events.iter().map(|e| {
         let follows = if e.kind == EventKind::End { "ends the run" } else { "is recorded" };
-        [e.name, passes(e.direction), e.formula.text, follows, e.documentation.trim()]
+        // what is found by itself has no name but its formula
+        let name = if e.name == e.formula.text { "-" } else { e.name };
+        [name, passes(e.direction), e.formula.text, follows, e.documentation.trim()]
     });
     put(["event", "passes zero", "value", "what follows", "what it is"], events.collect());
     let ends = info.stop.iter().flat_map(|stop| stop.hits.iter().map(move |end| (stop, end)));
@@ -86,6 +93,23 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     let limit = if info.stick_slip.is_some() { "slides beyond" } else { "" };
     put(["row", "word", "level", "unit of its multiplier", limit], rows.collect());
     tables
+}
+
+/// A cell that is wider goes on in the next row.
+const WIDEST_CELL: usize = 60;
+
+fn in_lines(cell: &str) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in cell.split_whitespace() {
+        let last = lines.len() - 1;
+        if lines[last].is_empty() || lines[last].chars().count() + word.chars().count() < WIDEST_CELL {
+            let gap = if lines[last].is_empty() { "" } else { " " };
+            lines[last] += &format!("{gap}{word}");
+        } else {
+            lines.push(format!("  {word}"));
+        }
+    }
+    lines
 }
 
 const fn passes(direction: Direction) -> &'static str {

@@ -31,6 +31,8 @@ pub struct Anchor {
 /// A state and the numbers of the elements there.
 #[derive(Debug, Clone)]
 pub struct Placed {
+    /// Time, s.
+    pub t: f64,
     /// `n_q` coordinates.
     pub q: Vec<f64>,
     /// What [`Derived::element_values`](crate::model::Derived::element_values) writes.
@@ -72,7 +74,7 @@ impl Elements {
     fn placed(&self, scene: &dyn Scene, c: &[f64], t: f64, q: &[f64], v: &[f64]) -> Placed {
         let mut values = vec![0.0; self.n_values];
         scene.element_values(c, t, q, v, &mut values);
-        Placed { q: q.to_vec(), values }
+        Placed { t, q: q.to_vec(), values }
     }
 
     /// Inputs as declared, then the constants of the scene: what its kernels read as `c`.

@@ -16,11 +16,11 @@ const MARGIN: f64 = 40.0;
 /// A motion that is shown on one sheet.
 #[derive(Debug)]
 pub struct Film<'a> {
-    drawing: &'a Drawing,
-    frames: &'a [Placed],
+    pub(super) drawing: &'a Drawing,
+    pub(super) frames: &'a [Placed],
     title: String,
     /// Left, top, width and height, pixels.
-    view: [f64; 4],
+    pub(super) view: [f64; 4],
     /// Whether the camera moves with the first body.
     follows: bool,
 }
@@ -43,6 +43,12 @@ impl<'a> Film<'a> {
         let [x, y, width, height] = view;
         let view = [x - MARGIN, y - MARGIN, width + 2.0 * MARGIN, height + 2.0 * MARGIN].map(f64::round);
         Self { drawing, frames, title: escape(title), view, follows }
+    }
+
+    /// Pixels across a frame whose longer side has 960.
+    pub fn width(&self) -> u32 {
+        let [_, _, width, height] = self.view;
+        (LARGEST * width / width.max(height)).round() as u32
     }
 
     /// Each frame as the text of an SVG file.
@@ -106,7 +112,7 @@ impl<'a> Film<'a> {
     }
 
     /// How far the sheet moves, pixels.
-    fn camera(&self, frame: &Placed) -> Vector {
+    pub(super) fn camera(&self, frame: &Placed) -> Vector {
         match (self.follows, self.frames.first()) {
             (true, Some(first)) => {
                 let [from, to] = [first, frame].map(|frame| self.drawing.pixels(frame.centre(0)));
@@ -117,7 +123,7 @@ impl<'a> Film<'a> {
     }
 
     /// The path of the first body, so that it is seen to move.
-    fn trace(&self) -> String {
+    pub(super) fn trace(&self) -> String {
         if !self.follows {
             return String::new();
         }
@@ -126,10 +132,14 @@ impl<'a> Film<'a> {
         format!("<path class=\"extension\" d=\"M{}\"/>\n", points.join("L"))
     }
 
+    /// Pixels of the SVG file for a pixel of the drawing.
+    pub(super) fn size(&self) -> f64 {
+        LARGEST / self.view[2].max(self.view[3]).max(LARGEST)
+    }
+
     fn file(&self, style: &str, content: &str) -> String {
         let ([x, y, w, h], title) = (self.view, &self.title);
-        let size = LARGEST / w.max(h).max(LARGEST);
-        let [width, height] = [w, h].map(|side| (side * size).round());
+        let [width, height] = [w, h].map(|side| (side * self.size()).round());
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ezy\" viewBox=\"{x} {y} {w} {h}\" width=\"{width}\" height=\"{height}\">\n\
              <title>{title}</title>\n<style>\n{OF_A_FILE}{STYLE}{style}</style>\n{content}</svg>\n"

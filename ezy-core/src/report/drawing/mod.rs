@@ -6,9 +6,15 @@
 mod dimensions;
 mod elements;
 mod film;
+#[cfg(feature = "figures")]
+mod gif;
 mod lettering;
 mod outline;
 mod parts;
+#[cfg(feature = "figures")]
+mod pieces;
+#[cfg(feature = "figures")]
+mod pixels;
 mod sketch;
 mod symbols;
 

@@ -61,7 +61,7 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
 }
 
 /// Outline of a line of text; `place` takes a place to the right of its start and above its base line to that of the picture.
-pub(super) fn outline(text: &str, size: f64, place: impl Fn(Place) -> Place) -> Vec<Segment> {
+pub(crate) fn outline(text: &str, size: f64, place: impl Fn(Place) -> Place) -> Vec<Segment> {
     let scale = size / UNITS_OF_EM;
     let mut start = 0.0;
     let mut outline = Vec::new();

@@ -6,12 +6,12 @@
 mod canvas;
 mod draw;
 mod legend;
-mod lettering;
+pub(super) mod lettering;
 mod look;
 mod marker;
-mod outline;
+pub(super) mod outline;
 mod panel;
-mod png;
+pub(super) mod png;
 mod range;
 mod room;
 mod svg;

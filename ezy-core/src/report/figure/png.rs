@@ -36,7 +36,7 @@ fn paint([red, green, blue]: Color) -> Paint<'static> {
 }
 
 /// `None` for an outline without extent, of which nothing is seen.
-fn path(outline: &[Segment]) -> Option<Path> {
+pub(crate) fn path(outline: &[Segment]) -> Option<Path> {
     let mut path = PathBuilder::new();
     for segment in outline {
         match segment {

@@ -52,12 +52,12 @@ impl Coast {
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.x",
                         latex: "x_{\\mathrm{seat}}",
-                        mathml: "<msub><mi>x</mi><mtext>seat</mtext></msub>",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>seat</mtext></msub></mrow>",
                     }),
                     velocity_symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.vx",
                         latex: "\\dot{x}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
                     }),
                 },
                 ezy::CoordinateInfo {
@@ -67,12 +67,12 @@ impl Coast {
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.y",
                         latex: "y_{\\mathrm{seat}}",
-                        mathml: "<msub><mi>y</mi><mtext>seat</mtext></msub>",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>seat</mtext></msub></mrow>",
                     }),
                     velocity_symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.vy",
                         latex: "\\dot{y}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<mrow><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
                     }),
                 },
                 ezy::CoordinateInfo {
@@ -82,12 +82,12 @@ impl Coast {
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.phi",
                         latex: "\\varphi_{\\mathrm{seat}}",
-                        mathml: "<msub><mi>φ</mi><mtext>seat</mtext></msub>",
+                        mathml: "<mrow><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow>",
                     }),
                     velocity_symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "seat.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{seat}}",
-                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub>",
+                        mathml: "<mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow>",
                     }),
                 },
                 ezy::CoordinateInfo {
@@ -97,12 +97,12 @@ impl Coast {
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.x",
                         latex: "x_{\\mathrm{bar}}",
-                        mathml: "<msub><mi>x</mi><mtext>bar</mtext></msub>",
+                        mathml: "<mrow><msub><mi>x</mi><mtext>bar</mtext></msub></mrow>",
                     }),
                     velocity_symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.vx",
                         latex: "\\dot{x}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow>",
                     }),
                 },
                 ezy::CoordinateInfo {
@@ -112,12 +112,12 @@ impl Coast {
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.y",
                         latex: "y_{\\mathrm{bar}}",
-                        mathml: "<msub><mi>y</mi><mtext>bar</mtext></msub>",
+                        mathml: "<mrow><msub><mi>y</mi><mtext>bar</mtext></msub></mrow>",
                     }),
                     velocity_symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.vy",
                         latex: "\\dot{y}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<mrow><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow>",
                     }),
                 },
                 ezy::CoordinateInfo {
@@ -127,12 +127,12 @@ impl Coast {
                     symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.phi",
                         latex: "\\varphi_{\\mathrm{bar}}",
-                        mathml: "<msub><mi>φ</mi><mtext>bar</mtext></msub>",
+                        mathml: "<mrow><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow>",
                     }),
                     velocity_symbol: ::core::option::Option::Some(ezy::Formula {
                         text: "bar.omega",
                         latex: "\\dot{\\varphi}_{\\mathrm{bar}}",
-                        mathml: "<msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub>",
+                        mathml: "<mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow>",
                     }),
                 },
             ],
@@ -265,7 +265,7 @@ impl Coast {
                 symbol: ezy::Formula {
                     text: "a",
                     latex: "a",
-                    mathml: "<mi>a</mi>",
+                    mathml: "<mrow><mi>a</mi></mrow>",
                 },
             },
             ezy::ParameterInfo {
@@ -278,7 +278,7 @@ impl Coast {
                 symbol: ezy::Formula {
                     text: "b",
                     latex: "b",
-                    mathml: "<mi>b</mi>",
+                    mathml: "<mrow><mi>b</mi></mrow>",
                 },
             },
             ezy::ParameterInfo {
@@ -291,7 +291,7 @@ impl Coast {
                 symbol: ezy::Formula {
                     text: "c",
                     latex: "c",
-                    mathml: "<mi>c</mi>",
+                    mathml: "<mrow><mi>c</mi></mrow>",
                 },
             },
             ezy::ParameterInfo {
@@ -304,7 +304,7 @@ impl Coast {
                 symbol: ezy::Formula {
                     text: "d",
                     latex: "d",
-                    mathml: "<mi>d</mi>",
+                    mathml: "<mrow><mi>d</mi></mrow>",
                 },
             },
             ezy::ParameterInfo {
@@ -317,7 +317,7 @@ impl Coast {
                 symbol: ezy::Formula {
                     text: "m1",
                     latex: "m_{1}",
-                    mathml: "<msub><mi>m</mi><mtext>1</mtext></msub>",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow>",
                 },
             },
             ezy::ParameterInfo {
@@ -330,7 +330,7 @@ impl Coast {
                 symbol: ezy::Formula {
                     text: "i1",
                     latex: "i_{1}",
-                    mathml: "<msub><mi>i</mi><mtext>1</mtext></msub>",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow>",
                 },
             },
             ezy::ParameterInfo {
@@ -343,7 +343,7 @@ impl Coast {
                 symbol: ezy::Formula {
                     text: "m2",
                     latex: "m_{2}",
-                    mathml: "<msub><mi>m</mi><mtext>2</mtext></msub>",
+                    mathml: "<mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow>",
                 },
             },
             ezy::ParameterInfo {
@@ -356,7 +356,7 @@ impl Coast {
                 symbol: ezy::Formula {
                     text: "i2",
                     latex: "i_{2}",
-                    mathml: "<msub><mi>i</mi><mtext>2</mtext></msub>",
+                    mathml: "<mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow>",
                 },
             },
         ],
@@ -523,73 +523,73 @@ impl Coast {
                 name: "coordinates",
                 text: "    [ seat.x   ]\n    [ seat.y   ]\nq = [ seat.phi ]\n    [ bar.x    ]\n    [ bar.y    ]\n    [ bar.phi  ]\n",
                 latex: "q = \\begin{bmatrix} x_{\\mathrm{seat}} \\\\ y_{\\mathrm{seat}} \\\\ \\varphi_{\\mathrm{seat}} \\\\ x_{\\mathrm{bar}} \\\\ y_{\\mathrm{bar}} \\\\ \\varphi_{\\mathrm{bar}} \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mi>q</mi><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><msub><mi>x</mi><mtext>seat</mtext></msub></mtd></mtr><mtr><mtd><msub><mi>y</mi><mtext>seat</mtext></msub></mtd></mtr><mtr><mtd><msub><mi>φ</mi><mtext>seat</mtext></msub></mtd></mtr><mtr><mtd><msub><mi>x</mi><mtext>bar</mtext></msub></mtd></mtr><mtr><mtd><msub><mi>y</mi><mtext>bar</mtext></msub></mtd></mtr><mtr><mtd><msub><mi>φ</mi><mtext>bar</mtext></msub></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mi>q</mi></mrow><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>seat</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>seat</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>x</mi><mtext>bar</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>bar</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "velocities",
                 text: "    [ seat.vx    ]\n    [ seat.vy    ]\nv = [ seat.omega ]\n    [ bar.vx     ]\n    [ bar.vy     ]\n    [ bar.omega  ]\n",
                 latex: "v = \\begin{bmatrix} \\dot{x}_{\\mathrm{seat}} \\\\ \\dot{y}_{\\mathrm{seat}} \\\\ \\dot{\\varphi}_{\\mathrm{seat}} \\\\ \\dot{x}_{\\mathrm{bar}} \\\\ \\dot{y}_{\\mathrm{bar}} \\\\ \\dot{\\varphi}_{\\mathrm{bar}} \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mi>v</mi><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mtd></mtr><mtr><mtd><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mtd></mtr><mtr><mtd><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mtd></mtr><mtr><mtd><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mtd></mtr><mtr><mtd><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mtd></mtr><mtr><mtd><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mi>v</mi></mrow><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub></mrow></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "points",
                 text: "A = (seat.x - a*cos(seat.phi), seat.y - a*sin(seat.phi))\nC = (bar.x + c*cos(bar.phi), bar.y + c*sin(bar.phi))\nB = (seat.x + b*cos(seat.phi), seat.y + b*sin(seat.phi))\n",
                 latex: "\\begin{aligned} A &= \\begin{bmatrix} x_{\\mathrm{seat}} - a \\, \\cos{\\varphi_{\\mathrm{seat}}} \\\\ y_{\\mathrm{seat}} - a \\, \\sin{\\varphi_{\\mathrm{seat}}} \\end{bmatrix} \\\\ C &= \\begin{bmatrix} x_{\\mathrm{bar}} + c \\, \\cos{\\varphi_{\\mathrm{bar}}} \\\\ y_{\\mathrm{bar}} + c \\, \\sin{\\varphi_{\\mathrm{bar}}} \\end{bmatrix} \\\\ B &= \\begin{bmatrix} x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} \\\\ y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} \\end{bmatrix} \\end{aligned}",
-                mathml: "<math display=\"block\"><mtable><mtr><mtd><mi>A</mi></mtd><mtd><mo>=</mo></mtd><mtd><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd></mtr></mtable></mtd></mtr><mtr><mtd><mi>C</mi></mtd><mtd><mo>=</mo></mtd><mtd><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd></mtr></mtable></mtd></mtr><mtr><mtd><mi>B</mi></mtd><mtd><mo>=</mo></mtd><mtd><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd></mtr></mtable></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mtable><mtr><mtd><mi>A</mi></mtd><mtd><mo>=</mo></mtd><mtd><mrow><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd></mtr></mtable></mrow></mtd></mtr><mtr><mtd><mi>C</mi></mtd><mtd><mo>=</mo></mtd><mtd><mrow><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>c</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd></mtr></mtable></mrow></mtd></mtr><mtr><mtd><mi>B</mi></mtd><mtd><mo>=</mo></mtd><mtd><mrow><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd></mtr></mtable></mrow></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "position constraint",
                 text: "0 = C = [ seat.x + b*cos(seat.phi) - bar.x + d*cos(bar.phi) ]   B.x\n        [ seat.y + b*sin(seat.phi) - bar.y + d*sin(bar.phi) ]   B.y\n",
                 latex: "0 = C = \\begin{bmatrix} x_{\\mathrm{seat}} + b \\, \\cos{\\varphi_{\\mathrm{seat}}} - x_{\\mathrm{bar}} + d \\, \\cos{\\varphi_{\\mathrm{bar}}} \\\\ y_{\\mathrm{seat}} + b \\, \\sin{\\varphi_{\\mathrm{seat}}} - y_{\\mathrm{bar}} + d \\, \\sin{\\varphi_{\\mathrm{bar}}} \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mn>0</mn><mo>=</mo><mi>C</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>B.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>B.y</mtext></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mn>0</mn></mrow><mo>=</mo><mrow><mi>C</mi></mrow><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><msub><mi>x</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>x</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>B.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><msub><mi>y</mi><mtext>seat</mtext></msub><mo>+</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mi>y</mi><mtext>bar</mtext></msub><mo>+</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>B.y</mtext></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "Jacobian of the position constraint",
                 text: "C_q = [ 1  0  -b*sin(seat.phi)  -1  0   -d*sin(bar.phi) ]   B.x\n      [ 0  1  b*cos(seat.phi)   0   -1  d*cos(bar.phi)  ]   B.y\n",
                 latex: "C_q = \\begin{bmatrix} 1 & 0 & -b \\, \\sin{\\varphi_{\\mathrm{seat}}} & -1 & 0 & -d \\, \\sin{\\varphi_{\\mathrm{bar}}} \\\\ 0 & 1 & b \\, \\cos{\\varphi_{\\mathrm{seat}}} & 0 & -1 & d \\, \\cos{\\varphi_{\\mathrm{bar}}} \\end{bmatrix}",
-                mathml: "<math display=\"block\"><msub><mi>C</mi><mi>q</mi></msub><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><mn>1</mn></mrow></mtd><mtd><mn>0</mn></mtd><mtd><mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mrow><mo>−</mo><mn>1</mn></mrow></mtd><mtd><mn>0</mn></mtd><mtd><mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd></mtr><mtr><mtd><mn>0</mn></mtd><mtd><mrow><mn>1</mn></mrow></mtd><mtd><mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mn>0</mn></mtd><mtd><mrow><mo>−</mo><mn>1</mn></mrow></mtd><mtd><mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><msub><mi>C</mi><mi>q</mi></msub></mrow><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><mn>1</mn></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mrow><mo>−</mo><mn>1</mn></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd></mtr><mtr><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mn>1</mn></mrow></mtd><mtd><mrow><mi>b</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mo>−</mo><mn>1</mn></mrow></mtd><mtd><mrow><mi>d</mi><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "convective term of the position constraint",
                 text: "h = [ -b*seat.omega^2*cos(seat.phi) - d*bar.omega^2*cos(bar.phi) ]   B.x\n    [ -b*seat.omega^2*sin(seat.phi) - d*bar.omega^2*sin(bar.phi) ]   B.y\n",
                 latex: "h = \\begin{bmatrix} -b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\cos{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\cos{\\varphi_{\\mathrm{bar}}} \\\\ -b \\, \\dot{\\varphi}_{\\mathrm{seat}}^{2} \\, \\sin{\\varphi_{\\mathrm{seat}}} - d \\, \\dot{\\varphi}_{\\mathrm{bar}}^{2} \\, \\sin{\\varphi_{\\mathrm{bar}}} \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mi>h</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>B.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>B.y</mtext></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mi>h</mi></mrow><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>B.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mo>−</mo><mi>b</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><mi>d</mi><mspace width=\"0.17em\"/><msubsup><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext><mn>2</mn></msubsup><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>B.y</mtext></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "velocity constraint",
                 text: "0 = S v + s_t = [ -a*seat.omega - seat.vx*sin(seat.phi) + seat.vy*cos(seat.phi) ]   rear\n                [ c*bar.omega - bar.vx*sin(bar.phi) + bar.vy*cos(bar.phi)       ]   front\n",
                 latex: "0 = S v + s_t = \\begin{bmatrix} -a \\, \\dot{\\varphi}_{\\mathrm{seat}} - \\dot{x}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} + \\dot{y}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} \\\\ c \\, \\dot{\\varphi}_{\\mathrm{bar}} - \\dot{x}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} + \\dot{y}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mn>0</mn><mo>=</mo><mi>S</mi><mi>v</mi><mo>+</mo><msub><mi>s</mi><mi>t</mi></msub><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>rear</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>front</mtext></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mn>0</mn></mrow><mo>=</mo><mrow><mi>S</mi><mi>v</mi><mo>+</mo><msub><mi>s</mi><mi>t</mi></msub></mrow><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><mi>a</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>rear</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mi>c</mi><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>+</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>front</mtext></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "Jacobian of the velocity constraint",
                 text: "S = [ -sin(seat.phi)  cos(seat.phi)  -a  0              0             0 ]   rear\n    [ 0               0              0   -sin(bar.phi)  cos(bar.phi)  c ]   front\n",
                 latex: "S = \\begin{bmatrix} -\\sin{\\varphi_{\\mathrm{seat}}} & \\cos{\\varphi_{\\mathrm{seat}}} & -a & 0 & 0 & 0 \\\\ 0 & 0 & 0 & -\\sin{\\varphi_{\\mathrm{bar}}} & \\cos{\\varphi_{\\mathrm{bar}}} & c \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mi>S</mi><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mrow><mo>−</mo><mi>a</mi></mrow></mtd><mtd><mn>0</mn></mtd><mtd><mn>0</mn></mtd><mtd><mn>0</mn></mtd></mtr><mtr><mtd><mn>0</mn></mtd><mtd><mn>0</mn></mtd><mtd><mn>0</mn></mtd><mtd><mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mrow><mi>c</mi></mrow></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mi>S</mi></mrow><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mrow><mo>−</mo><mi>a</mi></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd></mtr><mtr><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mo>−</mo><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mrow><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mrow><mi>c</mi></mrow></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "convective term of the velocity constraint",
                 text: "s = [ -seat.vx*seat.omega*cos(seat.phi) - seat.vy*seat.omega*sin(seat.phi) ]   rear\n    [ -bar.vx*bar.omega*cos(bar.phi) - bar.vy*bar.omega*sin(bar.phi)       ]   front\n",
                 latex: "s = \\begin{bmatrix} -\\dot{x}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\cos{\\varphi_{\\mathrm{seat}}} - \\dot{y}_{\\mathrm{seat}} \\, \\dot{\\varphi}_{\\mathrm{seat}} \\, \\sin{\\varphi_{\\mathrm{seat}}} \\\\ -\\dot{x}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\cos{\\varphi_{\\mathrm{bar}}} - \\dot{y}_{\\mathrm{bar}} \\, \\dot{\\varphi}_{\\mathrm{bar}} \\, \\sin{\\varphi_{\\mathrm{bar}}} \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mi>s</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>rear</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>front</mtext></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mi>s</mi></mrow><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>seat</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>seat</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>rear</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mo>−</mo><msub><mover><mi>x</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>cos</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow><mo>−</mo><msub><mover><mi>y</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><msub><mover><mi>φ</mi><mo>.</mo></mover><mtext>bar</mtext></msub><mspace width=\"0.17em\"/><mrow><mi>sin</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><msub><mi>φ</mi><mtext>bar</mtext></msub></mrow></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>front</mtext></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "mass matrix",
                 text: "         [ m1 ]   seat.x\n         [ m1 ]   seat.y\ndiag M = [ i1 ]   seat.phi\n         [ m2 ]   bar.x\n         [ m2 ]   bar.y\n         [ i2 ]   bar.phi\n",
                 latex: "\\mathrm{diag}\\,M = \\begin{bmatrix} m_{1} \\\\ m_{1} \\\\ i_{1} \\\\ m_{2} \\\\ m_{2} \\\\ i_{2} \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mtext>diag </mtext><mi>M</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.phi</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.phi</mtext></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mtext>diag </mtext><mi>M</mi></mrow><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><msub><mi>m</mi><mtext>1</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><msub><mi>i</mi><mtext>1</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.phi</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><msub><mi>m</mi><mtext>2</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><msub><mi>i</mi><mtext>2</mtext></msub></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.phi</mtext></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "applied force",
                 text: "    [ 0 ]   seat.x\n    [ 0 ]   seat.y\nF = [ 0 ]   seat.phi\n    [ 0 ]   bar.x\n    [ 0 ]   bar.y\n    [ 0 ]   bar.phi\n",
                 latex: "F = \\begin{bmatrix} 0 \\\\ 0 \\\\ 0 \\\\ 0 \\\\ 0 \\\\ 0 \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mi>F</mi><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.phi</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.phi</mtext></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mrow><mi>F</mi></mrow><mo>=</mo><mtable><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: .7em .7em 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>seat.phi</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.x</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 0 0\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.y</mtext></mtd></mtr><mtr><mtd style=\"border: solid; border-width: 0 .09em; border-radius: 0 0 .7em .7em\"><mrow><mn>0</mn></mrow></mtd><mtd><mspace width=\"1em\"/><mtext>bar.phi</mtext></mtd></mtr></mtable></math>",
             },
             ezy::Equation {
                 name: "equations of motion",
                 text: "[ M    C_q^T  S^T ] [ a        ]   [ F  ]\n[ C_q  0      0   ] [ lambda_C ] = [ -h ]\n[ S    0      0   ] [ lambda_S ]   [ -s ]\n",
                 latex: "\\begin{bmatrix} M & C_q^T & S^T \\\\ C_q & 0 & 0 \\\\ S & 0 & 0 \\end{bmatrix}\\begin{bmatrix} a \\\\ \\lambda_C \\\\ \\lambda_S \\end{bmatrix} = \\begin{bmatrix} F \\\\ -h \\\\ -s \\end{bmatrix}",
-                mathml: "<math display=\"block\"><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mi>M</mi></mtd><mtd><msubsup><mi>C</mi><mi>q</mi><mi>T</mi></msubsup></mtd><mtd><msup><mi>S</mi><mi>T</mi></msup></mtd></mtr><mtr><mtd><msub><mi>C</mi><mi>q</mi></msub></mtd><mtd><mn>0</mn></mtd><mtd><mn>0</mn></mtd></mtr><mtr><mtd><mi>S</mi></mtd><mtd><mn>0</mn></mtd><mtd><mn>0</mn></mtd></mtr></mtable><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mi>a</mi></mtd></mtr><mtr><mtd><msub><mi>λ</mi><mi>C</mi></msub></mtd></mtr><mtr><mtd><msub><mi>λ</mi><mi>S</mi></msub></mtd></mtr></mtable><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mi>F</mi></mtd></mtr><mtr><mtd><mrow><mo>−</mo><mi>h</mi></mrow></mtd></mtr><mtr><mtd><mrow><mo>−</mo><mi>s</mi></mrow></mtd></mtr></mtable></math>",
+                mathml: "<math display=\"block\"><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><mi>M</mi></mrow></mtd><mtd><mrow><msubsup><mi>C</mi><mi>q</mi><mi>T</mi></msubsup></mrow></mtd><mtd><mrow><msup><mi>S</mi><mi>T</mi></msup></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>C</mi><mi>q</mi></msub></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd></mtr><mtr><mtd><mrow><mi>S</mi></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd></mtr></mtable><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><mi>a</mi></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>λ</mi><mi>C</mi></msub></mrow></mtd></mtr><mtr><mtd><mrow><msub><mi>λ</mi><mi>S</mi></msub></mrow></mtd></mtr></mtable><mo>=</mo><mtable style=\"border: solid; border-width: 0 .09em; border-radius: .7em; padding: .1em .2em\"><mtr><mtd><mrow><mi>F</mi></mrow></mtd></mtr><mtr><mtd><mrow><mrow><mo>−</mo><mi>h</mi></mrow></mrow></mtd></mtr><mtr><mtd><mrow><mrow><mo>−</mo><mi>s</mi></mrow></mrow></mtd></mtr></mtable></math>",
             },
         ],
         elimination: &[

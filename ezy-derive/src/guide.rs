@@ -1,6 +1,6 @@
 //! The messages in the guide are those of the macro, and its chapter on the language has every word.
 //!
-//! A block of `text` with lines that begin with `error: ` shows a message. Lines above it are wrong lines: each stands in the last
+//! A block of `text` with lines that begin with `error:` or `warning:` shows messages. Lines above it are wrong lines: each stands in the last
 //! model of the page in place of the first line that begins with the same words. `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the messages anew.
 
 use std::collections::BTreeMap;
@@ -66,6 +66,10 @@ fn with_wrong_line(model: &str, wrong: &str) -> String {
     model.replacen(replaced, wrong, 1)
 }
 
+fn is_message(line: &str) -> bool {
+    ["error:", "warning:"].iter().any(|kind| line.starts_with(kind))
+}
+
 /// The page with the messages that its models have now.
 fn with_messages(page: &str) -> String {
     let mut model = "";
@@ -73,7 +77,8 @@ fn with_messages(page: &str) -> String {
     for (i, part) in page.split("```").enumerate() {
         new += if i == 0 { "" } else { "```" };
         let body = part.split_once('\n').map_or("", |(_, body)| body);
-        let shown = body.find("error: ").filter(|at| *at == 0 || body[..*at].ends_with('\n'));
+        let first = body.split_inclusive('\n').take_while(|line| !is_message(line)).map(str::len).sum::<usize>();
+        let shown = Some(first).filter(|at| *at < body.len());
         match (i % 2 == 1, shown) {
             (true, _) if part.starts_with("rust") => {
                 model = if body.contains("model! {") { body } else { model };
@@ -83,7 +88,7 @@ fn with_messages(page: &str) -> String {
                 let wrong = &body[..at];
                 let whole = wrong.lines().fold(model.to_owned(), |model, line| with_wrong_line(&model, line));
                 let messages = messages(&whole);
-                assert!(messages.contains("error: "), "there is nothing wrong about\n{whole}");
+                assert!(!messages.is_empty(), "there is nothing wrong about\n{whole}");
                 new += &format!("text\n{wrong}{messages}\n");
             }
             _ => new += part,

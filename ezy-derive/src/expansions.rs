@@ -49,8 +49,13 @@ fn answers() -> PathBuf {
 /// The `model!` texts of a file of this workspace.
 pub fn model_texts(file: &Path) -> Vec<TokenStream> {
     let source = fs::read_to_string(file).expect("the file is there");
+    texts(source.parse().expect("the file has tokens"))
+}
+
+/// The `model!` texts among tokens.
+pub fn texts(tokens: TokenStream) -> Vec<TokenStream> {
     let mut texts = Vec::new();
-    collect(source.parse().expect("the file has tokens"), &mut texts);
+    collect(tokens, &mut texts);
     texts
 }
 

@@ -13,6 +13,8 @@ mod golden;
 mod grammar;
 #[cfg(test)]
 mod growth;
+#[cfg(test)]
+mod guide;
 mod mechanics;
 mod model;
 mod parse;

@@ -15,7 +15,10 @@ pub const START: Kind = ("start", "declared starts");
 pub const EFFECT: Kind = ("effect", "declared effects");
 
 pub fn unknown(name: &Ident, (what, list): Kind, known: &[&str]) -> syn::Error {
-    let help = suggestion(&name.to_string(), known, list);
+    let help = match name == "time" && list == VALUE.1 {
+        true => "the time is `t`".to_owned(),
+        false => suggestion(&name.to_string(), known, list),
+    };
     fault_with_help(name, format_args!("{what} `{name}` is not declared"), help)
 }
 
@@ -74,8 +77,11 @@ pub fn not_a_value(name: &Ident, what: &str, members: &[&str]) -> syn::Error {
     fault_with_help(name, format_args!("`{name}` is {what}, not a value"), help)
 }
 
-pub fn not_a_place(name: &Ident, what: &str, carries: bool) -> syn::Error {
-    let help = if carries {
+/// `indexed` when square brackets follow.
+pub fn not_a_place(name: &Ident, what: &str, carries: bool, indexed: bool) -> syn::Error {
+    let help = if carries && indexed {
+        format!("write round brackets for a point on it, such as `{name}(0, 0)`")
+    } else if carries {
         format!("write `{name}(0, 0)` for its origin")
     } else {
         "write the name of a point, or `body(x, y)`".to_owned()

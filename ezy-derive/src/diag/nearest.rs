@@ -6,7 +6,7 @@ use std::fmt::Write;
 const LISTED_NAMES: usize = 10;
 
 /// Words of other languages and books, with that of this one.
-const SYNONYMS: [(&str, &str); 32] = [
+const SYNONYMS: [(&str, &str); 35] = [
     ("actuator", "drive"),
     ("angularvelocity", "omega"),
     ("bushing", "spring"),
@@ -15,7 +15,9 @@ const SYNONYMS: [(&str, &str); 32] = [
     ("dashpot", "damper"),
     ("def", "let"),
     ("distance", "rod"),
+    ("earth", "ground"),
     ("fixed", "weld"),
+    ("floor", "ground"),
     ("joint", "hinge"),
     ("marker", "point"),
     ("moment", "torque"),
@@ -33,6 +35,7 @@ const SYNONYMS: [(&str, &str); 32] = [
     ("tire", "tyre"),
     ("translational", "slider"),
     ("var", "let"),
+    ("wall", "ground"),
     ("wheel", "skate"),
     ("world", "ground"),
     ("xdot", "vx"),

@@ -151,6 +151,15 @@ pub fn no_type_name(scene: &Ident, type_name: &str) -> syn::Error {
     fault_with_help(scene, text, "write another name")
 }
 
+/// A number of an angle that is more than a turn in radians.
+pub fn angle_beyond_a_turn(word: &Ident, name: &str, value: f64) -> Warning {
+    Warning {
+        span: word.span(),
+        name: "angle_beyond_a_turn",
+        text: format!("`{name}` starts at {value} rad, more than a turn; if degrees are meant write `{value} deg`"),
+    }
+}
+
 pub fn parameter_of_unused_effect(name: &Ident, effect: &Ident) -> Warning {
     Warning {
         span: name.span(),

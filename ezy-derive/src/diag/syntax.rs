@@ -40,11 +40,11 @@ messages! {
     power_of_other_languages(at: Span):
         "`**` is no operator", "write `^` for a power, such as `x^2`";
 
-    number_with_suffix(at: Span, digits: &str, suffix: &str):
+    /// A name behind a number, or a suffix of Rust.
+    number_with_suffix(at: Span, digits: &str, suffix: &str, instead: &str):
         "the number `{digits}{suffix}` has a suffix",
-        "write `{digits}`; units stand in `param name: unit = value;`";
+        "write `{instead}`";
 
-    /// The time after `until` is the one number with a unit.
     number_joined_with_unit(at: Span, digits: &str, suffix: &str):
         "the number `{digits}{suffix}` has a suffix",
         "write `{digits} {suffix}`, with a blank before the unit";
@@ -69,6 +69,16 @@ messages! {
 
     bare_vector_component(at: impl Into<Extent>):
         "a vector has two components", "write `(x, y)`";
+
+    third_component(at: Span):
+        "a vector has two components, but a third one follows", "write `(x, y)`; decimals have a point, such as `0.5`";
+
+    no_body_before_bracket(at: Span, what: &str):
+        "expected {what}, found `(`",
+        "write a body in front of it: `ground` for what does not move, or the one whose axes are meant";
+
+    end_of_range(at: Span):
+        "expected the end of the range, found `=`", "write `a..b`: the last index is b - 1";
 
     empty_start_statement(body: &Ident):
         "nothing is given for `{body}`", "write `{body} at (0, 0) angle 0;` or remove `{body}`";

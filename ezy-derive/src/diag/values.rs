@@ -50,7 +50,7 @@ messages! {
 
     place_as_value(at: Extent, body: &Ident):
         "`{body}(…)` is a point, not a value",
-        "name it with `point P = {body}(…);` and write `P.x`, `P.y` or `P.v`";
+        "name it with `point P = {body}(…);` and write `P.x`, `P.y` or `P.v`; a force in the axes of `{body}` is `force at P along {body}(1, 0): …;`";
 
     called_value(name: &Ident, what: &str):
         "`{name}` is {what}, not a function", "write `{name} * (…)` for a product";

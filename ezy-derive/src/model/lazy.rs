@@ -63,9 +63,12 @@ impl Context<'_> {
                 }
                 Some(Symbol::Broken) => None,
                 Some(symbol) => {
-                    self.diag.refuse(names::not_a_place(name, symbol.what(), matches!(symbol, Symbol::Body(_))))
+                    let carries = matches!(symbol, Symbol::Body(_));
+                    self.diag.refuse(names::not_a_place(name, symbol.what(), carries, !name.indices.is_empty()))
                 }
-                None if name.word == "ground" => self.diag.refuse(names::not_a_place(name, "the fixed ground", true)),
+                None if name.word == "ground" => {
+                    self.diag.refuse(names::not_a_place(name, "the fixed ground", true, !name.indices.is_empty()))
+                }
                 None => {
                     let error = self.names.unknown(name, |known| names::unknown(name, names::POINT, &known.places()));
                     self.diag.refuse(error)

@@ -6,6 +6,7 @@ use super::{Component, Expr, Start, StartValue};
 use crate::diag::scenes;
 use crate::parse::ast::{self, GivenValues, Quantity};
 use proc_macro2::Ident;
+use std::f64::consts::TAU;
 
 /// Coordinates and velocities that a quantity gives, `true` for a velocity.
 const fn components(quantity: Quantity) -> &'static [(Component, bool)] {
@@ -18,6 +19,19 @@ const fn components(quantity: Quantity) -> &'static [(Component, bool)] {
         Quantity::Y => &[(Component::Y, false)],
         Quantity::VelocityX => &[(Component::X, true)],
         Quantity::VelocityY => &[(Component::Y, true)],
+    }
+}
+
+/// The number that an angle is, when no unit stands behind it.
+fn bare_angle(given: &ast::Given) -> Option<f64> {
+    let GivenValues::Each(values) = &given.values else { return None };
+    match (given.quantity, &values[..]) {
+        (Quantity::Angle, [Some(ast::Expr::Number { value, .. })]) => Some(*value),
+        (Quantity::Angle, [Some(ast::Expr::Negative { operand, .. })]) => match **operand {
+            ast::Expr::Number { value, .. } => Some(-value),
+            _ => None,
+        },
+        _ => None,
     }
 }
 
@@ -83,6 +97,9 @@ impl Context<'_> {
                     continue;
                 }
                 let Given::Value(resolved) = value else { continue };
+                if let Some(angle) = bare_angle(given).filter(|angle| angle.abs() > TAU) {
+                    self.diag.warning(scenes::angle_beyond_a_turn(&given.word, &name, angle));
+                }
                 if let Some(rest) = start.at_rest.as_ref().filter(|_| *rate && literal(&resolved) != Some(0.0)) {
                     self.diag.error(scenes::moves_at_rest(rest, &start.name, &name, &given.word));
                 }

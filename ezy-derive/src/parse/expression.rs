@@ -2,11 +2,13 @@
 
 use super::ast::{Expr, Name};
 use super::token::{
-    Bracketed, comma_or_end, end, expected, found, name, parenthesised, peek_number, peek_word, take, take_one_of,
+    Bracketed, comma_or_end, end, end_of_pair, expected, found, name, parenthesised, peek_number, peek_word, take,
+    take_one_of,
 };
 use super::unit::{self, Misplaced};
 use crate::diag::syntax;
 use crate::function::Operator;
+use crate::units;
 use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::{Lit, Result, Token};
@@ -159,7 +161,7 @@ impl Parser {
             return Err(expected(inside, "`)`"));
         }
         let y = self.sum(inside)?;
-        end(inside, ")")?;
+        end_of_pair(inside)?;
         Ok(Expr::Vector { x: Box::new(x), y: Box::new(y), start: brackets.open, end: brackets.close })
     }
 
@@ -183,7 +185,11 @@ impl Parser {
         if !suffix.is_empty() {
             return Err(match self.before_unit {
                 true => syntax::number_joined_with_unit(span, digits, suffix),
-                false => syntax::number_with_suffix(span, digits, suffix),
+                false if suffix != "t" && units::is_known(suffix) => {
+                    syntax::number_joined_with_unit(span, digits, suffix)
+                }
+                false if is_suffix_of_rust(suffix) => syntax::number_with_suffix(span, digits, suffix, digits),
+                false => syntax::number_with_suffix(span, digits, suffix, &format!("{digits} * {suffix}")),
             });
         }
         // the decimal digits as written: the nearest f64
@@ -203,6 +209,12 @@ impl Parser {
             None => Ok(Expr::Number { value, span }),
         }
     }
+}
+
+/// `f64`, `u8`, `usize`
+fn is_suffix_of_rust(suffix: &str) -> bool {
+    let bits = suffix.strip_prefix(['f', 'i', 'u']);
+    bits.is_some_and(|bits| bits == "size" || bits.parse::<u8>().is_ok())
 }
 
 fn binary(operator: Operator, span: Span, left: Expr, right: Expr) -> Expr {

@@ -73,7 +73,7 @@ impl Level {
     }
 
     /// Every word of the level, in the order of the manual.
-    fn words(self) -> Vec<&'static str> {
+    pub fn words(self) -> Vec<&'static str> {
         let items = self.items().map(|item| item.word);
         items.chain(WORDS.iter().map(|row| row.word)).chain(["for"]).collect()
     }

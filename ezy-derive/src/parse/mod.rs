@@ -29,6 +29,12 @@ pub fn unit_of_text(text: &str) -> Result<ast::Unit> {
     unit::unit.parse_str(text)
 }
 
+/// Every word of a model, in the order of the manual.
+#[cfg(test)]
+pub fn words_of_the_language() -> Vec<&'static str> {
+    item::Level::Model.words()
+}
+
 /// The state of the parser.
 pub struct Log<'a> {
     pub diag: &'a mut Diagnostics,

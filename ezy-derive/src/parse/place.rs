@@ -1,14 +1,14 @@
 //! Places and directions: `body(x, y)`, or the name of a point.
 
-use super::ast::{OnBody, Place};
+use super::ast::{Name, OnBody, Place};
 use super::expression::{expression, indexed};
-use super::token::{end, parenthesised};
+use super::token::{end_of_pair, parenthesised};
 use crate::diag::syntax;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 pub fn place(input: ParseStream) -> Result<Place> {
-    let owner = indexed(input, "a point: its name, or `body(x, y)`")?;
+    let owner = owner(input, "a point: its name, or `body(x, y)`")?;
     if !input.peek(syn::token::Paren) {
         return Ok(Place::Named(owner));
     }
@@ -17,9 +17,17 @@ pub fn place(input: ParseStream) -> Result<Place> {
 }
 
 pub fn on_body(input: ParseStream, what: &str) -> Result<OnBody> {
-    let body = indexed(input, what)?;
+    let body = owner(input, what)?;
     let (x, y) = pair(input, expression)?;
     Ok(OnBody { body, x, y })
+}
+
+/// The body, or the name of a point.
+fn owner(input: ParseStream, what: &str) -> Result<Name> {
+    if input.peek(syn::token::Paren) {
+        return Err(syntax::no_body_before_bracket(input.span(), what));
+    }
+    indexed(input, what)
 }
 
 /// `(x, y)`
@@ -32,6 +40,6 @@ pub fn pair<T>(input: ParseStream, component: impl Fn(ParseStream) -> Result<T>)
     }
     super::token::sign::<Token![,]>(inside)?;
     let y = component(inside)?;
-    end(inside, ")")?;
+    end_of_pair(inside)?;
     Ok((x, y))
 }

@@ -35,6 +35,9 @@ fn head(input: ParseStream) -> Result<Loop> {
     word(input, "in")?;
     let from = expression(input)?;
     sign::<Token![..]>(input)?;
+    if input.peek(Token![=]) {
+        return Err(syntax::end_of_range(input.span()));
+    }
     let to = expression(input)?;
     Ok(Loop { variable, from, to })
 }

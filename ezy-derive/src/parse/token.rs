@@ -113,6 +113,11 @@ pub fn end(input: ParseStream, closing: &str) -> Result<()> {
     if input.is_empty() { Ok(()) } else { Err(expected(input, &format!("`{closing}`"))) }
 }
 
+/// Nothing may be left behind the second component of a vector.
+pub fn end_of_pair(input: ParseStream) -> Result<()> {
+    if input.peek(Token![,]) { Err(syntax::third_component(input.span())) } else { end(input, ")") }
+}
+
 /// The inside of a pair of brackets, and its first and last sign.
 pub struct Bracketed<'a> {
     pub inside: ParseBuffer<'a>,

@@ -97,6 +97,7 @@ fn program(words: &[String]) -> Option<Command> {
         ["ezy", ..] => (ezy.to_owned(), &words[1..]),
         ["cargo", "run", "--", ..] => (example("tricycle"), &words[3..]),
         ["cargo", "run", "--example", name] => (example(name), &words[4..]),
+        ["cargo", "run", "--example", name, "--", ..] => (example(name), &words[5..]),
         _ => return None,
     };
     assert!(path.exists(), "{} is not built: cargo build -p ezy-models --examples", path.display());

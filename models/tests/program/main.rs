@@ -13,5 +13,6 @@ mod run;
 mod signals;
 mod starts;
 mod study;
+mod words;
 
 use run::{assert_wrong_use, directory, ezy, text};

@@ -109,12 +109,20 @@ fn all(elements: &Elements, at: &Placed) -> Vec<Dimension> {
     all
 }
 
-/// `-a` as `a`, `-a - b` as `a + b`: a length has no sign. A difference stays as it is.
+/// `-a` as `a`, `-a - b` as `a + b`: a length has no sign. A difference stays as it is, and so does what is in brackets.
 fn without_sign(text: &str) -> String {
-    match text.strip_prefix('-') {
-        Some(rest) if !rest.contains(" + ") => rest.replace(" - ", " + "),
-        _ => text.to_owned(),
+    let Some(rest) = text.strip_prefix('-') else { return text.to_owned() };
+    let (mut depth, mut length) = (0, String::new());
+    for (i, letter) in rest.char_indices() {
+        depth += i32::from(letter == '(') - i32::from(letter == ')');
+        let sign = depth == 0 && rest[..i].ends_with(' ') && rest[i + letter.len_utf8()..].starts_with(' ');
+        match letter {
+            '+' if sign => return text.to_owned(),
+            '-' if sign => length.push('+'),
+            _ => length.push(letter),
+        }
     }
+    length
 }
 
 #[cfg(test)]
@@ -123,7 +131,7 @@ mod tests {
 
     #[test]
     fn reference_lengths_have_no_sign() {
-        let lengths = ["a", "-a", "-a - b", "l - a", "-a + b"].map(without_sign);
-        assert_eq!(lengths, ["a", "a", "a + b", "l - a", "-a + b"]);
+        let lengths = ["a", "-a", "-a - b", "l - a", "-a + b", "-(k - 1)*a"].map(without_sign);
+        assert_eq!(lengths, ["a", "a", "a + b", "l - a", "-a + b", "(k - 1)*a"]);
     }
 }

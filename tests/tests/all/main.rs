@@ -65,4 +65,5 @@ mod taylor;
 mod tolerances;
 mod trajectories;
 mod unequal_masses;
+mod unequal_members;
 mod work;

@@ -1,5 +1,7 @@
 //! What depends on parameters alone: the function that computes it, and its names.
 
+mod wording;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -14,6 +16,7 @@ use crate::mechanics::kernels::Pass;
 use crate::model::whole::{IndexId, Whole};
 use crate::model::{Model, ParameterId};
 use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode, Coefficients};
+use wording::{Shape, Wording, product, quotient, square, sum};
 
 /// The constants of a scene.
 pub struct Constants<'a> {
@@ -235,60 +238,6 @@ pub const RESERVED: [&str; 17] = [
     "t", "c", "k", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed", "MODEL", "None", "Some", "Ok",
     "Err",
 ];
-
-/// A name, and what it is read as.
-struct Wording {
-    text: String,
-    shape: Shape,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Shape {
-    Product,
-    Quotient,
-    Sum,
-}
-
-/// None where the order of the parts is not plain.
-fn sum(x: &Wording, y: &Wording, negative: [bool; 2]) -> Option<Wording> {
-    if x.shape == Shape::Sum || y.shape == Shape::Sum {
-        return None;
-    }
-    let text = match negative {
-        [false, false] => format!("{}_plus_{}", x.text, y.text),
-        [false, true] => format!("{}_minus_{}", x.text, y.text),
-        [true, false] => format!("{}_minus_{}", y.text, x.text),
-        [true, true] => return None,
-    };
-    Some(Wording { text, shape: Shape::Sum })
-}
-
-fn square(x: &Wording) -> Option<Wording> {
-    (x.shape == Shape::Product).then(|| Wording { text: format!("{}_squared", x.text), shape: Shape::Product })
-}
-
-fn product(x: &Wording, y: &Wording) -> Option<Wording> {
-    let (text, shape) = match (x.shape, y.shape) {
-        (Shape::Product, Shape::Product) => (format!("{}_{}", x.text, y.text), Shape::Product),
-        (Shape::Product, Shape::Quotient) => (over(&x.text, &y.text), Shape::Quotient),
-        (Shape::Quotient, Shape::Product) => (over(&y.text, &x.text), Shape::Quotient),
-        _ => return None,
-    };
-    Some(Wording { text, shape })
-}
-
-fn quotient(x: &Wording, y: &Wording) -> Option<Wording> {
-    let of_products = x.shape == Shape::Product && y.shape == Shape::Product;
-    of_products.then(|| Wording { text: format!("{}_over_{}", x.text, y.text), shape: Shape::Quotient })
-}
-
-/// A factor before a quotient, within its numerator.
-fn over(factor: &str, quotient: &str) -> String {
-    match quotient.strip_prefix("one_over_") {
-        Some(divisor) => format!("{factor}_over_{divisor}"),
-        None => format!("{factor}_{quotient}"),
-    }
-}
 
 /// What is computed, and where it is.
 struct Values<'a> {

@@ -480,6 +480,11 @@ impl Expr {
 }
 
 impl Expr {
+    /// Whether it depends on an index of a `for`, or on a quotient that may do so.
+    pub fn reads_index(&self) -> bool {
+        matches!(self, Self::Index(_) | Self::Quotient(_)) || self.operands().into_iter().any(Self::reads_index)
+    }
+
     /// With other values of some indices.
     pub fn with_indices(&self, values: &[(IndexId, Self)]) -> Self {
         let inside = |expr: &Self| expr.with_indices(values);

@@ -100,7 +100,7 @@ fn all(elements: &Elements, at: &Placed) -> Vec<Dimension> {
                 let text = without_sign(text);
                 let same = all.iter().filter(|other| other.text == text);
                 let is_known = same.clone().any(|other| other.body == body && other.ends == ends);
-                if text != "0" && !is_known && same.count() < MOST_OF_A_NAME {
+                if !matches!(&*text, "0" | "") && !is_known && same.count() < MOST_OF_A_NAME {
                     all.push(Dimension { body, text, ends });
                 }
             }
@@ -109,12 +109,25 @@ fn all(elements: &Elements, at: &Placed) -> Vec<Dimension> {
     all
 }
 
-/// `-a` as `a`, `-a - b` as `a + b`: a length has no sign. A difference stays as it is.
+/// `-a` as `a`, `-a - b` as `a + b`: a length has no sign. A difference stays as it is, and so does what stands in brackets.
 fn without_sign(text: &str) -> String {
-    match text.strip_prefix('-') {
-        Some(rest) if !rest.contains(" + ") => rest.replace(" - ", " + "),
-        _ => text.to_owned(),
+    let Some(rest) = text.strip_prefix('-') else { return text.to_owned() };
+    let mut depth = 0;
+    let mut turned = String::new();
+    for (i, sign) in rest.char_indices() {
+        match sign {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        let is_between = depth == 0 && rest[..i].ends_with(' ') && rest[i + sign.len_utf8()..].starts_with(' ');
+        match sign {
+            '+' if is_between => return text.to_owned(),
+            '-' if is_between => turned.push('+'),
+            _ => turned.push(sign),
+        }
     }
+    turned
 }
 
 #[cfg(test)]
@@ -123,7 +136,7 @@ mod tests {
 
     #[test]
     fn reference_lengths_have_no_sign() {
-        let lengths = ["a", "-a", "-a - b", "l - a", "-a + b"].map(without_sign);
-        assert_eq!(lengths, ["a", "a", "a + b", "l - a", "-a + b"]);
+        let lengths = ["a", "-a", "-a - b", "l - a", "-a + b", "-(a - b)*c - d"].map(without_sign);
+        assert_eq!(lengths, ["a", "a", "a + b", "l - a", "-a + b", "(a - b)*c + d"]);
     }
 }

@@ -369,3 +369,17 @@ fn analytic_pictures_have_the_masses_of_each_member() {
         );
     }
 }
+
+/// In a picture of a member the index has no meaning.
+#[test]
+fn invariant_names_of_lengths_in_pictures_have_no_index() {
+    let of = |scene: &dyn Scene, name: &str| {
+        let all = scene.elements();
+        let element = all.iter().find(|element| element.name == name).unwrap();
+        element.points[0].text
+    };
+    assert_eq!(of(&tapered::Swing::default(), "tail[1]"), ["", "0"]);
+    assert_eq!(of(&tapered::Swing::default(), "pin[1]"), ["", "0"]);
+    assert_eq!(of(&massless_middle::Swing::default(), "A"), ["0", "0"]);
+    assert_eq!(of(&three_trailers::Winding::default(), "coupling1"), ["-c", "0"]);
+}

@@ -104,6 +104,8 @@ pub struct Layout {
     outputs: Vec<OutputInfo>,
     position_rows: Rows,
     velocity_rows: Rows,
+    /// Constants of members.
+    n_constants: usize,
     fault: Option<LayoutFault>,
 }
 
@@ -206,6 +208,15 @@ impl Layout {
         }
     }
 
+    /// Counts the constants that members have besides those of the scene. Asks where they stand in `c`, the end last, only where
+    /// the sizes are sound.
+    pub fn constants<const N: usize>(&mut self, places: impl FnOnce() -> [usize; N]) {
+        if self.fault.is_none() && !self.counts_only {
+            let places = places();
+            self.n_constants = places[N - 1] - places[0];
+        }
+    }
+
     fn finish(self, fixed: &SceneInfo, counts: &[usize]) -> SceneInfo {
         let (position, velocity) = (self.position_rows, self.velocity_rows);
         let n_position_entries = position.columns.len();
@@ -217,6 +228,7 @@ impl Layout {
             coordinates: list(self.coordinates),
             points: list(self.points),
             outputs: list(self.outputs),
+            n_constants: fixed.n_constants + self.n_constants,
             n_position_rows: position.rows.len(),
             rows: both(position.rows, velocity.rows),
             jacobian: SparsityPattern { starts: list(starts), columns: both(position.columns, velocity.columns) },

@@ -272,7 +272,7 @@ pub struct SceneInfo {
     pub effects: &'static [EffectInfo],
     /// End of the run that the scene declares, s.
     pub until_s: f64,
-    /// Numbers that depend on parameters alone; they follow the inputs in `c`.
+    /// Numbers that depend on parameters alone, and on counts and indices where there are some; they follow the inputs in `c`.
     pub n_constants: usize,
     /// Pattern of G = [C_q; S], `n_c × n_q`.
     pub jacobian: SparsityPattern,

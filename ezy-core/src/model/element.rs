@@ -28,7 +28,8 @@ pub struct ElementInfo {
 pub struct LocalVector {
     /// Index of the body; `None` is the ground.
     pub body: Option<usize>,
-    /// x and y as the model names them: `b`, `-d/2`, `0`.
+    /// x and y as the model names them: `b`, `-d/2`, `0`; empty where they depend on the index of a `for`, which says nothing in a
+    /// picture of one member.
     pub text: [&'static str; 2],
 }
 

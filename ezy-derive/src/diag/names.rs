@@ -1,7 +1,7 @@
 //! Messages about names.
 
 use super::fault_with_help;
-use super::nearest::{quoted, suggestion};
+use super::nearest::{nearest, quoted, suggestion};
 use proc_macro2::{Ident, Span};
 
 /// What a name could be, and what those that are declared are called.
@@ -20,6 +20,11 @@ pub fn unknown(name: &Ident, (what, list): Kind, known: &[&str]) -> syn::Error {
         false => suggestion(&name.to_string(), known, list),
     };
     fault_with_help(name, format_args!("{what} `{name}` is not declared"), help)
+}
+
+/// Whether one of the candidates may be meant.
+pub fn is_similar(name: &Ident, candidates: &[&str]) -> bool {
+    nearest(&name.to_string(), candidates).is_some()
 }
 
 messages! {

@@ -16,10 +16,6 @@ messages! {
         "this is no index",
         "write whole numbers, counts and indices of `for`, with `+`, `-`, `*`, and `/` by a number above zero";
 
-    quotient_as_value(name: &Ident):
-        "`{name}` is an index with `/` where this is used, and no number",
-        "write the point anew in the place of its name";
-
     /// `what`: "an array of bodies".
     without_index(name: &Ident, what: &str):
         "`{name}` is {what}", "write one of its members, such as `{name}[0]`";
@@ -27,6 +23,22 @@ messages! {
     index_on_single(at: Extent, name: &Ident, what: &str):
         "`{name}` is {what}, not an array",
         "write `{name}` without an index, or declare an array, such as `body link[n] {{ … }}`";
+
+    no_index(name: &Ident, instead: &str):
+        "parameter `{name}` is not declared, and the members of this array have no index",
+        "where members differ, write `{instead}`";
+
+    length_unknown(name: &Ident, array: &Ident, count: &str):
+        "`{name}` is no count",
+        "write a whole number or a count; where `{name}` shall be an index: `for {name} in 0..{count} {{ body {array}[{name}] {{ … }} }}`";
+
+    array_from(at: Extent, array: &Ident, index: &Ident):
+        "the members of `{array}` are counted from 0",
+        "write `0` here, and `{index}+1` where a number from 1 on is meant";
+
+    length_by_index(at: Extent, array: &Ident):
+        "the number of members of `{array}` depends on an index",
+        "write a whole number or a count: each row of an array has as many members as the others";
 
     name_with_index(at: Extent, name: &Ident):
         "`{name}` is declared with an index, but stands in no `for`",

@@ -1,15 +1,22 @@
 //! What depends on parameters alone: the function that computes it, and its names.
 
+mod wording;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
+use super::loops::{looped, whole};
+use super::members::{self, OfMembers};
 use super::numbers::Numbers;
 use super::parts::{LONGEST_WHOLE, sequence};
 use crate::mechanics::Derived;
+use crate::mechanics::kernels::Pass;
+use crate::model::whole::{IndexId, Whole};
 use crate::model::{Model, ParameterId};
 use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode, Coefficients};
+use wording::{Shape, Wording, product, quotient, square, sum};
 
 /// The constants of a scene.
 pub struct Constants<'a> {
@@ -21,6 +28,12 @@ pub struct Constants<'a> {
     n_inputs: usize,
     /// Of all that is computed, ascending: operands have smaller ids than what is computed from them.
     names: BTreeMap<CoefficientId, String>,
+    /// The innermost `for` that a constant depends on; none of those that depend on no index.
+    innermost: BTreeMap<CoefficientId, IndexId>,
+    /// What depends on indices.
+    members: Vec<OfMembers>,
+    /// Of the stored: place among those that depend on no index, or on the same innermost one.
+    positions: Vec<usize>,
 }
 
 impl<'a> Constants<'a> {
@@ -28,9 +41,10 @@ impl<'a> Constants<'a> {
         let stored = derived.constants.coefficients();
         let (parameters, coefficients) = (derived.parameters(), &derived.algebra().coefficients);
         let (n_inputs, names) = (derived.inputs().len(), BTreeMap::new());
-        let mut constants = Self { model, parameters, coefficients, stored, n_inputs, names };
-        let mut needed = BTreeSet::new();
-        stored.iter().for_each(|&id| constants.collect(id, &mut needed));
+        let (innermost, members, positions) = (BTreeMap::new(), Vec::new(), Vec::new());
+        let mut constants =
+            Self { model, parameters, coefficients, stored, n_inputs, names, innermost, members, positions };
+        let needed = constants.needed(stored);
         let mut taken = BTreeSet::new();
         for id in needed {
             let name = constants.wording(id).map(|wording| wording.text).filter(|name| name.len() <= LONGEST_NAME);
@@ -42,8 +56,50 @@ impl<'a> Constants<'a> {
                 name.push('_');
             }
             constants.names.insert(id, name);
+            let index = constants.own_index(id);
+            constants.innermost.extend(index.map(|index| (id, index)));
         }
+        let innermost = &constants.innermost;
+        constants.members = OfMembers::all(stored.iter().filter_map(|id| Some((*innermost.get(id)?, *id))));
+        let mut n_before: BTreeMap<Option<IndexId>, usize> = BTreeMap::new();
+        let position = |id| {
+            let n = n_before.entry(innermost.get(id).copied()).or_default();
+            std::mem::replace(n, *n + 1)
+        };
+        constants.positions = stored.iter().map(position).collect();
         constants
+    }
+
+    /// How many depend on no index.
+    pub fn n_single(&self) -> usize {
+        self.single().count()
+    }
+
+    fn single(&self) -> impl Iterator<Item = CoefficientId> {
+        self.stored.iter().copied().filter(|id| !self.innermost.contains_key(id))
+    }
+
+    /// Where the constant at this place behind the inputs is in `c`.
+    pub fn place(&self, place: usize) -> TokenStream {
+        let (id, position) = (self.stored[place], self.positions[place]);
+        match self.members.iter().find(|of| self.innermost.get(&id) == Some(&of.index)) {
+            Some(of) => of.place(position),
+            None => {
+                let place = self.n_inputs + position;
+                quote!(#place)
+            }
+        }
+    }
+
+    /// What a pass reads of members.
+    pub fn members_in(&self, pass: &Pass<'_>) -> Vec<&OfMembers> {
+        let read: BTreeSet<CoefficientId> = pass.program.constants().map(|i| self.stored[i]).collect();
+        self.members.iter().filter(|of| of.stored.iter().any(|id| read.contains(id))).collect()
+    }
+
+    /// The function that knows where the constants of members are.
+    pub fn places_of_members(&self) -> Option<TokenStream> {
+        members::places(self.model, &self.members, self.n_inputs + self.n_single())
     }
 
     /// Of the constant at this place behind the inputs.
@@ -56,31 +112,65 @@ impl<'a> Constants<'a> {
         let is_long = self.names.len() > LONGEST_WHOLE;
         let places = is_long.then(|| self.names.keys().enumerate().map(|(place, &id)| (id, place)).collect());
         let writer = Values { constants: self, places };
-        let computed = self.names.keys().filter(|&&id| !writer.is_literal(id)).map(|&id| {
-            let (name, value) = (writer.operand(id), writer.value(id));
-            if is_long { quote!(#name = #value;) } else { quote!(let #name = #value;) }
-        });
-        let computed: Vec<TokenStream> = computed.collect();
+        let computed = self.names.keys().filter(|&&id| !writer.is_literal(id) && !self.innermost.contains_key(&id));
+        let computed: Vec<TokenStream> = computed.map(|&id| writer.statement(id)).collect();
         let computed = if is_long {
             let (n, zero, computed) = (self.names.len(), Numbers::Any.literal(0.0), sequence(computed));
             quote!(let mut k = [#zero; #n]; #computed)
         } else {
             quote!(#(#computed)*)
         };
-        let writes = self.stored.iter().enumerate().map(|(i, &id)| {
+        let writes = self.single().enumerate().map(|(i, id)| {
             let (value, i) = (writer.operand(id), self.n_inputs + i);
             quote!(c[#i] = #value;)
         });
         let writes = sequence(writes);
-        let (n_parameters, n_fixed) = (self.parameters.len(), self.n_inputs + self.stored.len());
+        let (n_parameters, n_fixed) = (self.parameters.len(), self.n_inputs + self.n_single());
+        let (opening, members) = match &self.members[..] {
+            [] => (quote!(let c = ezy::array_mut::<#n_fixed, T>(c);), quote!()),
+            all => {
+                let members = all.iter().map(|of| self.of_members(of, &writer));
+                (quote!(let members = self.members();), quote!(#(#members)*))
+            }
+        };
         quote! {
             fn constants(&self, parameters: &[T], c: &mut [T]) {
                 let parameters = ezy::array::<#n_parameters, T>(parameters);
-                let c = ezy::array_mut::<#n_fixed, T>(c);
+                #opening
                 #computed
                 #writes
+                #members
             }
         }
+    }
+
+    /// What the members of a `for` have, in a loop of its own: it runs once.
+    fn of_members(&self, of: &OfMembers, writer: &Values<'_>) -> TokenStream {
+        let needed = self.needed(&of.stored);
+        let computed = needed.into_iter().filter(|id| self.innermost.contains_key(id)).map(|id| writer.statement(id));
+        let writes = of.stored.iter().enumerate().map(|(i, &id)| {
+            let (place, value) = (of.place(i), writer.operand(id));
+            quote!(c[#place] = #value;)
+        });
+        let (begin, step) = (of.begin(), of.step());
+        let body = quote!(#(#computed)* #(#writes)* #step);
+        let pass = looped(self.model, self.model.loops_to(of.index), &|from, to| quote!(#from..#to), body);
+        quote!(#begin #pass)
+    }
+
+    /// The index of the innermost `for` that a constant depends on, once that of its operands is known.
+    fn own_index(&self, id: CoefficientId) -> Option<IndexId> {
+        let whole = match self.coefficients.node(id) {
+            CoefficientNode::Parameter(place) => self.whole(*place),
+            _ => None,
+        };
+        let of_operands = self.operands(id).into_iter().filter_map(|id| self.innermost.get(&id).copied());
+        of_operands.chain(whole.and_then(|whole| whole.innermost())).max()
+    }
+
+    /// The whole number at a place among parameters and whole numbers.
+    fn whole(&self, place: usize) -> Option<Whole> {
+        self.model.whole(place.checked_sub(self.model.parameters.len())?)
     }
 
     /// A constant in words of its parameters; none where that is long or could be read in two ways.
@@ -97,12 +187,13 @@ impl<'a> Constants<'a> {
             }
             CoefficientNode::Pi => Some(Wording { text: "pi".to_owned(), shape: Shape::Product }),
             CoefficientNode::Parameter(index) => {
-                let parameter = self.model.parameters.get(*index).map(|parameter| &parameter.name);
-                let name = parameter.or_else(|| {
-                    let count = self.model.counts.get(*index - self.model.parameters.len());
-                    count.map(|count| &count.name)
+                let parameter = self.model.parameters.get(*index).map(|parameter| parameter.name.to_string());
+                let name = parameter.or_else(|| match self.whole(*index)? {
+                    Whole::Count(id) => Some(self.model.counts[id.0].name.to_string()),
+                    Whole::Index(id) => Some(self.model.indices[id.0].clone()),
+                    _ => None,
                 })?;
-                Some(Wording { text: name.to_string().replace("r#", "parameter_"), shape: Shape::Product })
+                Some(Wording { text: name.replace("r#", "parameter_"), shape: Shape::Product })
             }
             CoefficientNode::Add(a, b) => sum(&operand(a.id)?, &operand(b.id)?, [a.negative, b.negative]),
             CoefficientNode::Mul(a, b) if a == b => square(&operand(*a)?),
@@ -118,18 +209,23 @@ impl<'a> Constants<'a> {
         }
     }
 
-    fn collect(&self, id: CoefficientId, needed: &mut BTreeSet<CoefficientId>) {
-        if !needed.insert(id) {
-            return;
+    /// These and all that they are computed from.
+    fn needed(&self, ids: &[CoefficientId]) -> BTreeSet<CoefficientId> {
+        let (mut needed, mut rest) = (BTreeSet::new(), ids.to_vec());
+        while let Some(id) = rest.pop() {
+            if needed.insert(id) {
+                rest.extend(self.operands(id));
+            }
         }
-        let operands: Vec<CoefficientId> = match self.coefficients.node(id) {
+        needed
+    }
+
+    fn operands(&self, id: CoefficientId) -> Vec<CoefficientId> {
+        match self.coefficients.node(id) {
             CoefficientNode::Number(_) | CoefficientNode::Pi | CoefficientNode::Parameter(_) => Vec::new(),
             CoefficientNode::Add(a, b) => vec![a.id, b.id],
             CoefficientNode::Mul(a, b) | CoefficientNode::Div(a, b) => vec![*a, *b],
             CoefficientNode::Call(_, arguments) => arguments.iter().map(|a| a.id).collect(),
-        };
-        for operand in operands {
-            self.collect(operand, needed);
         }
     }
 }
@@ -142,60 +238,6 @@ pub const RESERVED: [&str; 17] = [
     "t", "c", "k", "q", "v", "a", "m", "lambda", "residual", "delta", "out", "passed", "MODEL", "None", "Some", "Ok",
     "Err",
 ];
-
-/// A name, and what it is read as.
-struct Wording {
-    text: String,
-    shape: Shape,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Shape {
-    Product,
-    Quotient,
-    Sum,
-}
-
-/// None where the order of the parts is not plain.
-fn sum(x: &Wording, y: &Wording, negative: [bool; 2]) -> Option<Wording> {
-    if x.shape == Shape::Sum || y.shape == Shape::Sum {
-        return None;
-    }
-    let text = match negative {
-        [false, false] => format!("{}_plus_{}", x.text, y.text),
-        [false, true] => format!("{}_minus_{}", x.text, y.text),
-        [true, false] => format!("{}_minus_{}", y.text, x.text),
-        [true, true] => return None,
-    };
-    Some(Wording { text, shape: Shape::Sum })
-}
-
-fn square(x: &Wording) -> Option<Wording> {
-    (x.shape == Shape::Product).then(|| Wording { text: format!("{}_squared", x.text), shape: Shape::Product })
-}
-
-fn product(x: &Wording, y: &Wording) -> Option<Wording> {
-    let (text, shape) = match (x.shape, y.shape) {
-        (Shape::Product, Shape::Product) => (format!("{}_{}", x.text, y.text), Shape::Product),
-        (Shape::Product, Shape::Quotient) => (over(&x.text, &y.text), Shape::Quotient),
-        (Shape::Quotient, Shape::Product) => (over(&y.text, &x.text), Shape::Quotient),
-        _ => return None,
-    };
-    Some(Wording { text, shape })
-}
-
-fn quotient(x: &Wording, y: &Wording) -> Option<Wording> {
-    let of_products = x.shape == Shape::Product && y.shape == Shape::Product;
-    of_products.then(|| Wording { text: format!("{}_over_{}", x.text, y.text), shape: Shape::Quotient })
-}
-
-/// A factor before a quotient, within its numerator.
-fn over(factor: &str, quotient: &str) -> String {
-    match quotient.strip_prefix("one_over_") {
-        Some(divisor) => format!("{factor}_over_{divisor}"),
-        None => format!("{factor}_{quotient}"),
-    }
-}
 
 /// What is computed, and where it is.
 struct Values<'a> {
@@ -210,6 +252,19 @@ impl Values<'_> {
         matches!(self.constants.coefficients.node(id), CoefficientNode::Number(_) | CoefficientNode::Pi)
     }
 
+    /// Computes one; what depends on indices has a name within its loop.
+    fn statement(&self, id: CoefficientId) -> TokenStream {
+        let (name, value) = (self.operand(id), self.value(id));
+        match self.place(id) {
+            Some(_) => quote!(#name = #value;),
+            None => quote!(let #name = #value;),
+        }
+    }
+
+    fn place(&self, id: CoefficientId) -> Option<usize> {
+        self.places.as_ref().filter(|_| !self.constants.innermost.contains_key(&id)).map(|places| places[&id])
+    }
+
     fn value(&self, id: CoefficientId) -> TokenStream {
         let of = self.constants;
         match of.coefficients.node(id) {
@@ -221,8 +276,8 @@ impl Values<'_> {
                     quote!(parameters[#place])
                 }
                 None => {
-                    let field = &of.model.counts[*index - of.model.parameters.len()].name;
-                    quote!(T::from_f64(self.#field as f64))
+                    let value = of.whole(*index).map(|value| whole(of.model, &value));
+                    quote!(T::from_f64(#value as f64))
                 }
             },
             CoefficientNode::Add(a, b) => {
@@ -258,8 +313,7 @@ impl Values<'_> {
         if self.is_literal(id) {
             return self.value(id);
         }
-        if let Some(places) = &self.places {
-            let place = places[&id];
+        if let Some(place) = self.place(id) {
             return quote!(k[#place]);
         }
         let name = Ident::new(&self.constants.names[&id], Span::mixed_site());

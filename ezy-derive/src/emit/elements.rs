@@ -68,8 +68,9 @@ fn info(
     let text = |sum| print(derived.algebra(), derived.symbols(), sum).text;
     let body = |id: Option<BodyId>| option(id.map(|id| index(id.0)));
     let fixed = |all: &[Fixed]| {
-        let fixed = all.iter().map(|Fixed { body: on, local }| {
-            let (body, [x, y]) = (body(*on), local.map(text));
+        let fixed = all.iter().map(|Fixed { body: on, local, by_index }| {
+            let named = |k: usize| if by_index[k] { String::new() } else { text(local[k]) };
+            let (body, [x, y]) = (body(*on), [0, 1].map(named));
             quote!(ezy::LocalVector { body: #body, text: [#x, #y] })
         });
         list(fixed.collect())

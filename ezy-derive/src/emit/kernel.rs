@@ -152,8 +152,8 @@ impl Writer<'_> {
         let value = match self.program.node(id) {
             _ if !self.writing.is_statement(id) => return TokenStream::new(),
             Node::Constant(i) => {
-                let i = self.vocabulary.symbols.n_inputs() + i;
-                quote!(c[#i])
+                let place = self.vocabulary.constants.place(*i);
+                quote!(c[#place])
             }
             Node::Input(symbol) => match self.vocabulary.symbols.meaning(*symbol) {
                 Meaning::Time => {
@@ -169,7 +169,7 @@ impl Writer<'_> {
                     quote!(v[#i])
                 }
                 Meaning::Input(i) => quote!(c[#i]),
-                Meaning::Index(_) | Meaning::Named(_) => (self.sources.other)(*symbol),
+                Meaning::Named(_) => (self.sources.other)(*symbol),
             },
             Node::Sin(angle) | Node::Cos(angle) => return self.trigonometry(id, *angle),
             _ => self.expression(id).into_token_stream(),

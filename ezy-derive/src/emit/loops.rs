@@ -13,14 +13,38 @@ pub fn looped(
     range: &dyn Fn(TokenStream, TokenStream) -> TokenStream,
     body: TokenStream,
 ) -> TokenStream {
+    stepped(model, loops, range, body, &|_| TokenStream::new())
+}
+
+/// The same, with what is done at the end of each pass of a `for`.
+pub fn stepped(
+    model: &Model,
+    loops: &[Loop],
+    range: &dyn Fn(TokenStream, TokenStream) -> TokenStream,
+    body: TokenStream,
+    end: &dyn Fn(&Loop) -> TokenStream,
+) -> TokenStream {
     if loops.is_empty() {
         return quote!({ #body });
     }
     loops.iter().rev().fold(body, |inside, around| {
-        let variable = variable(model, around);
+        let (variable, end) = (variable(model, around), end(around));
         let range = range(whole(model, &around.from), whole(model, &around.to));
-        quote!(for #variable in #range { #inside })
+        quote!(for #variable in #range { #inside #end })
     })
+}
+
+/// How many passes these loops have, as an `i64`.
+pub fn passes(model: &Model, loops: &[Loop]) -> TokenStream {
+    let Some((around, inner)) = loops.split_first() else { return quote!(1) };
+    let (from, to) = (whole(model, &around.from), whole(model, &around.to));
+    let inside = passes(model, inner);
+    let depends = |range: &Loop| range.from.depends_on(around.index) || range.to.depends_on(around.index);
+    if inner.iter().any(depends) {
+        let variable = variable(model, around);
+        return quote!((#from..#to).map(|#variable| #inside).sum::<i64>());
+    }
+    quote!((#to - #from).max(0) * #inside)
 }
 
 /// A whole number as an `i64`.

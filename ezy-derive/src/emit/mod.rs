@@ -9,6 +9,7 @@ mod info;
 mod jacobians;
 mod kernel;
 mod loops;
+mod members;
 mod names;
 mod numbers;
 mod page;

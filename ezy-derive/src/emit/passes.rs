@@ -10,13 +10,12 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::kernel::{self, Binding, Body, Expression, Vocabulary};
-use super::loops::{looped, members, whole};
+use super::loops::stepped;
 use super::parts::sequence;
 use super::places::{Array, Lengths, OF_SERIES, Places, counter, firsts, slot_places};
 use super::signature::{Order, Signature, Writes, argument, give};
-use crate::mechanics::kernels::{Entries, Kernel, Over, Pass, Put, Quantity, Read, Slot};
+use crate::mechanics::kernels::{Entries, Kernel, Pass, Put, Quantity, Read, Slot};
 use crate::model::Model;
-use crate::model::whole::Whole;
 use crate::symbolic::Symbol;
 
 /// A kernel and the method that it becomes.
@@ -75,7 +74,7 @@ impl Method<'_> {
         let passes: Vec<TokenStream> = (self.kernel.passes.iter())
             .map(|pass| Writer { of: self, pass, places: Places::Member(&pass.slots) }.looped())
             .collect();
-        let has_slots = |pass: &Pass<'_>| !matches!(pass.over, Over::Members(_));
+        let has_slots = |pass: &Pass<'_>| !pass.slots.is_empty();
         let firsts = self.kernel.passes.iter().any(has_slots).then(|| firsts(self.model));
         let counters = self.counters();
         let zero = self.signature.numbers().literal(0.0);
@@ -95,7 +94,10 @@ impl Method<'_> {
             }
             _ => (quote!(), quote!()),
         };
-        quote!(#firsts #opening #counters #(#passes)* #result)
+        let constants = self.vocabulary.constants;
+        let reads_members = self.kernel.passes.iter().any(|pass| !constants.members_in(pass).is_empty());
+        let members = reads_members.then(|| quote!(let members = self.members();));
+        quote!(#firsts #members #opening #counters #(#passes)* #result)
     }
 
     /// The counters that some pass moves on.
@@ -160,26 +162,20 @@ impl Writer<'_> {
             let counter = counter(what);
             quote!(#counter += #n;)
         });
-        match self.pass.over {
-            Over::Loops(loops) => {
-                let slots = slot_places(model, &self.pass.slots);
-                let body = quote!(#slots #statements #(#puts)* #(#moved)*);
-                looped(model, loops, &|from, to| quote!(#from..#to), body)
-            }
-            Over::Members(array) => {
-                let members = members(model, &model.arrays[array]);
-                quote!(for _ in 0..#members { #statements #(#puts)* })
-            }
-        }
+        let has_slots = !self.pass.slots.is_empty();
+        let slots = has_slots.then(|| slot_places(model, &self.pass.slots));
+        let body = quote!(#slots #statements #(#puts)* #(#moved)*);
+        let read = self.of.vocabulary.constants.members_in(self.pass);
+        let begin = read.iter().map(|of| of.begin());
+        let pass = stepped(model, self.pass.loops, &|from, to| quote!(#from..#to), body, &|around| {
+            read.iter().filter(|of| of.index == around.index).map(|of| of.step()).collect()
+        });
+        quote!(#(#begin)* #pass)
     }
 
     /// What the pass reads besides time, coordinates, velocities and inputs.
     fn read(&self, symbol: Symbol) -> TokenStream {
         let numbers = self.of.signature.numbers();
-        if let Some(id) = self.of.vocabulary.symbols.index_of(symbol) {
-            let value = whole(self.of.model, &Whole::Index(id));
-            return numbers.convert(quote!((#value as f64)));
-        }
         match self.pass.read(symbol) {
             Some(Read::Acceleration(i)) => {
                 let i = self.places.index(Entries::Coordinates, i);
@@ -250,7 +246,7 @@ impl Writer<'_> {
         let arrays: BTreeSet<Array> = slots.map(|(array, _)| array).collect();
         let arrays = arrays.into_iter().map(|array| array.opened(lengths, order));
         let n = lengths.n_fixed;
-        let c = self.pass.program.reads_constants().then(|| quote!(let c = ezy::array::<#n, T>(c);));
+        let c = self.pass.program.constants().next().is_some().then(|| quote!(let c = ezy::array::<#n, T>(c);));
         let state = matches!(order, Order::Start).then(|| {
             let n = lengths.of(Entries::Coordinates);
             quote!(let q = ezy::row::<#n, T>(&store.q, 0); let v = ezy::row::<#n, T>(&store.q, 1);)

@@ -5,6 +5,7 @@ mod describe;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::constants::Constants;
 use super::equations::OfItems;
 use super::{equations, info, templates};
 use crate::mechanics::derived::Counted;
@@ -14,13 +15,14 @@ use crate::symbolic::print::print;
 use describe::describe;
 
 /// What is known of a scene when it is compiled, and the function that describes a run.
-pub fn description(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream {
+pub fn description(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, constants: &Constants<'_>) -> TokenStream {
     let templates = &of.templates;
     let all = templates::all(model, templates);
     let of_items = OfItems { model, templates };
     let infos = all.iter().map(|template| template.info(&of_items));
-    let fixed = fixed(model, derived, of);
+    let fixed = fixed(model, derived, of, constants.n_single());
     let describe = describe(model, templates, &all);
+    let members = constants.places_of_members().map(|_| quote!(layout.constants(|| self.members());));
     quote! {
         /// What is known of the scene when it is compiled: everything but its sizes.
         const FIXED: ezy::SceneInfo = #fixed;
@@ -29,6 +31,7 @@ pub fn description(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> To
 
         fn describe(&self, layout: &mut ezy::Layout) {
             #describe
+            #members
         }
     }
 }
@@ -59,9 +62,8 @@ pub fn access_to_counts(model: &Model) -> TokenStream {
 }
 
 /// The part of the description that does not depend on counts.
-fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>) -> TokenStream {
+fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: usize) -> TokenStream {
     let (scene, templates) = (&derived.scene, &of.templates);
-    let n_constants = derived.constants.coefficients().len();
     let (model_name, name, documentation) = (model.name.to_string(), scene.name.to_string(), &scene.documentation);
     let parameters = info::parameters(model, &templates.parameters, &templates.symbols);
     let integrated_inputs = info::integrated_inputs(model, &templates.inputs);

@@ -19,10 +19,11 @@ use crate::model::{Model, Parameter, Scene};
 /// The struct, its defaults and its equations.
 pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let type_name = scene_type(&derived.scene);
-    let Described { inherent, access, page } = describe(model, derived, &type_name);
+    let constants = Constants::new(model, derived);
+    let Described { inherent, access, page } = describe(model, derived, &constants, &type_name);
+    let places_of_members = constants.places_of_members();
     let access_to_counts = model.is_repeated().then(|| repeated::access_to_counts(model));
     let structure = structure(model, derived, &type_name, &page);
-    let constants = Constants::new(model, derived);
     let vocabulary = Vocabulary { symbols: derived.symbols(), constants: &constants, outputs_early: false };
     let methods = |vocabulary, of| methods(model, derived, vocabulary, of);
     let [equations, of_derived, of_scene] =
@@ -40,6 +41,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
 
         impl #type_name {
             #inherent
+            #places_of_members
         }
 
         #[automatically_derived]
@@ -82,7 +84,7 @@ struct Described {
     page: TokenStream,
 }
 
-fn describe(model: &Model, derived: &Derived<'_>, type_name: &Ident) -> Described {
+fn describe(model: &Model, derived: &Derived<'_>, constants: &Constants<'_>, type_name: &Ident) -> Described {
     match &derived.form {
         Form::Straight(of) => {
             let names = &Abbreviations::new(&of.equations);
@@ -103,7 +105,7 @@ fn describe(model: &Model, derived: &Derived<'_>, type_name: &Ident) -> Describe
             }
         }
         Form::Counted(of) => Described {
-            inherent: repeated::description(model, derived, of),
+            inherent: repeated::description(model, derived, of, constants),
             access: repeated::access(model),
             page: page::repeated(model, &of.templates),
         },

@@ -8,7 +8,7 @@ use super::places::{Lengths, OF_SERIES, size};
 use super::signature::argument;
 use crate::mechanics::Derived;
 use crate::mechanics::derived::{Form, Straight};
-use crate::mechanics::kernels::{Entries, Kernel, Over, Quantity};
+use crate::mechanics::kernels::{Entries, Kernel, Quantity};
 use crate::model::Model;
 
 /// The implementation with its `methods` for the type of a scene; `None` without a series.
@@ -46,10 +46,9 @@ fn size_of_straight(derived: &Derived<'_>, of: &Straight) -> TokenStream {
 fn size_in_loops(model: &Model, begin: &Kernel<'_>) -> TokenStream {
     let names = OF_SERIES.map(|of| argument(size(of)));
     let passes = begin.passes.iter().filter_map(|pass| {
-        let Over::Loops(loops) = pass.over else { return None };
         let numbers = OF_SERIES.iter().zip(&names).map(|(&of, name)| (pass.n(of), name)).filter(|&(n, _)| n > 0);
         let add: TokenStream = numbers.map(|(n, name)| quote!(size.#name += #n;)).collect();
-        (!add.is_empty()).then(|| looped(model, loops, &|from, to| quote!(#from..#to), add))
+        (!add.is_empty()).then(|| looped(model, pass.loops, &|from, to| quote!(#from..#to), add))
     });
     quote! {
         let info = ezy::Scene::info(self);

@@ -10,7 +10,7 @@ use crate::mechanics::{
     EventKind, EventTemplate, ForceTemplate, OutputTemplate, PointTemplate, RowTemplate, Templates,
 };
 use crate::model::whole::WholeNames;
-use crate::model::{Array, BodyId, Component, Coordinate, Loop, Model, StartValue};
+use crate::model::{BodyId, Component, Coordinate, Loop, Model, StartValue};
 use crate::symbolic::print::print;
 
 /// An item of the model file, repeated or not.
@@ -98,7 +98,7 @@ impl Template<'_> {
     /// Its equations, with its indices in them.
     pub fn equations(&self, of: &OfItems<'_>) -> Vec<Equation> {
         match &self.kind {
-            Kind::Bodies(i) => of.of_bodies(&of.templates.masses[*i], &coordinates(&of.model.arrays[*i])),
+            Kind::Bodies(i) => of.of_bodies(&of.templates.masses[*i].1, &coordinates(of.model, *i)),
             Kind::Row(row) => of.of_row(row),
             Kind::Force(force) => of.of_force(force),
             Kind::Point(point) => of.of_values("position", &self.name(of.model), &point.position),
@@ -143,7 +143,7 @@ impl Template<'_> {
 
     fn ranges(&self, model: &Model) -> Vec<String> {
         match &self.kind {
-            Kind::Bodies(i) => lengths(model, *i),
+            Kind::Bodies(i) => ranges(model, &model.arrays[*i].loops),
             _ => ranges(model, self.loops),
         }
     }
@@ -204,25 +204,11 @@ fn rows(of: &OfItems<'_>, template: &RowTemplate<'_>) -> Vec<TokenStream> {
     constraints.rows.iter().enumerate().map(row).collect()
 }
 
-/// Names of the indices of an array, for its own equations.
-const INDICES: [&str; 4] = ["i", "j", "k", "l"];
-
 /// `body[i].x` and the others of a body of an array.
-fn coordinates(array: &Array) -> Vec<String> {
-    let indices: Vec<&str> = INDICES.iter().copied().cycle().take(array.lengths.len()).collect();
-    let body = match indices.is_empty() {
-        true => array.name.to_string(),
-        false => format!("{}[{}]", array.name, indices.join(",")),
-    };
+fn coordinates(model: &Model, i: usize) -> Vec<String> {
+    let array = &model.arrays[i];
+    let body = format!("{}{}", array.name, indices(model, &array.loops));
     Component::ALL.map(|component| format!("{body}.{}", component.name(false))).to_vec()
-}
-
-/// `i in 0..n` of an array of bodies.
-fn lengths(model: &Model, i: usize) -> Vec<String> {
-    let counts = count_names(model);
-    let names = WholeNames { counts: &counts, indices: &model.indices };
-    let lengths = model.arrays[i].lengths.iter().zip(INDICES.iter().cycle());
-    lengths.map(|(length, index)| format!("{index} in 0..{}", length.text(&names))).collect()
 }
 
 /// `i in 1..n`

@@ -45,10 +45,15 @@ pub fn model(name: &str, random: &mut Random) -> String {
     if repeated {
         let n = 1 + writer.random.below(5);
         writer.names.whole.push("n".to_owned());
-        bodies += &format!("count n = {n};\n{}", writer.body("link[n]", &["link[0]", "link[n-1]"]));
+        let used = ["link[0]", "link[n-1]"];
+        let declared = match writer.random.once_in(2) {
+            true => format!("for i in 0..n {{\n{}}}\n", writer.body("link[i]", &used, " * (1 + i/n)^2")),
+            false => writer.body("link[n]", &used, ""),
+        };
+        bodies += &format!("count n = {n};\n{declared}");
     }
     for i in 0..writer.random.below(MOST_BODIES) + usize::from(!repeated) {
-        bodies += &writer.body(&format!("b{i}"), &[&format!("b{i}")]);
+        bodies += &writer.body(&format!("b{i}"), &[&format!("b{i}")], "");
     }
     if repeated {
         writer.repeated();
@@ -88,7 +93,8 @@ impl Writer<'_> {
         if self.random.once_in(SLIP) { format!("{name}x") } else { name.to_owned() }
     }
 
-    fn body(&mut self, declared: &str, used: &[&str]) -> String {
+    /// Mass and inertia are numbers or parameters, with what stands behind them.
+    fn body(&mut self, declared: &str, used: &[&str], behind: &str) -> String {
         let [mass, inertia] = ["kg", "kg*m^2"].map(|unit| {
             let number = match self.random.below(8) {
                 0 => *self.random.of(&["0", "1e-10", "1e10"]),
@@ -103,7 +109,7 @@ impl Writer<'_> {
             name
         });
         self.names.bodies.extend(used.iter().map(|name| (*name).to_owned()));
-        format!("    body {declared} {{ mass: {mass}, inertia: {inertia} }}\n")
+        format!("    body {declared} {{ mass: {mass}{behind}, inertia: {inertia}{behind} }}\n")
     }
 
     /// A loop over the array, with what stands in it.

@@ -6,7 +6,7 @@ use super::forces::Load;
 use super::symbols::Symbols;
 use super::templates::slots;
 use crate::grammar::Part;
-use crate::model::{Arguments, BodyId, Component, Coordinate, Force, Loop, Model, Scene};
+use crate::model::{Arguments, BodyId, Component, Coordinate, Expr, Force, Loop, Model, Scene};
 use crate::symbolic::{Algebra, SumId};
 
 /// A point, a constraint or a force.
@@ -33,6 +33,8 @@ pub struct Element<'m> {
 pub struct Fixed {
     pub body: Option<BodyId>,
     pub local: [SumId; 2],
+    /// Whether a coordinate depends on an index of a `for`.
+    pub by_index: [bool; 2],
 }
 
 /// What a force does to its first body that can move.
@@ -99,15 +101,9 @@ fn element<'m>(
     of: &Arguments,
     loops: &'m [Loop],
 ) -> Element<'m> {
-    let points = of
-        .places
-        .iter()
-        .map(|place| Fixed { body: place.body, local: [writer.write(&place.x), writer.write(&place.y)] });
+    let points = of.places.iter().map(|place| fixed(writer, place.body, [&place.x, &place.y]));
     let points = points.collect();
-    let directions = of.directions.iter().map(|direction| Fixed {
-        body: direction.body,
-        local: [writer.write(&direction.x), writer.write(&direction.y)],
-    });
+    let directions = of.directions.iter().map(|direction| fixed(writer, direction.body, [&direction.x, &direction.y]));
     let directions = directions.collect();
     let words = form.iter().find_map(|part| match part {
         Part::Settings(settings) => Some(*settings),
@@ -118,6 +114,10 @@ fn element<'m>(
     let settings = settings.filter(|(_, value)| !value.is_zero()).collect();
     let bodies = of.bodies.clone();
     Element { word, name: String::new(), loops, slots: Vec::new(), points, directions, bodies, settings, load: None }
+}
+
+fn fixed(writer: &mut Writer<'_>, body: Option<BodyId>, coordinates: [&Expr; 2]) -> Fixed {
+    Fixed { body, local: coordinates.map(|of| writer.write(of)), by_index: coordinates.map(Expr::reads_index) }
 }
 
 /// What a force does to the first of its bodies that can move; gravity acts on all bodies and is left out.

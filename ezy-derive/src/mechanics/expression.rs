@@ -54,14 +54,9 @@ impl<'a> Writer<'a> {
             }
             Expr::MemberPosition(place, component) => self.position(place)[*component as usize],
             Expr::MemberVelocity(place, component) => self.velocity(place)[*component as usize],
-            Expr::Count(id) => {
-                let count = self.algebra.coefficients.parameter(self.model.parameters.len() + id.0);
-                self.algebra.constant(count)
-            }
-            Expr::Index(id) => {
-                let symbol = self.symbols.index(*id);
-                self.algebra.symbol(symbol)
-            }
+            Expr::Count(id) => self.whole(id.0),
+            Expr::Index(id) => self.whole(self.model.counts.len() + id.0),
+            Expr::Quotient(id) => self.whole(self.model.counts.len() + self.model.indices.len() + id.0),
             Expr::HingeAngle(row) => self.hinge_difference(*row, false),
             Expr::HingeRate(row) => self.hinge_difference(*row, true),
             Expr::Neg(a) => {
@@ -94,6 +89,12 @@ impl<'a> Writer<'a> {
         let mean = self.algebra.add(rate, mean);
         let way = self.algebra.mul(mean, elapsed);
         self.algebra.add(value, way)
+    }
+
+    /// By its place in [`Model::whole`], behind the parameters.
+    fn whole(&mut self, place: usize) -> SumId {
+        let whole = self.algebra.coefficients.parameter(self.model.parameters.len() + place);
+        self.algebra.constant(whole)
     }
 
     /// A value that `model` has checked to depend on parameters alone.

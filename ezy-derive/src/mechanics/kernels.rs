@@ -66,7 +66,8 @@ impl<'m> Kernel<'m> {
 /// A program that is run for each member of an item.
 #[derive(Debug)]
 pub struct Pass<'m> {
-    pub over: Over<'m>,
+    /// The `for` around it, outermost first.
+    pub loops: &'m [Loop],
     /// The bodies that it refers to.
     pub slots: Vec<BodyId>,
     pub program: Program,
@@ -81,7 +82,7 @@ pub struct Pass<'m> {
 impl<'m> Pass<'m> {
     /// Made once, without anything to count.
     pub fn once(program: Program, puts: Vec<Put>, reads: Vec<(Symbol, Read)>) -> Self {
-        Self { over: Over::Loops(&[]), slots: Vec::new(), program, puts, reads, lengths: Vec::new() }
+        Self { loops: &[], slots: Vec::new(), program, puts, reads, lengths: Vec::new() }
     }
 
     /// How many of these a member has for itself.
@@ -106,15 +107,6 @@ pub enum Entries {
     Base,
     /// Coefficients that later orders read.
     Kept,
-}
-
-/// How often a pass is made.
-#[derive(Debug, Clone, Copy)]
-pub enum Over<'m> {
-    /// Once for each pass of the loops; once without any.
-    Loops(&'m [Loop]),
-    /// Once for each body of an array: its place in the model.
-    Members(usize),
 }
 
 /// Where an output goes.

@@ -2,12 +2,12 @@
 
 use super::elements::Element;
 use super::jacobians::Jacobians;
-use super::kernels::{Entries, Kernel, Kernels, Over, Pass, Put, Quantity, Read};
+use super::kernels::{Entries, Kernel, Kernels, Pass, Put, Quantity, Read};
 use super::scene::{Equations, Group};
 use super::series::{Series, Solution};
 use super::solve::{Solutions, Solver};
 use super::templates::{RowTemplate, Templates};
-use crate::model::{BodyId, Coordinate};
+use crate::model::{BodyId, Coordinate, Loop};
 use crate::symbolic::lower::{ConstantPool, Lowering};
 use crate::symbolic::program::Program;
 use crate::symbolic::{Algebra, SumId, Symbol};
@@ -30,13 +30,13 @@ impl Lower<'_> {
         program
     }
 
-    fn pass<'m>(&mut self, over: Over<'m>, slots: &[BodyId], sums: &[SumId], puts: Vec<Put>) -> Pass<'m> {
-        Pass { over, slots: slots.to_vec(), ..Pass::once(self.program(sums), puts, Vec::new()) }
+    fn pass<'m>(&mut self, loops: &'m [Loop], slots: &[BodyId], sums: &[SumId], puts: Vec<Put>) -> Pass<'m> {
+        Pass { loops, slots: slots.to_vec(), ..Pass::once(self.program(sums), puts, Vec::new()) }
     }
 
     /// A pass that fills the only vector of its kernel.
-    fn stacked<'m>(&mut self, over: Over<'m>, slots: &[BodyId], sums: &[SumId]) -> Pass<'m> {
-        self.pass(over, slots, sums, vec![Put::Next(0); sums.len()])
+    fn stacked<'m>(&mut self, loops: &'m [Loop], slots: &[BodyId], sums: &[SumId]) -> Pass<'m> {
+        self.pass(loops, slots, sums, vec![Put::Next(0); sums.len()])
     }
 
     /// A kernel of one pass that fills one vector.
@@ -136,14 +136,14 @@ pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> K
     let Templates { rows, forces, groups, .. } = templates;
     let mut lower = Lower { algebra: &templates.algebra, constants };
     let mut kernels = Kernels::new();
-    let masses = templates.masses.iter().enumerate();
-    let masses = masses.map(|(array, masses)| lower.pass(Over::Members(array), &[], masses, vec![Put::Next(0); 3]));
+    let masses = templates.masses.iter();
+    let masses = masses.map(|(array, masses)| lower.stacked(&array.loops, &[], masses));
     kernels.insert(Quantity::MassMatrix, Kernel::of(masses.collect()));
 
     let position_rows = || rows.iter().filter(|row| row.is_position());
     let mut stack =
         |quantity, rows: &mut dyn Iterator<Item = &RowTemplate<'m>>, sums: fn(&RowTemplate<'m>) -> Vec<SumId>| {
-            let passes = rows.map(|row| lower.stacked(Over::Loops(&row.row.loops), &row.slots, &sums(row)));
+            let passes = rows.map(|row| lower.stacked(&row.row.loops, &row.slots, &sums(row)));
             kernels.insert(quantity, Kernel::of(passes.collect()));
         };
     stack(Quantity::PositionConstraint, &mut position_rows(), |row| row.constraints.position.clone());
@@ -155,40 +155,38 @@ pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> K
     let applied = forces.iter().map(|force| {
         let (places, sums): (Vec<Put>, Vec<SumId>) =
             force.entries.iter().map(|&(i, entry)| (Put::Coordinate(i), entry)).unzip();
-        lower.pass(Over::Loops(&force.force.loops), &force.slots, &sums, places)
+        lower.pass(&force.force.loops, &force.slots, &sums, places)
     });
     kernels.insert(Quantity::AppliedForce, Kernel::of(applied.collect()));
     let points = templates.points.iter();
-    let points = points.map(|of| lower.stacked(Over::Loops(&of.point.loops), &of.slots, &of.position));
+    let points = points.map(|of| lower.stacked(&of.point.loops, &of.slots, &of.position));
     kernels.insert(Quantity::Points, Kernel::of(points.collect()));
     let outputs = templates.outputs.iter();
-    let outputs = outputs.map(|of| lower.stacked(Over::Loops(&of.output.loops), &of.slots, &[of.value]));
+    let outputs = outputs.map(|of| lower.stacked(&of.output.loops, &of.slots, &[of.value]));
     kernels.insert(Quantity::Outputs, Kernel::of(outputs.collect()));
     if !templates.events.is_empty() {
         let events = templates.events.iter();
-        let events = events.map(|of| lower.stacked(Over::Loops(&[]), &of.slots, &[of.event.value]));
+        let events = events.map(|of| lower.stacked(&[], &of.slots, &[of.event.value]));
         kernels.insert(Quantity::Events, Kernel::of(events.collect()));
     }
 
     let group = |group: Group| Put::Group(groups.iter().position(|other| *other == group).unwrap_or(0));
     let working = forces.iter().filter(|force| !force.power.is_zero());
-    let mut power: Vec<Pass<'m>> = working
-        .map(|of| lower.pass(Over::Loops(&of.force.loops), &of.slots, &[of.power], vec![group(of.group)]))
-        .collect();
+    let mut power: Vec<Pass<'m>> =
+        working.map(|of| lower.pass(&of.force.loops, &of.slots, &[of.power], vec![group(of.group)])).collect();
     // rows that stand still are passed over, so that those that move find their multipliers
     let n_counted = rows.iter().rposition(|row| !row.multipliers.is_empty()).map_or(0, |last| last + 1);
     power.extend(rows[..n_counted].iter().map(|row| {
         let moves = !row.multipliers.is_empty();
         let (sums, puts) = if moves { (vec![row.power], vec![group(Group::Drives)]) } else { (vec![], vec![]) };
         let reads = row.multipliers.iter().map(|&(symbol, own)| (symbol, Read::Multiplier(own))).collect();
-        let pass = lower.pass(Over::Loops(&row.row.loops), &row.slots, &sums, puts);
+        let pass = lower.pass(&row.row.loops, &row.slots, &sums, puts);
         Pass { reads, lengths: vec![(Entries::Rows, row.constraints.rows.len())], ..pass }
     }));
     kernels.insert(Quantity::Power, Kernel::of(power));
     let potential = forces.iter().filter(|force| !force.potential.is_zero());
-    let potential = potential
-        .map(|of| lower.pass(Over::Loops(&of.force.loops), &of.slots, &[of.potential], vec![Put::Total]))
-        .collect();
+    let potential =
+        potential.map(|of| lower.pass(&of.force.loops, &of.slots, &[of.potential], vec![Put::Total])).collect();
     kernels.insert(Quantity::PotentialEnergy, Kernel::of(potential));
     let start = templates.start.iter().map(|&(given, value)| {
         let put = Put::Start {
@@ -196,7 +194,7 @@ pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> K
             rate: given.rate,
             near: given.near,
         };
-        lower.pass(Over::Loops(&given.loops), &[given.body], &[value], vec![put])
+        lower.pass(&given.loops, &[given.body], &[value], vec![put])
     });
     kernels.insert(Quantity::Start, Kernel::of(start.collect()));
     kernels
@@ -210,7 +208,7 @@ pub fn counted_jacobians<'m>(
 ) -> Kernel<'m> {
     let mut lower = Lower { algebra: &templates.algebra, constants };
     let passes = templates.items().zip(jacobians).map(|(item, jacobians)| {
-        let pass = lower.pass(Over::Loops(item.loops), item.slots, &jacobians.values(), jacobians.puts());
+        let pass = lower.pass(item.loops, item.slots, &jacobians.values(), jacobians.puts());
         Pass { reads: jacobians.reads.clone(), lengths: vec![(Entries::Rows, item.n_rows())], ..pass }
     });
     Kernel::of(passes.collect())
@@ -227,6 +225,6 @@ pub fn elements<'m>(
     if !is_counted {
         return lower.vector(&elements.iter().flat_map(Element::values).collect::<Vec<_>>());
     }
-    let passes = elements.iter().map(|of| lower.stacked(Over::Loops(of.loops), &of.slots, &of.values()));
+    let passes = elements.iter().map(|of| lower.stacked(of.loops, &of.slots, &of.values()));
     Kernel::of(passes.collect())
 }

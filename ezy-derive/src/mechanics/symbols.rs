@@ -1,6 +1,6 @@
 //! The symbols of a scene: time, coordinates, velocities, and values named on the way.
 
-use crate::model::whole::IndexId;
+use crate::model::whole::{Whole, WholeNames};
 use crate::model::{BodyId, Component, Coordinate, InputId, Model};
 use crate::symbolic::Symbol;
 use crate::symbolic::print::{Names, Printed};
@@ -12,9 +12,7 @@ pub struct Symbols {
     coordinates: Vec<Printed>,
     velocities: Vec<Printed>,
     inputs: Vec<(InputId, Printed)>,
-    /// Indices of `for`.
-    indices: Vec<Printed>,
-    /// Parameters, then counts.
+    /// Parameters, then whole numbers: [`Model::whole`].
     parameters: Vec<Printed>,
     named: Vec<String>,
 }
@@ -26,8 +24,6 @@ pub enum Meaning {
     Coordinate(usize),
     Velocity(usize),
     Input(usize),
-    /// The index of a `for`.
-    Index(usize),
     /// Index into the values that a kernel names or reads besides.
     Named(usize),
 }
@@ -45,11 +41,11 @@ impl Symbols {
             }
         }
         let counts = model.counts.iter().map(|count| &count.name);
-        let parameters = model.parameters.iter().map(|p| &p.name).chain(counts);
-        let parameters = parameters.map(|name| spelling::name(&name.to_string())).collect();
-        let indices = model.indices.iter().map(|name| spelling::name(name)).collect();
+        let parameters = model.parameters.iter().map(|p| &p.name).chain(counts).map(ToString::to_string);
+        let parameters = parameters.chain(model.indices.iter().cloned()).map(|name| spelling::name(&name));
+        let parameters = parameters.chain(model.quotients.iter().map(|of| quotient(model, of))).collect();
         let inputs = inputs.iter().map(|&id| (id, spelling::name(&model.inputs[id.0].name.to_string()))).collect();
-        Self { coordinates, velocities, inputs, indices, parameters, named: Vec::new() }
+        Self { coordinates, velocities, inputs, parameters, named: Vec::new() }
     }
 
     pub fn n_coordinates(&self) -> usize {
@@ -82,10 +78,6 @@ impl Symbols {
         self.inputs.len()
     }
 
-    pub fn index(&self, id: IndexId) -> Symbol {
-        symbol(1 + 2 * self.n_coordinates() + self.n_inputs() + id.0)
-    }
-
     /// The place in q of the coordinate that a symbol stands for.
     pub fn coordinate_of(&self, symbol: Symbol) -> Option<usize> {
         match self.meaning(symbol) {
@@ -102,18 +94,10 @@ impl Symbols {
         }
     }
 
-    /// The index of a `for` that a symbol stands for.
-    pub fn index_of(&self, symbol: Symbol) -> Option<IndexId> {
-        match self.meaning(symbol) {
-            Meaning::Index(i) => Some(IndexId(i)),
-            _ => None,
-        }
-    }
-
     /// A new symbol for a value that a kernel computes or reads.
     pub fn new_named(&mut self, name: String) -> Symbol {
         self.named.push(name);
-        symbol(self.named.len() + 2 * self.n_coordinates() + self.n_inputs() + self.indices.len())
+        symbol(self.named.len() + 2 * self.n_coordinates() + self.n_inputs())
     }
 
     pub fn meaning(&self, symbol: Symbol) -> Meaning {
@@ -123,8 +107,7 @@ impl Symbols {
             _ if i <= n => Meaning::Coordinate(i - 1),
             _ if i <= 2 * n => Meaning::Velocity(i - 1 - n),
             _ if i <= 2 * n + self.n_inputs() => Meaning::Input(i - 1 - 2 * n),
-            _ if i <= 2 * n + self.n_inputs() + self.indices.len() => Meaning::Index(i - 1 - 2 * n - self.n_inputs()),
-            _ => Meaning::Named(i - 1 - 2 * n - self.n_inputs() - self.indices.len()),
+            _ => Meaning::Named(i - 1 - 2 * n - self.n_inputs()),
         }
     }
 
@@ -135,7 +118,6 @@ impl Symbols {
             Meaning::Coordinate(i) => identifier(&self.coordinates[i].text),
             Meaning::Velocity(i) => identifier(&self.velocities[i].text),
             Meaning::Input(i) => self.inputs[i].1.text.clone(),
-            Meaning::Index(i) => self.indices[i].text.clone(),
             Meaning::Named(i) => self.named[i].clone(),
         }
     }
@@ -156,7 +138,6 @@ impl Names for Symbols {
             Meaning::Coordinate(i) => self.coordinates[i].clone(),
             Meaning::Velocity(i) => self.velocities[i].clone(),
             Meaning::Input(i) => self.inputs[i].1.clone(),
-            Meaning::Index(i) => self.indices[i].clone(),
             Meaning::Named(i) => spelling::name(&self.named[i]),
         }
     }
@@ -164,6 +145,14 @@ impl Names for Symbols {
     fn parameter(&self, index: usize) -> Printed {
         self.parameters[index].clone()
     }
+}
+
+/// `floor(n/2)`
+fn quotient(model: &Model, whole: &Whole) -> Printed {
+    let counts: Vec<String> = model.counts.iter().map(|count| count.name.to_string()).collect();
+    let text = whole.text(&WholeNames { counts: &counts, indices: &model.indices });
+    let latex = format!("\\lfloor {} \\rfloor", text.replace('*', "\\,").replace('_', "\\_"));
+    Printed::atom(format!("floor({text})"), latex, format!("<mrow><mo>⌊</mo><mtext>{text}</mtext><mo>⌋</mo></mrow>"))
 }
 
 /// `seat.x` as `seat_x`, `link[i-1].x` as `link_i_1_x`.

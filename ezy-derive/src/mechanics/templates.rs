@@ -5,7 +5,7 @@ use super::event::SceneEvent;
 use super::expression::Writer;
 use super::forces::Load;
 use super::jacobians::Jacobians;
-use super::kernels::{Over, Pass};
+use super::kernels::Pass;
 use super::kinematics::Vector;
 use super::rows;
 use super::scene::{Group, called, drives};
@@ -13,7 +13,8 @@ use super::series::Series;
 use super::symbols::Symbols;
 use crate::function::Function;
 use crate::model::{
-    BodyId, Component, Coordinate, Force, InputId, Loop, Model, Output, ParameterId, Point, Row, Scene, StartValue,
+    Array, BodyId, Component, Coordinate, Force, InputId, Loop, Model, Output, ParameterId, Point, Row, Scene,
+    StartValue,
 };
 use crate::symbolic::lower::ConstantPool;
 use crate::symbolic::{Algebra, SumId, Symbol};
@@ -27,8 +28,8 @@ pub struct Templates<'m> {
     pub parameters: Vec<ParameterId>,
     /// Inputs of the model and of the scene's effects.
     pub inputs: Vec<InputId>,
-    /// Mass, mass and inertia by [`Model::arrays`].
-    pub masses: Vec<[SumId; 3]>,
+    /// Mass, mass and inertia of a member, by [`Model::arrays`].
+    pub masses: Vec<(&'m Array, [SumId; 3])>,
     /// Position constraints first.
     pub rows: Vec<RowTemplate<'m>>,
     pub forces: Vec<ForceTemplate<'m>>,
@@ -102,7 +103,7 @@ impl<'m> Templates<'m> {
         let mut writer = Writer::new(model, &mut algebra, &symbols);
         let masses = model.arrays.iter().map(|array| {
             let (mass, inertia) = (writer.write(&array.mass), writer.write(&array.inertia));
-            Component::ALL.map(|component| component.inertia(mass, inertia))
+            (array, Component::ALL.map(|component| component.inertia(mass, inertia)))
         });
         let masses = masses.collect();
         let forces = forces(model, &mut writer, scene);
@@ -198,7 +199,7 @@ impl<'m> Templates<'m> {
         let mut extended = constants.clone();
         let of_item = |item: Item<'_, 'm>| {
             let series = Series::of_item(algebra, symbols, &mut extended, item.constraints, item.force)?;
-            let of_members = |pass| Pass { over: Over::Loops(item.loops), slots: item.slots.to_vec(), ..pass };
+            let of_members = |pass| Pass { loops: item.loops, slots: item.slots.to_vec(), ..pass };
             let [begin, right_side, finish] = [series.begin, series.right_side, series.finish].map(of_members);
             Ok(Series { begin, right_side, finish, ..series })
         };

@@ -32,10 +32,14 @@ pub struct Context<'a> {
     pub counts: Vec<(String, i64)>,
     /// Names of indices by [`super::whole::IndexId`].
     pub indices: Vec<String>,
+    /// Quotients that are used as values, by [`super::whole::QuotientId`].
+    pub quotients: Vec<Whole>,
     /// The `for` around the present item, outermost first.
     pub loops: Vec<Loop>,
     /// Present values of the indices.
     pub bound: Vec<(String, Whole)>,
+    /// The array whose members are described, without an index that tells them apart.
+    pub alike: Option<usize>,
     /// Declarations that were reported since another effect of a scene has the name, too.
     pub shared_parameters: BTreeSet<(EffectId, String)>,
     /// By the `array` of a [`Slot`].
@@ -58,8 +62,10 @@ impl<'a> Context<'a> {
             point_arrays: Vec::new(),
             counts: Vec::new(),
             indices: Vec::new(),
+            quotients: Vec::new(),
             loops: Vec::new(),
             bound: Vec::new(),
+            alike: None,
             shared_parameters: BTreeSet::new(),
             arrays: Vec::new(),
             slots: Vec::new(),

@@ -165,10 +165,7 @@ impl Context<'_> {
             return Some(Value::scalar(Expr::Time, Dimension::TIME));
         }
         if let Some(index) = self.index_value(name) {
-            return match index.to_expr() {
-                Some(index) => Some(Value::scalar(index, Measure::Unknown)),
-                None => self.diag.refuse(repeats::quotient_as_value(name)),
-            };
+            return Some(Value::scalar(self.number_of(&index), Measure::Unknown));
         }
         match self.names.lookup(purpose.scope, name) {
             Some(Symbol::Count(id)) => Some(Value::scalar(Expr::Count(id), Measure::Unknown)),
@@ -204,8 +201,13 @@ impl Context<'_> {
             }
             None if name == "ground" => self.diag.refuse(names::not_a_value(name, "the fixed ground", &[])),
             None => {
-                let error =
-                    self.names.unknown(name, |known| names::unknown(name, names::VALUE, &known.values(purpose.scope)));
+                let error = self.names.unknown(name, |known| {
+                    let values = known.values(purpose.scope);
+                    match self.alike.filter(|_| !names::is_similar(name, &values)) {
+                        Some(array) => repeats::no_index(name, &self.with_index(array, name)),
+                        None => names::unknown(name, names::VALUE, &values),
+                    }
+                });
                 self.diag.refuse(error)
             }
         }

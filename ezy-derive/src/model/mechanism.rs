@@ -9,12 +9,14 @@ use crate::parse::ast;
 
 impl Context<'_> {
     /// Mass and inertia of a declared body, or of each member of a declared array.
-    pub fn body_item(&mut self, array: usize, body: &ast::Body, defaults: &[f64]) {
+    pub fn body_item(&mut self, array: usize, body: &ast::Body, loops: &[ast::Loop], defaults: &[f64]) {
+        self.enter_array(array, loops);
         let mass = self.inertial(&body.mass, body, "mass", "kg", Dimension::MASS, defaults);
         let inertia = self.inertial(&body.inertia, body, "inertia", "kg*m^2", Dimension::INERTIA, defaults);
         if let (Some(mass), Some(inertia)) = (mass, inertia) {
             (self.arrays[array].mass, self.arrays[array].inertia) = (mass, inertia);
         }
+        self.leave();
     }
 
     /// Mass or inertia: parameters alone, not negative as declared.
@@ -36,8 +38,8 @@ impl Context<'_> {
     }
 
     /// Bodies whose mass or inertia is written as zero need a row that holds them.
-    pub fn check_massless(&mut self, bodies: &[&ast::Body], rows: &[Row]) {
-        for (i, body) in bodies.iter().enumerate() {
+    pub fn check_massless(&mut self, bodies: &[(&ast::Body, &[ast::Loop])], rows: &[Row]) {
+        for (i, (body, _)) in bodies.iter().enumerate() {
             if rows.iter().any(|row| touches(row, |body| self.slots[body.0].array == i)) {
                 continue;
             }

@@ -18,6 +18,7 @@ mod names;
 mod output;
 mod point_array;
 mod repeat;
+mod repeated;
 mod resolve;
 mod scene;
 mod start;
@@ -36,7 +37,7 @@ pub use resolve::resolve;
 
 use crate::grammar::Word;
 use proc_macro2::{Ident, TokenStream};
-use whole::{CountId, IndexId, Whole};
+use whole::{CountId, IndexId, QuotientId, Whole};
 
 /// Index into [`Model::bodies`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -72,6 +73,8 @@ pub struct Model {
     pub counts: Vec<Count>,
     /// Names of the indices of `for`.
     pub indices: Vec<String>,
+    /// Quotients of whole numbers that are used as values.
+    pub quotients: Vec<Whole>,
     /// Declared bodies, single or in arrays.
     pub arrays: Vec<Array>,
     /// Single bodies, and members of arrays as they are referred to.
@@ -110,7 +113,9 @@ pub struct Array {
     pub name: Ident,
     /// None for a single body.
     pub lengths: Vec<Whole>,
-    /// Of each member.
+    /// The `for` over its members, outermost first; none for a single body.
+    pub loops: Vec<Loop>,
+    /// Of the member that has the indices of `loops`.
     pub mass: Expr,
     pub inertia: Expr,
 }
@@ -451,6 +456,8 @@ pub enum Expr {
     Count(CountId),
     /// The index of a `for`, as a number.
     Index(IndexId),
+    /// A quotient of whole numbers, rounded down.
+    Quotient(QuotientId),
     /// `hinge.angle` = φ_b − φ_a
     HingeAngle(RowId),
     /// `hinge.rate` = φ̇_b − φ̇_a
@@ -472,6 +479,25 @@ impl Expr {
             Self::Binary(_, a, b) => vec![a, b],
             Self::Call(_, arguments) => arguments.iter().collect(),
             _ => Vec::new(),
+        }
+    }
+}
+
+impl Expr {
+    /// Whether it depends on an index of a `for`, or on a quotient that may do so.
+    pub fn reads_index(&self) -> bool {
+        matches!(self, Self::Index(_) | Self::Quotient(_)) || self.operands().into_iter().any(Self::reads_index)
+    }
+
+    /// With other values of some indices.
+    pub fn with_indices(&self, values: &[(IndexId, Self)]) -> Self {
+        let inside = |expr: &Self| expr.with_indices(values);
+        match self {
+            Self::Index(id) => values.iter().find(|(index, _)| index == id).map_or(self, |(_, value)| value).clone(),
+            Self::Neg(a) => -inside(a),
+            Self::Binary(operator, a, b) => Self::binary(*operator, inside(a), inside(b)),
+            Self::Call(function, arguments) => Self::Call(*function, arguments.iter().map(inside).collect()),
+            _ => self.clone(),
         }
     }
 }

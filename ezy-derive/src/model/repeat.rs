@@ -3,8 +3,8 @@
 use super::constant::constant;
 use super::context::Context;
 use super::names::Symbol;
-use super::whole::{CountId, IndexId, Values, Whole};
-use super::{Count, Loop};
+use super::whole::{CountId, IndexId, QuotientId, Values, Whole};
+use super::{Count, Expr, Loop};
 use crate::diag::repeats;
 use crate::function::Operator;
 use crate::parse::ast;
@@ -50,6 +50,7 @@ impl Context<'_> {
     pub fn leave(&mut self) {
         self.loops.clear();
         self.bound.clear();
+        self.alike = None;
     }
 
     /// One more `for` around the present item.
@@ -105,6 +106,25 @@ impl Context<'_> {
     /// The index of a `for` around the present item.
     pub fn index_value(&self, name: &Ident) -> Option<Whole> {
         self.bound.iter().rev().find(|(bound, _)| name == bound).map(|(_, value)| value.clone())
+    }
+
+    /// A whole number as a value.
+    pub fn number_of(&mut self, whole: &Whole) -> Expr {
+        match whole {
+            Whole::Number(number) => Expr::Number(*number as f64),
+            Whole::Count(id) => Expr::Count(*id),
+            Whole::Index(id) => Expr::Index(*id),
+            Whole::Sum(a, b) => self.number_of(a) + self.number_of(b),
+            Whole::Difference(a, b) => self.number_of(a) - self.number_of(b),
+            Whole::Product(a, b) => self.number_of(a) * self.number_of(b),
+            Whole::Quotient(..) => {
+                let known = self.quotients.iter().position(|other| other == whole);
+                Expr::Quotient(QuotientId(known.unwrap_or_else(|| {
+                    self.quotients.push(whole.clone());
+                    self.quotients.len() - 1
+                })))
+            }
+        }
     }
 
     /// The values of a whole number at the ends of all `for` around, with the declared counts; none where a `for` has

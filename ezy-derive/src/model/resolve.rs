@@ -7,7 +7,7 @@ use super::repeat::count_symbol;
 use super::scene::{Choice, parameters};
 use super::unit::Unit;
 use super::value::Form;
-use super::{Body, Effect, EffectId, InputId, Model, NamedValue, Parameter, ParameterId, Point, PointId, RowId};
+use super::{Body, Effect, EffectId, InputId, Model, NamedValue, Parameter, ParameterId, Point, PointId, RowId, Slot};
 use crate::diag::{Diagnostics, names, rules, scenes};
 use crate::parse::ast::{self, Item, ItemKind, Phrase};
 use proc_macro2::Ident;
@@ -41,8 +41,8 @@ struct Resolver<'a> {
     stops: Vec<(&'a ast::Stop, Scope)>,
     /// Rows of the model, then of its effects.
     rows: Vec<RowSource<'a>>,
-    /// Declared bodies, single or arrays.
-    bodies: Vec<&'a ast::Body>,
+    /// Declared bodies, single or arrays, with the `for` around.
+    bodies: Vec<(&'a ast::Body, &'a [ast::Loop])>,
 }
 
 /// Where a row is declared.
@@ -72,8 +72,8 @@ impl<'a> Resolver<'a> {
         for name in &ast.broken {
             self.context.names.declare_broken(name);
         }
-        for (i, body) in self.bodies.iter().enumerate() {
-            self.context.resolve_lengths(i, &body.name);
+        for (i, (body, loops)) in self.bodies.iter().enumerate() {
+            self.context.resolve_lengths(i, &body.name, loops);
         }
         self.context.check_index_names(&ast.loops);
     }
@@ -113,8 +113,8 @@ impl<'a> Resolver<'a> {
                 (&value.name, Symbol::Let(self.context.lets.len() - 1))
             }
             ItemKind::Body(body) => {
-                self.bodies.push(body);
-                (&body.name.word, self.context.declare_bodies(body))
+                self.bodies.push((body, &item.loops));
+                (&body.name.word, self.context.declare_bodies(body, &item.loops))
             }
             ItemKind::Point(point) => {
                 let source = PointSource::Point(point);
@@ -226,8 +226,8 @@ impl<'a> Resolver<'a> {
         }
         model.stops.extend(self.stops.iter().filter_map(|(stop, scope)| context.stop(stop, *scope)));
         let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
-        for (array, body) in self.bodies.iter().enumerate() {
-            context.body_item(array, body, &defaults);
+        for (array, (body, loops)) in self.bodies.iter().enumerate() {
+            context.body_item(array, body, loops, &defaults);
         }
     }
 
@@ -284,6 +284,7 @@ impl<'a> Resolver<'a> {
         }
         model.bodies = context.bodies();
         model.indices = std::mem::take(&mut context.indices);
+        model.quotients = std::mem::take(&mut context.quotients);
         model.arrays = std::mem::take(&mut context.arrays);
         if context.diag.is_empty() {
             context.check_modes(model);
@@ -301,6 +302,7 @@ impl Model {
             documentation: ast.documentation.clone(),
             counts: Vec::new(),
             indices: Vec::new(),
+            quotients: Vec::new(),
             arrays: Vec::new(),
             bodies: Vec::new(),
             lets: Vec::new(),
@@ -331,14 +333,17 @@ impl Context<'_> {
         }
     }
 
-    /// Every slot with the mass and inertia of its array.
-    fn bodies(&self) -> Vec<Body> {
-        let body = |slot: &super::Slot| {
-            let array = &self.arrays[slot.array];
-            let (mass, inertia) = (array.mass.clone(), array.inertia.clone());
-            Body { name: self.slot_text(slot), slot: slot.clone(), mass, inertia }
+    /// Every slot with the mass and inertia of its member.
+    fn bodies(&mut self) -> Vec<Body> {
+        let slots = self.slots.clone();
+        let body = |slot: Slot| {
+            let array = self.arrays[slot.array].clone();
+            let indices = array.loops.iter().zip(&slot.index);
+            let indices: Vec<_> = indices.map(|(range, index)| (range.index, self.number_of(index))).collect();
+            let [mass, inertia] = [&array.mass, &array.inertia].map(|of| of.with_indices(&indices));
+            Body { name: self.slot_text(&slot), slot, mass, inertia }
         };
-        self.slots.iter().map(body).collect()
+        slots.into_iter().map(body).collect()
     }
 
     fn check_unique(&mut self, names: &[&Ident], what: &str) {

@@ -1,13 +1,15 @@
 //! Whole numbers of a model: counts, indices of `for`, and what is computed from them.
 
-use super::Expr;
-
 /// Index into [`super::Model::counts`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CountId(pub usize);
-/// Index into [`super::Model::indices`].
+/// Index into [`super::Model::indices`]; of two `for` in each other the inner one has the larger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct IndexId(pub usize);
+
+/// Index into [`super::Model::quotients`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct QuotientId(pub usize);
 
 /// A whole number that is known when a run begins, or in a pass of a `for`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -49,27 +51,25 @@ impl Whole {
         }
     }
 
-    /// Whether it depends on an index of a `for`.
-    pub fn has_index(&self) -> bool {
+    pub fn depends_on(&self, index: IndexId) -> bool {
         match self {
             Self::Number(_) | Self::Count(_) => false,
-            Self::Index(_) => true,
-            Self::Sum(a, b) | Self::Difference(a, b) | Self::Product(a, b) => a.has_index() || b.has_index(),
-            Self::Quotient(a, _) => a.has_index(),
+            Self::Index(id) => *id == index,
+            Self::Sum(a, b) | Self::Difference(a, b) | Self::Product(a, b) => {
+                a.depends_on(index) || b.depends_on(index)
+            }
+            Self::Quotient(a, _) => a.depends_on(index),
         }
     }
 
-    /// As a value of the model language, which has no quotients that are rounded down.
-    pub fn to_expr(&self) -> Option<Expr> {
-        Some(match self {
-            Self::Number(number) => Expr::Number(*number as f64),
-            Self::Count(id) => Expr::Count(*id),
-            Self::Index(id) => Expr::Index(*id),
-            Self::Sum(a, b) => a.to_expr()? + b.to_expr()?,
-            Self::Difference(a, b) => a.to_expr()? - b.to_expr()?,
-            Self::Product(a, b) => a.to_expr()? * b.to_expr()?,
-            Self::Quotient(..) => return None,
-        })
+    /// The index of the innermost `for` that it depends on.
+    pub fn innermost(&self) -> Option<IndexId> {
+        match self {
+            Self::Number(_) | Self::Count(_) => None,
+            Self::Index(id) => Some(*id),
+            Self::Sum(a, b) | Self::Difference(a, b) | Self::Product(a, b) => a.innermost().max(b.innermost()),
+            Self::Quotient(a, _) => a.innermost(),
+        }
     }
 
     /// As written: `i-1`.

@@ -43,7 +43,7 @@ const fn item_word(word: &'static str, example: &'static str, levels: &'static [
 
 /// In the order of the manual.
 static ITEMS: &[ItemWord] = &[
-    item_word("body", "body seat { mass: m1, inertia: i1 }", &[Model], declaration::body),
+    item_word("body", "body seat { mass: m1, inertia: i1 }", &[Model, ForOfModel], declaration::body),
     item_word("point", "point A = seat(-a, 0);", &[Model, ForOfModel], declaration::point),
     item_word("effect", "effect pump { torque seat ~ bar: 2*cos(t); }", &[Model], effect),
     item_word("start", start::EXAMPLE, &[Model], start::start),

@@ -242,8 +242,12 @@ impl Program {
     }
 
     /// Whether the outputs need the vector of constants.
-    pub fn reads_constants(&self) -> bool {
-        self.live().into_iter().any(|id| matches!(self.node(id), Node::Constant(_)))
+    /// The constants that it reads.
+    pub fn constants(&self) -> impl Iterator<Item = usize> {
+        self.live().into_iter().filter_map(|id| match self.node(id) {
+            Node::Constant(i) => Some(*i),
+            _ => None,
+        })
     }
 
     pub fn count(&self) -> Count {

@@ -69,4 +69,5 @@ mod tolerances;
 mod trajectories;
 mod treads;
 mod unequal_masses;
+mod unequal_members;
 mod work;

@@ -100,7 +100,7 @@ fn all(elements: &Elements, at: &Placed) -> Vec<Dimension> {
                 let text = without_sign(text);
                 let same = all.iter().filter(|other| other.text == text);
                 let is_known = same.clone().any(|other| other.body == body && other.ends == ends);
-                if text != "0" && !is_known && same.count() < MOST_OF_A_NAME {
+                if !matches!(&*text, "0" | "") && !is_known && same.count() < MOST_OF_A_NAME {
                     all.push(Dimension { body, text, ends });
                 }
             }

@@ -81,7 +81,7 @@ fn scalar(model: &Model, output: &Output) -> TokenStream {
 
 /// The indices of an output: those of its loops; where the range of a loop depends on another one, its place among all.
 fn n_indices(output: &Output) -> usize {
-    let depends = output.loops.iter().any(|range| range.from.has_index() || range.to.has_index());
+    let depends = output.loops.iter().any(|range| range.from.innermost().or(range.to.innermost()).is_some());
     if depends { 1 } else { output.loops.len() }
 }
 

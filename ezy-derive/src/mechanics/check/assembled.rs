@@ -21,7 +21,10 @@ const MET: f64 = 1e-10;
 const DAMPING: f64 = 1e-9;
 
 pub fn rows(model: &Model, equations: &Equations, reported: &mut Vec<usize>, diag: &mut Diagnostics) {
-    let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let defaults = model.defaults();
+    if defaults.iter().any(|value| value.is_nan()) {
+        return;
+    }
     let states = SEEDS.iter().filter_map(|&seed| assemble(equations, &defaults, seed));
     let found: Vec<Vec<(usize, Vec<usize>)>> = states.map(|state| dependent_rows(equations, &state)).collect();
     let Some(first) = found.first() else { return };

@@ -13,11 +13,9 @@ const HOLDS: f64 = 1e-3;
 /// Reports rows that the given values break, with the declared parameters and inputs.
 pub fn start(model: &Model, scene: &Scene, equations: &mut Equations, diag: &mut Diagnostics) {
     let n_q = equations.mass.len();
-    let counts = model.counts.iter().map(|count| count.default as f64);
-    let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).chain(counts).collect();
     let Equations { algebra, symbols, inputs, constraints, start, .. } = equations;
     let inputs = inputs.iter().map(|id| model.inputs[id.0].default).collect();
-    let mut state = Given { symbols, defaults, inputs, q: vec![None; n_q], v: vec![None; n_q] };
+    let mut state = Given { symbols, defaults: model.defaults(), inputs, q: vec![None; n_q], v: vec![None; n_q] };
     for given in start.iter().filter(|given| !given.near) {
         let value = algebra.evaluate(given.value, &state);
         let target = if given.rate { &mut state.v } else { &mut state.q };
@@ -66,7 +64,7 @@ impl Point for Given<'_> {
             Meaning::Coordinate(i) => self.q[i].unwrap_or(0.0),
             Meaning::Velocity(i) => self.v[i].unwrap_or(0.0),
             Meaning::Input(i) => self.inputs[i],
-            Meaning::Time | Meaning::Index(_) | Meaning::Named(_) => 0.0,
+            Meaning::Time | Meaning::Named(_) => 0.0,
         }
     }
 

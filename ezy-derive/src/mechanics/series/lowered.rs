@@ -98,7 +98,7 @@ impl Lowered {
         let level_of = |symbol| match symbols.meaning(symbol) {
             Meaning::Time => Level::Clock,
             Meaning::Coordinate(_) => Level::Position,
-            Meaning::Input(_) | Meaning::Index(_) => Level::Fixed,
+            Meaning::Input(_) => Level::Fixed,
             Meaning::Velocity(_) | Meaning::Named(_) => Level::Velocity,
         };
         let source = Source::new(program, &self.roots(), level_of)?;

@@ -158,7 +158,7 @@ impl Point for At<'_> {
             Meaning::Time => self.state.t,
             Meaning::Coordinate(i) => self.state.q[i],
             Meaning::Velocity(i) => self.state.v[i],
-            Meaning::Input(_) | Meaning::Index(_) => f64::NAN,
+            Meaning::Input(_) => f64::NAN,
             Meaning::Named(_) => {
                 let row = self.trial.equations.multipliers.iter().find(|(other, _)| *other == symbol);
                 row.and_then(|&(_, row)| self.lambda.get(row)).copied().unwrap_or(f64::NAN)

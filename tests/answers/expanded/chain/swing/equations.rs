@@ -11,7 +11,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
         let g = parameters[2usize];
         let m_g = parameter_m * g;
         let l_over_two = l / T::from_f64(2f64);
-        let n = T::from_f64(self.n as f64);
+        let n = T::from_f64((self.n as i64) as f64);
         let n_l = n * l;
         let one_over_n_l = T::from_f64(1f64) / n_l;
         let k17 = l_over_two / n_l;
@@ -25,7 +25,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Swing {
     }
     fn mass_matrix(&self, c: &[T], out: &mut [T]) {
         let mut place = 0;
-        for _ in 0..(self.n as i64) {
+        for at_i in 0..(self.n as i64) {
             let parameter_m = c[0usize];
             let k9 = c[1usize];
             out[place] = parameter_m;

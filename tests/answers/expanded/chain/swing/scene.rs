@@ -35,7 +35,6 @@ impl ezy::Scene for Swing {
         let first_link: i64 = 0;
         let mut place = 0;
         {
-            let slots: [usize; 0] = [];
             out[place] = 0f64;
             place += 1;
             out[place] = 0f64;

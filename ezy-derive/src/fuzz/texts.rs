@@ -16,12 +16,12 @@ const MORE: &str = "pub model More {
     force at rear(0, 1) across front(1, 0): lift * pin.rate;
     start s { rear at (_, _) velocity (k, _) angle -pi / 4 * 0; front vx 1 vy 2; }
     body extra { mass: k, inertia: 1 }
-    rod link: extra(1, 0) ~ front(0, 1) length 2 + k; slot groove: extra(0, 0) ~ ground(0, 0) along extra(k, 1);
+    input raise: mm = 3 by acceleration; rod link: extra(1, 0) ~ front(0, 1) length 2 + k + raise; slot groove: extra(0, 0) ~ ground(0, 0) along extra(k, 1);
     gravity (0, -9.81); spring A ~ front(0, 0): stiffness 3, length 1, damping k; friction rear ~ front: torque 1, rate k;
     velocity constraint rear.omega = k * smooth_step(t, 0, 1) * extra.vx; drive crank: pin.angle = sin(k * t);
     input u: N*m = 2 * 3; output place: mm = (A.x, u / 1e3); output slip = pin.rate;
     effect wind { input gust = -1; output side: N = gust * rear.vx; force at rear(0, 0): (gust, 2 * u); }
-    effect grip { release groove; tyre at front(0, 0) along front(1, 0): stiffness k, limit 2; }
+    effect grip { release groove; tyre at front(0, 0) along front(1, 0): stiffness k, limit 2, tread k * extra.vx; }
     stop reach: pin.angle from -k to 2 + 0.1 * t restitution 1 / (2 + abs(pin.rate));
     effect drag { param c: N*s/m = 2; let f = -c * pin.v; force at pin: f; torque rear: c * 3; }
     scene only { start s; until 2 min; with drag, wind; }

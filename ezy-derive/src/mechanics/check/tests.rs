@@ -4,7 +4,8 @@ use super::basis::{Basis, Row, largest};
 use super::{DEPENDENT, RandomState, fraction, scale_columns};
 use crate::diag::Diagnostics;
 use crate::mechanics::Equations;
-use crate::model::Model;
+use crate::mechanics::symbols::Meaning;
+use crate::model::{InputId, Model};
 use crate::random::Random;
 use crate::symbolic::Symbol;
 use crate::symbolic::evaluate::Point;
@@ -210,7 +211,32 @@ fn analytic_rows_that_repeat_others_are_named_with_these() {
     let found = messages(&eight, "at rest;");
     assert!(found.contains("8 constraint equations but only 6 coordinates"), "{found}");
     let six: String = (0..2).map(|i| format!("hinge h{i}: ground({i}, {i}) ~ one({i}, b);")).collect();
-    assert!(!messages(&six, "at rest;").contains("coordinates"), "six of six");
+    for few in [&six[..], "hinge h: ground(0, 0) ~ one(a, b);"] {
+        assert!(!messages(few, "at rest;").contains("coordinates"), "{few}");
+    }
+}
+
+/// Every symbol stands for what it was made for.
+#[test]
+fn invariant_symbols_keep_their_meaning() {
+    let mut diag = Diagnostics::default();
+    let text = "model M { input first: N = 1; input second: N = 2; input third: N = 3; body one { mass: 1, inertia: 1 } \
+                body two { mass: 1, inertia: 1 } force at one(0, 0): (first + second, third); start s { at rest; } \
+                scene run { start s; until 1 s; } }";
+    let model = resolved(text, &mut diag);
+    let mut symbols = Equations::derive(&model, &model.scenes[0]).symbols;
+    assert_eq!(symbols.meaning(Symbol::TIME), Meaning::Time);
+    for i in 0..6 {
+        assert_eq!(symbols.meaning(symbols.coordinate_at(i)), Meaning::Coordinate(i));
+        assert_eq!(symbols.meaning(symbols.velocity_at(i)), Meaning::Velocity(i));
+    }
+    for i in 0..3 {
+        assert_eq!(symbols.input(InputId(i)).map(|symbol| symbols.meaning(symbol)), Some(Meaning::Input(i)));
+    }
+    for i in 0..2 {
+        let named = symbols.new_named(format!("value_{i}"));
+        assert_eq!((symbols.meaning(named), symbols.code_name(named)), (Meaning::Named(i), format!("value_{i}")));
+    }
 }
 
 /// With the declared lengths alone: where two hinges hold two points of both bodies, their distances agree. One of all assemblies that the

@@ -31,6 +31,8 @@ const N_PICTURES: f64 = 120.0;
 /// Frames of a GIF at most, and the time of one at least, hundredths of a second.
 const MOST_OF_GIF: f64 = 200.0;
 const SHORTEST_OF_GIF: f64 = 4.0;
+/// The time of a frame that viewers of a GIF still show, s.
+const LEAST_OF_GIF_S: f64 = 0.02;
 /// A picture that moves takes real time between these, s.
 const SHORTEST_S: f64 = 3.0;
 const LONGEST_S: f64 = 20.0;
@@ -64,6 +66,12 @@ pub(super) fn animate(models: Models<'_>, arguments: &AnimateArguments) -> Resul
         _ => N_PICTURES,
     };
     let every_s = arguments.every.unwrap_or(end_s / n_frames);
+    let shortest_s = LEAST_OF_GIF_S * end_s / seconds(end_s);
+    if kind == Kind::Gif && every_s < shortest_s {
+        return Err(Failure::wrong_use(format!(
+            "--every {every_s}: a GIF shows at most 50 frames a second, here one each {shortest_s} s; give that or more, or --out FILE.svg"
+        )));
+    }
     let interruption = Interruption::listen();
     let run = record(motion, scene.as_ref(), every_s, interruption)?;
     let animation = Animation::new(scene.as_ref(), &run, method(motion)?);

@@ -201,7 +201,9 @@ fn remark(run: &Run, method: Method, radau_runs: bool) -> String {
 fn energy_remark(energy: EnergyError, steps: u64, method: Method, radau_runs: bool) -> String {
     let EnergyError { relative: share, t, .. } = energy;
     let explained = match method.tolerance() {
-        Some(Tolerance { relative, absolute, .. }) => OF_A_STEP * steps as f64 * relative.max(absolute),
+        Some(Tolerance { relative, absolute, angle }) => {
+            OF_A_STEP * steps as f64 * relative.max(absolute).max(angle.unwrap_or_default())
+        }
         None => f64::INFINITY,
     };
     if share <= explained.min(EnergyError::LARGEST_OF_FIXED_STEPS) {

@@ -24,6 +24,17 @@ impl<S: Scene + ?Sized> System<'_, S> {
         }
     }
 
+    /// The present inputs, and the motion of the integrated ones.
+    pub(crate) fn keep_inputs(&self) -> (Vec<f64>, Vec<[f64; 3]>) {
+        (self.inputs().to_vec(), self.integrated.clone())
+    }
+
+    /// Takes back what [`Self::keep_inputs`] gave.
+    pub(crate) fn restore_inputs(&mut self, (inputs, integrated): &(Vec<f64>, Vec<[f64; 3]>)) {
+        self.inputs_mut().copy_from_slice(inputs);
+        self.integrated.copy_from_slice(integrated);
+    }
+
     /// Moves value and rate of integrated inputs to `t`, with the acceleration that was set. An input that jumped is left as it is.
     pub(crate) fn integrate_inputs(&mut self, t: f64) {
         if self.integrated.is_empty() || self.jump().is_some() {

@@ -1,7 +1,7 @@
 //! Rows that hold the same bodies, and in which order they are eliminated from `G M⁻¹ Gᵀ`.
 
 use super::order::minimum_degree;
-use super::tolerances::sizes::{HUB_ROWS, MAX_PAIRS};
+use super::tolerances::sizes::{HUB_ROWS, MAX_PRODUCTS};
 use crate::model::SparsityPattern;
 use std::collections::{HashMap, VecDeque};
 
@@ -34,18 +34,17 @@ impl Plan {
         if of_body.iter().any(|list| n_rows_of(list) > HUB_ROWS) {
             return None;
         }
-        let inwards = inwards(&joints, &of_body);
-        let mut later = later(&inwards, &joints, &of_body)?;
-        let mut order = inwards;
-        // with closed loops another order may leave less
-        let n_original = later_without_fill(&order, &joints, &of_body);
-        if later.iter().map(Vec::len).sum::<usize>() > n_original {
+        let ordered = |order: Vec<usize>| later(&order, &joints, &of_body).map(|later| (order, later));
+        let mut plan = ordered(inwards(&joints, &of_body));
+        let n_blocks = |later: &[Vec<usize>]| later.iter().map(Vec::len).sum::<usize>();
+        let n_pairs = pairs_that_share_a_body(&joints, &of_body);
+        if plan.as_ref().is_none_or(|(_, later)| n_blocks(later) > n_pairs) {
+            // with closed loops another order may leave less
             let by_degree = minimum_degree(joints.len(), of_body.iter().map(|list| &list[..])).ok()?;
-            let other = self::later(&by_degree, &joints, &of_body)?;
-            if n_updates(&other) < n_updates(&later) {
-                (order, later) = (by_degree, other);
-            }
+            let other = ordered(by_degree);
+            plan = plan.into_iter().chain(other).min_by_key(|(_, later)| n_products(later));
         }
+        let (order, later) = plan?;
         let mut all: Vec<Option<Joint>> = joints.into_iter().map(Some).collect();
         let joints = order.iter().filter_map(|&k| all[k].take()).collect();
         Some(Self { joints, later })
@@ -137,14 +136,14 @@ fn positions(order: &[usize]) -> Vec<usize> {
 }
 
 /// How many pairs of joints share a body.
-fn later_without_fill(order: &[usize], joints: &[Joint], of_body: &[Vec<usize>]) -> usize {
-    let unique = |k: usize| {
+fn pairs_that_share_a_body(joints: &[Joint], of_body: &[Vec<usize>]) -> usize {
+    let later = |k: usize| {
         let mut list: Vec<usize> = neighbours(k, joints, of_body).filter(|&other| other > k).collect();
         list.sort_unstable();
         list.dedup();
         list.len()
     };
-    order.iter().map(|&k| unique(k)).sum()
+    (0..joints.len()).map(later).sum()
 }
 
 /// Later joints of each one, in an order, whose blocks of the factors are not zero; none where they are too many.
@@ -152,7 +151,7 @@ fn later(order: &[usize], joints: &[Joint], of_body: &[Vec<usize>]) -> Option<Ve
     let position = positions(order);
     let mut later: Vec<Vec<usize>> = Vec::with_capacity(order.len());
     let mut children = vec![Vec::new(); order.len()];
-    let mut n_pairs = 0_usize;
+    let mut n_products = 0_usize;
     for (p, &k) in order.iter().enumerate() {
         let mut list: Vec<usize> =
             neighbours(k, joints, of_body).map(|other| position[other]).filter(|&other| other > p).collect();
@@ -164,8 +163,8 @@ fn later(order: &[usize], joints: &[Joint], of_body: &[Vec<usize>]) -> Option<Ve
         if let Some(&parent) = list.first() {
             children[parent].push(p as u32);
         }
-        n_pairs += list.len() * list.len();
-        if n_pairs > MAX_PAIRS {
+        n_products += list.len() * (list.len() + 1) / 2;
+        if n_products > MAX_PRODUCTS {
             return None;
         }
         later.push(list);
@@ -174,6 +173,6 @@ fn later(order: &[usize], joints: &[Joint], of_body: &[Vec<usize>]) -> Option<Ve
 }
 
 /// Products of blocks in an elimination.
-fn n_updates(later: &[Vec<usize>]) -> usize {
+fn n_products(later: &[Vec<usize>]) -> usize {
     later.iter().map(|list| list.len() * (list.len() + 1) / 2).sum()
 }

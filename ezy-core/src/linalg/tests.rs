@@ -89,12 +89,6 @@ fn invariant_sparse_solutions_fulfil_their_equations() {
 
 /// Bodies of three coordinates that joints hold: chains, trees, closed loops, nets, with one, two and three rows, some of one body alone.
 fn mechanisms() -> Vec<Vec<(usize, Vec<usize>)>> {
-    let net = |n: usize| -> Vec<(usize, Vec<usize>)> {
-        let at = |i: usize, j: usize| n * i + j;
-        let along = (0..n).flat_map(|i| (1..n).map(move |j| (1, vec![at(i, j - 1), at(i, j)])));
-        let across = (1..n).flat_map(|i| (0..n).map(move |j| (1, vec![at(i - 1, j), at(i, j)])));
-        along.chain(across).collect()
-    };
     vec![
         vec![(2, vec![0])],
         (0..9).map(|i| (2, if i == 0 { vec![0] } else { vec![i - 1, i] })).collect(),
@@ -104,6 +98,14 @@ fn mechanisms() -> Vec<Vec<(usize, Vec<usize>)>> {
         vec![(2, vec![0, 1]), (1, vec![1, 2]), (1, vec![0, 1]), (1, vec![0, 2, 3]), (2, vec![3, 4])],
         net(4),
     ]
+}
+
+/// Knots in a square of n × n that rods join.
+fn net(n: usize) -> Vec<(usize, Vec<usize>)> {
+    let at = |i: usize, j: usize| n * i + j;
+    let along = (0..n).flat_map(|i| (1..n).map(move |j| (1, vec![at(i, j - 1), at(i, j)])));
+    let across = (1..n).flat_map(|i| (0..n).map(move |j| (1, vec![at(i - 1, j), at(i, j)])));
+    along.chain(across).collect()
 }
 
 /// Entries of all coordinates of the bodies of a joint.
@@ -143,9 +145,10 @@ fn cross_blocks_of_joints_give_what_the_sparse_factors_give() {
                     let left = left(&pattern, &mass, &jacobian, damping.unwrap_or(&none), &right, x);
                     assert!(left <= ROUNDING * largest(x), "{joints:?}: {left:e}");
                 }
+                // rounding of some hundreds of operations, over the smallest pivot
                 let scale = largest(&found[0]) / blocks.smallest_pivot();
                 for (x, y) in found[0].iter().zip(&found[1]) {
-                    assert!((x - y).abs() <= 1e-13 * scale, "{joints:?}: {x} {y}, {scale:e}");
+                    assert!((x - y).abs() <= 500.0 * f64::EPSILON * scale, "{joints:?}: {x} {y}, {scale:e}");
                 }
             }
         }
@@ -172,13 +175,17 @@ fn analytic_pivots_within_a_block_are_those_of_its_rows() {
     assert!(kkt.factor(&mass, &[f64::NAN; 6]).is_err() && kkt.factor(&mass, &[0.0; 6]).is_err());
 }
 
-/// A body in many joints, and an entry that stands twice, are left to other factors.
+/// A body in many joints, an entry that stands twice, and a net of 140 × 140 knots, whose products are more than 20 million, are left to other factors;
+/// one of 40 × 40 has 668,206.
 #[test]
 fn invariant_blocks_refuse_what_they_cannot_take() {
     let star: Vec<(usize, Vec<usize>)> = (1..=13).map(|i| (2, vec![0, i])).collect();
     assert!(by_joints(42, &pattern_of(&star[..12]), 24).is_some());
     assert!(by_joints(42, &pattern_of(&star), 26).is_none());
     assert!(by_joints(3, &pattern(&[&[0, 0, 1]]), 1).is_none());
+    for (n, is_taken) in [(40_usize, true), (140, false)] {
+        assert_eq!(by_joints(3 * n * n, &pattern_of(&net(n)), 2 * n * (n - 1)).is_some(), is_taken, "{n}");
+    }
 }
 
 /// Rows [1 0] and [cos sin]: what the first leaves of the second is sin², whatever the masses are.

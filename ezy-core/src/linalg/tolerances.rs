@@ -82,6 +82,12 @@ pub(crate) mod sizes {
     pub(crate) const HUB_ROWS: usize = 24;
 
     #[cfg(feature = "sparse")]
+    /// Beyond this many products of blocks, whose list takes four bytes each, the sparse factors of K are taken.
+    /// Unit: products.
+    /// Test: `invariant_blocks_refuse_what_they_cannot_take`.
+    pub(crate) const MAX_PRODUCTS: usize = 20_000_000;
+
+    #[cfg(feature = "sparse")]
     /// Beyond this many pairs of rows that share a coordinate the order with coordinates first is not tried.
     /// Unit: pairs.
     /// Test: `invariant_a_hub_that_couples_all_rows_is_refused_before_memory_is_full`.

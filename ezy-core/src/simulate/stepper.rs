@@ -133,7 +133,18 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
             give(self.stepper.system.info(), &mut self.wished, name, *value)?;
         }
         if self.wished != self.other.from {
-            self.other.state = self.stepper.system.consistent_start(&self.wished)?;
+            // constraints may follow inputs: those of the start
+            let system = &mut self.stepper.system;
+            let present = system.keep_inputs();
+            system.inputs_mut().copy_from_slice(&self.first_inputs);
+            system.begin_inputs(self.wished.t);
+            match system.consistent_start(&self.wished) {
+                Ok(state) => self.other.state = state,
+                Err(error) => {
+                    system.restore_inputs(&present);
+                    return Err(error.into());
+                }
+            }
             self.other.from.copy_from(&self.wished);
         }
         self.stepper.place(&self.other.state);

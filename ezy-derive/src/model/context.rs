@@ -179,6 +179,8 @@ impl Purpose {
 pub fn motion(expr: &Expr) -> Motion {
     match expr {
         Expr::Input(_) => Motion::Input,
+        // a rate in a position constraint would let velocities jump with the acceleration
+        Expr::Integrated(_, ast::Part::Rate) => Motion::Velocity,
         Expr::Time | Expr::Integrated(..) => Motion::Time,
         Expr::Coordinate(..) | Expr::PointPosition(..) | Expr::MemberPosition(..) | Expr::HingeAngle(_) => {
             Motion::Position

@@ -177,7 +177,9 @@ impl Context<'_> {
                 let part = self.input_parts.get(id.0).copied().flatten();
                 let (expr, moves) = match part {
                     Some(part @ (ast::Part::Value | ast::Part::Rate)) => {
-                        (Expr::Integrated(InputId(id.0 - part as usize), part), Motion::Time)
+                        let expr = Expr::Integrated(InputId(id.0 - part as usize), part);
+                        let moves = motion(&expr);
+                        (expr, moves)
                     }
                     _ => (Expr::Input(id), Motion::Input),
                 };

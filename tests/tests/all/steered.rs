@@ -246,3 +246,26 @@ fn invariant_ensembles_and_sensitivities_hold_the_declared_value() {
     let error = distance(&run.state().q, expected.last().coordinates);
     assert!(error <= METHOD && (run.state().q[2] - 0.2).abs() <= METHOD, "{error:.1e}");
 }
+
+/// A start is assembled with the inputs of the start, whatever they became: what a fresh stepper gives, and after a start that cannot be met the state and
+/// the inputs are what they were.
+#[test]
+fn invariant_stepper_starts_anew_with_the_inputs_of_the_start() {
+    let scene = crane::Steered::default();
+    let fresh = || Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
+    let mut used = fresh();
+    for acceleration in [1.0, 0.0] {
+        used.set().angle_acceleration = acceleration;
+        used.step(500).unwrap();
+    }
+    let (before, inputs) = (used.state().clone(), used.inputs().to_vec());
+    assert!(used.reset_with(&[("arm.phi", 1.0)]).is_err(), "the motor holds it at 0.2");
+    assert_eq!((&before, &inputs[..]), (used.state(), used.inputs()));
+    let given = [("bob.phi", 0.3)];
+    used.reset_with(&given).unwrap();
+    let mut new = fresh();
+    new.reset_with(&given).unwrap();
+    assert_eq!((new.state(), new.inputs()), (used.state(), used.inputs()));
+    assert!(used.state().q[2] == 0.2 && used.state().q[5] == 0.3, "{:?}", used.state().q);
+    used.step(10).unwrap();
+}

@@ -48,7 +48,7 @@ impl<'a> Film<'a> {
     /// Pixels across a frame whose longer side has 960.
     pub fn width(&self) -> u32 {
         let [_, _, width, height] = self.view;
-        (LARGEST * width / width.max(height)).round() as u32
+        (LARGEST * width / width.max(height)).round().max(1.0) as u32
     }
 
     /// Each frame as the text of an SVG file.

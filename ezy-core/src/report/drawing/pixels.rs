@@ -63,7 +63,7 @@ impl Film<'_> {
         let scale = f64::from(width) / view_width;
         // lines and letters are as large as in the SVG file
         let line = scale / self.size();
-        let mut pixels = Pixmap::new(width, (view_height * scale).round() as u32)?;
+        let mut pixels = Pixmap::new(width, (view_height * scale).round().max(1.0) as u32)?;
         let [red, green, blue] = PAPER;
         pixels.fill(Color::from_rgba8(red, green, blue, u8::MAX));
         let [dx, dy] = self.camera(at);

@@ -41,7 +41,7 @@ pub fn cases() -> Vec<Case> {
     ));
     cases.push(alone(
         "long_chain_energy, 100,000 rods to 0.01 s",
-        "a wave passes ten times as many rods in a time: to 0.3 s it is 50,000 steps, seven hours",
+        "a wave passes ten times as many rods in a time: to 0.3 s it is 50,000 steps, some hours",
         |how| falling(100_000, FALL_S / 30.0, NO_STEP, how),
     ));
     let why = "time of a step must grow as the length";

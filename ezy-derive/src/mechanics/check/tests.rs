@@ -3,8 +3,9 @@
 use super::basis::{Basis, Row, largest};
 use super::{DEPENDENT, RandomState, fraction, scale_columns};
 use crate::diag::Diagnostics;
-use crate::mechanics::Equations;
+use crate::function::Function;
 use crate::mechanics::symbols::Meaning;
+use crate::mechanics::{Derived, Equations, Templates};
 use crate::model::{InputId, Model};
 use crate::random::Random;
 use crate::symbolic::Symbol;
@@ -203,6 +204,9 @@ fn analytic_rows_that_repeat_others_are_named_with_these() {
     // with a small factor it is one of them, too
     let found = messages(&format!("{both} constraint s: 0.001 * one.y = a;"), "at rest;");
     assert!(found.contains("constraint `s` repeats what `q` already demands"), "{found}");
+    // a small row is not
+    let found = messages(&format!("{both} constraint s: 0.000001 * two.x = a;"), "at rest;");
+    assert!(!found.contains("repeats"), "{found}");
     let found = messages("constraint p: one.x - one.x = 0;", "at rest;");
     assert!(found.contains("constraint `p` restricts no motion"), "{found}");
     let found = messages("velocity constraint p: one.vx^2 = a * one.omega * one.vx;", "at rest;");
@@ -213,6 +217,40 @@ fn analytic_rows_that_repeat_others_are_named_with_these() {
     let six: String = (0..2).map(|i| format!("hinge h{i}: ground({i}, {i}) ~ one({i}, b);")).collect();
     for few in [&six[..], "hinge h: ground(0, 0) ~ one(a, b);"] {
         assert!(!messages(few, "at rest;").contains("coordinates"), "{few}");
+    }
+}
+
+/// Rows of positions stand before those of velocities, and each reads the bodies that it holds, not those whose values cancel.
+#[test]
+fn invariant_templates_are_ordered_and_read_what_they_hold() {
+    let mut diag = Diagnostics::default();
+    let text = "model M { count n = 3; body car[n] { mass: 1, inertia: 1 } body wheel { mass: 1, inertia: 1 } \
+                for i in 0..n { skate runner[i]: at car[i](0, 0) along car[i](1, 0); } \
+                for i in 1..n { hinge pin[i]: car[i-1](0.5, 0) ~ car[i](-0.5, 0); } \
+                constraint level: car[0].y + wheel.x - wheel.x = 0; \
+                start s { at rest; } scene run { start s; until 1 s; } }";
+    let model = resolved(text, &mut diag);
+    let templates = Templates::derive(&model, &model.scenes[0]);
+    let rows: Vec<(String, usize, bool)> = (templates.rows.iter())
+        .map(|row| (row.row.name.to_string(), row.slots.len(), row.constraints.n_position_rows > 0))
+        .collect();
+    let expected = [("pin", 2, true), ("level", 1, true), ("runner", 1, false)];
+    assert_eq!(rows, expected.map(|(name, slots, holds)| (name.to_owned(), slots, holds)));
+}
+
+/// A force that bends has no series: its function is named.
+#[test]
+fn analytic_forces_that_bend_have_no_series() {
+    for (force, bends) in
+        [("max(one.phi, 0)", Some(Function::Max)), ("min(one.phi, 2)", Some(Function::Min)), ("one.phi", None)]
+    {
+        let mut diag = Diagnostics::default();
+        let text = format!(
+            "model M {{ body one {{ mass: 1, inertia: 1 }} force at one(0, 0): (-3 N * ({force}), 0); \
+             start s {{ at rest; }} scene run {{ start s; until 1 s; }} }}"
+        );
+        let model = resolved(&text, &mut diag);
+        assert_eq!(Derived::new(&model, &model.scenes[0]).series.err(), bends, "{force}");
     }
 }
 

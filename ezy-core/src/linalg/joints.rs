@@ -19,6 +19,8 @@ pub(super) struct Plan {
     pub joints: Vec<Joint>,
     /// Later joints of each one, ascending, whose blocks are not zero.
     pub later: Vec<Vec<usize>>,
+    /// Whether joints that share no body are coupled: in closed loops.
+    pub is_filled: bool,
 }
 
 impl Plan {
@@ -47,7 +49,8 @@ impl Plan {
         let (order, later) = plan?;
         let mut all: Vec<Option<Joint>> = joints.into_iter().map(Some).collect();
         let joints = order.iter().filter_map(|&k| all[k].take()).collect();
-        Some(Self { joints, later })
+        let is_filled = n_blocks(&later) > n_pairs;
+        Some(Self { joints, later, is_filled })
     }
 }
 

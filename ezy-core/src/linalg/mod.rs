@@ -38,7 +38,7 @@ mod tolerances;
 mod without_sparse;
 
 #[cfg(feature = "sparse")]
-pub(crate) use block::by_joints;
+pub(crate) use block::by_joints_of_trees;
 pub(crate) use conditioning::{ConditionEstimator, Conditioning};
 pub(crate) use damped::{DampedKkt, weights, write_diagonal};
 pub(crate) use equation_residual::EquationResidual;
@@ -57,7 +57,7 @@ pub(crate) use tolerances::sizes::{LARGEST_DENSE, LARGEST_DIAGNOSED};
 #[doc(hidden)]
 pub use without_sparse::SparseKkt;
 #[cfg(not(feature = "sparse"))]
-pub(crate) use without_sparse::{SparseLu, SparseNumber, by_joints};
+pub(crate) use without_sparse::{SparseLu, SparseNumber, by_joints_of_trees};
 
 /// Whether there are sparse factorisations.
 pub(crate) const HAS_SPARSE: bool = cfg!(feature = "sparse");

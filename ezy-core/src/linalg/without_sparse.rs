@@ -32,7 +32,7 @@ impl SparseKkt {
 }
 
 /// There are none.
-pub(crate) fn by_joints(_: usize, _: &SparsityPattern, _: usize) -> Option<Box<dyn KktFactorization>> {
+pub(crate) fn by_joints_of_trees(_: usize, _: &SparsityPattern, _: usize) -> Option<Box<dyn KktFactorization>> {
     None
 }
 

@@ -78,16 +78,6 @@ pub(crate) fn by_joints(n_q: usize, jacobian: &SparsityPattern, n_rows: usize) -
     Plan::new(n_q, jacobian, n_rows).map(|plan| factors(n_q, jacobian, &plan))
 }
 
-/// The same where bodies form trees, so that nothing is filled in.
-pub(crate) fn by_joints_of_trees(
-    n_q: usize,
-    jacobian: &SparsityPattern,
-    n_rows: usize,
-) -> Option<Box<dyn KktFactorization>> {
-    let plan = Plan::new(n_q, jacobian, n_rows).filter(|plan| !plan.is_filled);
-    plan.map(|plan| factors(n_q, jacobian, &plan))
-}
-
 fn factors(n_q: usize, jacobian: &SparsityPattern, plan: &Plan) -> Box<dyn KktFactorization> {
     match plan.joints.iter().map(|joint| joint.n_rows).max() {
         None | Some(0 | 1) => Box::new(BlockKkt::<1>::new(n_q, jacobian, plan)),
@@ -98,7 +88,7 @@ fn factors(n_q: usize, jacobian: &SparsityPattern, plan: &Plan) -> Box<dyn KktFa
 
 impl<const B: usize> BlockKkt<B> {
     fn new(n_q: usize, pattern: &SparsityPattern, plan: &Plan) -> Self {
-        let Plan { joints, later, .. } = plan;
+        let Plan { joints, later } = plan;
         let mut places = vec![0; pattern.n_nonzeros()];
         let (mut slot_starts, mut slot_bodies) = (vec![0], Vec::new());
         for joint in joints {

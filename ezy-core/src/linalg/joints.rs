@@ -19,8 +19,6 @@ pub(super) struct Plan {
     pub joints: Vec<Joint>,
     /// Later joints of each one, ascending, whose blocks are not zero.
     pub later: Vec<Vec<usize>>,
-    /// Whether joints that share no body are coupled: in closed loops.
-    pub is_filled: bool,
 }
 
 impl Plan {
@@ -49,8 +47,7 @@ impl Plan {
         let (order, later) = plan?;
         let mut all: Vec<Option<Joint>> = joints.into_iter().map(Some).collect();
         let joints = order.iter().filter_map(|&k| all[k].take()).collect();
-        let is_filled = n_blocks(&later) > n_pairs;
-        Some(Self { joints, later, is_filled })
+        Some(Self { joints, later })
     }
 }
 

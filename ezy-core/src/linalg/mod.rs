@@ -12,12 +12,12 @@
 // matrices keep the capital letters of the notation
 #![allow(non_snake_case)]
 
-#[cfg(feature = "sparse")]
+#[cfg(all(test, feature = "sparse"))]
 mod block;
 mod conditioning;
 mod damped;
 mod equation_residual;
-#[cfg(feature = "sparse")]
+#[cfg(all(test, feature = "sparse"))]
 mod joints;
 #[cfg(feature = "sparse")]
 mod lower;
@@ -37,8 +37,6 @@ mod tolerances;
 #[cfg(not(feature = "sparse"))]
 mod without_sparse;
 
-#[cfg(feature = "sparse")]
-pub(crate) use block::by_joints_of_trees;
 pub(crate) use conditioning::{ConditionEstimator, Conditioning};
 pub(crate) use damped::{DampedKkt, weights, write_diagonal};
 pub(crate) use equation_residual::EquationResidual;
@@ -57,7 +55,7 @@ pub(crate) use tolerances::sizes::{LARGEST_DENSE, LARGEST_DIAGNOSED};
 #[doc(hidden)]
 pub use without_sparse::SparseKkt;
 #[cfg(not(feature = "sparse"))]
-pub(crate) use without_sparse::{SparseLu, SparseNumber, by_joints_of_trees};
+pub(crate) use without_sparse::{SparseLu, SparseNumber};
 
 /// Whether there are sparse factorisations.
 pub(crate) const HAS_SPARSE: bool = cfg!(feature = "sparse");

@@ -31,11 +31,6 @@ impl SparseKkt {
     }
 }
 
-/// There are none.
-pub(crate) fn by_joints_of_trees(_: usize, _: &SparsityPattern, _: usize) -> Option<Box<dyn KktFactorization>> {
-    None
-}
-
 impl KktFactorization for SparseKkt {
     fn factor(&mut self, _: &[f64], _: &[f64]) -> Result<(), VanishedPivot> {
         match self.0 {}

@@ -12,8 +12,9 @@ use super::motion::{self, Order};
 use super::tally::{Tally, Verdict};
 use crate::{random_models, shapes};
 
-/// Counts beyond it make scenes that the oracle is too slow for.
-const LARGEST_COUNT: usize = 6;
+/// Most members of a scene, the product of its counts: beyond it the oracle, and a net at singular positions in a build without
+/// optimisation, are too slow.
+const MOST_MEMBERS: usize = 6;
 
 /// States anywhere of a scene with given parameters.
 const N_STATES: usize = 2;
@@ -104,10 +105,12 @@ fn attempt(scene: &dyn Scene, order: &Order, draw: &mut Draw, tally: &mut Tally)
 
 /// Changes parameters and counts; gives back those that it changed.
 pub(super) fn change(scene: &mut dyn Scene, draw: &mut Draw, wild: bool) -> Vec<(&'static str, f64)> {
-    let mut changed = Vec::new();
+    let (mut changed, mut most) = (Vec::new(), MOST_MEMBERS);
     for i in 0..scene.info().counts().len() {
-        scene.set_count(i, 1 + draw.below(LARGEST_COUNT));
-        changed.push((scene.info().counts()[i].name, scene.count(i) as f64));
+        let count = 1 + draw.below(most);
+        scene.set_count(i, count);
+        changed.push((scene.info().counts()[i].name, count as f64));
+        most /= count;
     }
     for i in 0..scene.info().parameters.len() {
         if draw.once_in(2) {

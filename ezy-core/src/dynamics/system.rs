@@ -5,7 +5,7 @@ use super::euclidean::Euclidean;
 use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
 use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RANGE};
-use crate::linalg::{Backend, HAS_SPARSE, LARGEST_DENSE, SparseKkt};
+use crate::linalg::{Backend, HAS_SPARSE, LARGEST_DENSE, SparseKkt, by_joints};
 use crate::model::coordinate::{body_and_component, is_angle};
 use crate::model::{Name, Scene, SceneInfo, Start};
 use std::sync::Arc;
@@ -213,7 +213,10 @@ fn sparse(info: &SceneInfo) -> Result<Solver, SystemError> {
         return Err(SystemError::WithoutSparse { scene: info.name });
     }
     let (n_q, n_rows) = (info.n_coordinates(), info.n_rows());
-    Ok(Solver::Sparse(Box::new(SparseKkt::new(n_q, &info.jacobian, n_rows)?)))
+    Ok(Solver::Sparse(match by_joints(n_q, &info.jacobian, n_rows) {
+        Some(kkt) => kkt,
+        None => Box::new(SparseKkt::new(n_q, &info.jacobian, n_rows)?),
+    }))
 }
 
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.

@@ -73,17 +73,13 @@ struct Rows {
 }
 
 /// The elimination over blocks of a system with `n_q` coordinates, three of each body; none where another one costs less.
-#[cfg(test)]
 pub(crate) fn by_joints(n_q: usize, jacobian: &SparsityPattern, n_rows: usize) -> Option<Box<dyn KktFactorization>> {
-    Plan::new(n_q, jacobian, n_rows).map(|plan| factors(n_q, jacobian, &plan))
-}
-
-fn factors(n_q: usize, jacobian: &SparsityPattern, plan: &Plan) -> Box<dyn KktFactorization> {
-    match plan.joints.iter().map(|joint| joint.n_rows).max() {
-        None | Some(0 | 1) => Box::new(BlockKkt::<1>::new(n_q, jacobian, plan)),
-        Some(2) => Box::new(BlockKkt::<2>::new(n_q, jacobian, plan)),
-        Some(_) => Box::new(BlockKkt::<3>::new(n_q, jacobian, plan)),
-    }
+    let plan = Plan::new(n_q, jacobian, n_rows)?;
+    Some(match plan.joints.iter().map(|joint| joint.n_rows).max() {
+        None | Some(0 | 1) => Box::new(BlockKkt::<1>::new(n_q, jacobian, &plan)),
+        Some(2) => Box::new(BlockKkt::<2>::new(n_q, jacobian, &plan)),
+        Some(_) => Box::new(BlockKkt::<3>::new(n_q, jacobian, &plan)),
+    })
 }
 
 impl<const B: usize> BlockKkt<B> {

@@ -12,12 +12,12 @@
 // matrices keep the capital letters of the notation
 #![allow(non_snake_case)]
 
-#[cfg(all(test, feature = "sparse"))]
+#[cfg(feature = "sparse")]
 mod block;
 mod conditioning;
 mod damped;
 mod equation_residual;
-#[cfg(all(test, feature = "sparse"))]
+#[cfg(feature = "sparse")]
 mod joints;
 #[cfg(feature = "sparse")]
 mod lower;
@@ -37,6 +37,8 @@ mod tolerances;
 #[cfg(not(feature = "sparse"))]
 mod without_sparse;
 
+#[cfg(feature = "sparse")]
+pub(crate) use block::by_joints;
 pub(crate) use conditioning::{ConditionEstimator, Conditioning};
 pub(crate) use damped::{DampedKkt, weights, write_diagonal};
 pub(crate) use equation_residual::EquationResidual;
@@ -55,7 +57,7 @@ pub(crate) use tolerances::sizes::{LARGEST_DENSE, LARGEST_DIAGNOSED};
 #[doc(hidden)]
 pub use without_sparse::SparseKkt;
 #[cfg(not(feature = "sparse"))]
-pub(crate) use without_sparse::{SparseLu, SparseNumber};
+pub(crate) use without_sparse::{SparseLu, SparseNumber, by_joints};
 
 /// Whether there are sparse factorisations.
 pub(crate) const HAS_SPARSE: bool = cfg!(feature = "sparse");

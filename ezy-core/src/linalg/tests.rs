@@ -1,6 +1,5 @@
 //! Each solver on random systems, put into the equations that it solves, and solutions that are known.
 
-use super::block::by_joints;
 use super::damped::{weights, write_diagonal};
 use super::equation_residual::EquationResidual;
 use super::*;

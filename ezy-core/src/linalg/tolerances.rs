@@ -40,7 +40,7 @@ pub(crate) mod refinement {
 }
 
 /// The elimination over blocks.
-#[cfg(all(test, feature = "sparse"))]
+#[cfg(feature = "sparse")]
 pub(crate) mod blocks {
     /// Below this pivot solutions are refined: 3 of 16 digits are lost there, and a ratio of masses of 1e3 has it.
     /// Unit: 1, of what the pivot started from.
@@ -81,7 +81,7 @@ pub(crate) mod sizes {
     /// Test: `invariant_factors_of_any_tree_grow_with_its_size`.
     pub(crate) const HUB_ROWS: usize = 24;
 
-    #[cfg(all(test, feature = "sparse"))]
+    #[cfg(feature = "sparse")]
     /// Beyond this many products of blocks, whose list takes four bytes each, the sparse factors of K are taken.
     /// Unit: products.
     /// Test: `invariant_blocks_refuse_what_they_cannot_take`.

@@ -31,6 +31,11 @@ impl SparseKkt {
     }
 }
 
+/// There are none.
+pub(crate) fn by_joints(_: usize, _: &SparsityPattern, _: usize) -> Option<Box<dyn KktFactorization>> {
+    None
+}
+
 impl KktFactorization for SparseKkt {
     fn factor(&mut self, _: &[f64], _: &[f64]) -> Result<(), VanishedPivot> {
         match self.0 {}

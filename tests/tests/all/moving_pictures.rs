@@ -11,6 +11,9 @@ const SECONDS: f64 = 3.0;
 /// Of a colour that the palette rounds, in each of red, green and blue.
 const OF_PALETTE: i32 = 2;
 
+/// Where the pendulum hangs nearer to the vertical, m, its outline covers the mirror image of its middle as well.
+const NEAR_VERTICAL: f64 = 0.15;
+
 /// Of the colours of edges, which the palette of a GIF has in fewer steps.
 const OF_EDGES: i32 = 40;
 
@@ -70,7 +73,7 @@ fn cross_body_of_a_moving_picture_is_where_the_run_has_it() {
         if y > -0.1 {
             continue;
         }
-        assert!(!is_body(at(-x, y)) || x.abs() < 0.15, "t = {}", sample.t);
+        assert!(!is_body(at(-x, y)) || x.abs() < NEAR_VERTICAL, "t = {}", sample.t);
     }
 }
 

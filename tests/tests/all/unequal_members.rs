@@ -308,12 +308,15 @@ fn analytic_masses_by_index_have_the_digits_of_their_numbers() {
     }
 }
 
+/// Constants of a link that are computed once: mass, inertia, their inverses, half length, and what its rows make of them.
+const MOST_OF_A_LINK: usize = 40;
+
 #[test]
 fn analytic_constants_of_members_grow_with_their_number_alone() {
     let n_constants = |n| tapered::Swing { n, ..Default::default() }.info().n_constants;
     let of_a_link = n_constants(11) - n_constants(10);
     assert_eq!(n_constants(1010) - n_constants(10), 1000 * of_a_link);
-    assert!(of_a_link < 40, "{of_a_link}");
+    assert!(of_a_link < MOST_OF_A_LINK, "{of_a_link}");
 }
 
 #[test]

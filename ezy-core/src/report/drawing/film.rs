@@ -54,7 +54,7 @@ impl<'a> Film<'a> {
     /// Each frame as the text of an SVG file.
     pub fn frames(&self) -> impl Iterator<Item = String> + '_ {
         self.frames.iter().map(|frame| {
-            let parts: String = self.drawing.parts.iter().map(|part| drawn(self.drawing, part, frame)).collect();
+            let parts: String = self.parts().map(|part| drawn(self.drawing, part, frame)).collect();
             let [x, y] = self.camera(frame);
             self.file(
                 "",
@@ -66,12 +66,12 @@ impl<'a> Film<'a> {
     /// All frames as one SVG file that moves for so many seconds, over and over.
     pub fn moving(&self, seconds: f64) -> String {
         let mut style = format!(
-            ".torque {{ display: none; }}\n.part, .camera {{ animation: {seconds}s linear infinite; }}\n\
+            ".part, .camera {{ animation: {seconds}s linear infinite; }}\n\
              @media (prefers-reduced-motion: reduce) {{ .part, .camera {{ animation: none; }} }}\n"
         );
         let [first, ..] = self.frames else { return self.file("", "") };
         let mut parts = String::new();
-        for (i, part) in self.drawing.parts.iter().enumerate() {
+        for (i, part) in self.parts().enumerate() {
             style += &format!("#p{i} {{ animation-name: p{i}; }}\n@keyframes p{i} {{ {} }}\n", self.keyframes(part));
             parts += &drawn(self.drawing, part, first).replacen("<g ", &format!("<g id=\"p{i}\" "), 1);
         }
@@ -83,6 +83,11 @@ impl<'a> Film<'a> {
             style += &format!(".camera {{ animation-name: camera; }}\n@keyframes camera {{ {keys} }}\n");
         }
         self.file(&style, &format!("<g class=\"camera\">\n{}{parts}</g>\n", self.trace()))
+    }
+
+    /// The parts that move; the arc of a torque would point one way also where the torque has changed its sign.
+    pub(super) fn parts(&self) -> impl Iterator<Item = &Part> {
+        self.drawing.parts.iter().filter(|part| part.class != "torque")
     }
 
     fn keyframes(&self, part: &Part) -> String {

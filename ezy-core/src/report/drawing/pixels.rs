@@ -72,7 +72,7 @@ impl Film<'_> {
         for piece in pieces(&self.trace()) {
             draw(&mut pixels, "", &piece, camera, line);
         }
-        for part in &self.drawing.parts {
+        for part in self.parts() {
             let Pose { x, y, turn, stretch } = self.drawing.pose(part, at);
             let place = camera
                 .pre_translate(x as f32, y as f32)

@@ -44,6 +44,8 @@ pub(crate) use solved::Rows;
 pub use solved::Solved;
 pub use strain::{Strain, StrainSource};
 pub use system::System;
+#[cfg(feature = "cli")]
+pub(crate) use system::sparse_solver;
 pub use worst::{Projected, Worst};
 
 use crate::model::{Name, SceneInfo};

@@ -219,6 +219,19 @@ fn sparse(info: &SceneInfo) -> Result<Solver, SystemError> {
     }))
 }
 
+/// With which factors, and at what cost, the sparse solver takes a scene without a generated elimination.
+#[cfg(feature = "cli")]
+pub(crate) fn sparse_solver(info: &SceneInfo) -> Option<String> {
+    if info.has_elimination() {
+        return None;
+    }
+    Some(match sparse(info) {
+        Ok(Solver::Sparse(kkt)) => kkt.describe(),
+        Ok(Solver::Dense | Solver::Generated) => return None,
+        Err(error) => error.to_string(),
+    })
+}
+
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.
 fn body_of(info: &SceneInfo, i: usize) -> (Name, &'static str) {
     (info.bodies[body_and_component(i).0].clone(), if is_angle(i) { "inertia" } else { "mass" })

@@ -311,6 +311,11 @@ impl<const B: usize> KktFactorization for BlockKkt<B> {
             y[joint.first as usize..][..joint.n as usize].iter_mut().zip(solved).for_each(|(y, solved)| *y = *solved);
         }
     }
+
+    fn describe(&self) -> String {
+        let (n, n_blocks, n_products) = (self.joints.len(), self.blocks.len(), self.targets.len());
+        format!("blocks of {B} x {B}, {n} on the diagonal, {} below it, {n_products} products of blocks", n_blocks - n)
+    }
 }
 
 /// `block += G_a M⁻¹ G_bᵀ`.

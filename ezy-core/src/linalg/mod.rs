@@ -99,6 +99,9 @@ pub trait KktFactorization: Send {
 
     /// Replaces `[r; s]` (`n_q + n_c`) by `[x; y]`, with the factors of the last successful [`Self::factor`].
     fn solve(&mut self, right_side: &mut [f64]);
+
+    /// What is factored, and what it costs.
+    fn describe(&self) -> String;
 }
 
 /// The symbolic factorisation failed.

@@ -214,4 +214,8 @@ impl KktFactorization for SparseKkt {
             MemStack::new(scratch),
         );
     }
+
+    fn describe(&self) -> String {
+        format!("sparse factors of K, {} entries of L", self.n_factor_entries())
+    }
 }

@@ -52,6 +52,10 @@ impl KktFactorization for SparseKkt {
     fn solve(&mut self, _: &mut [f64]) {
         match self.0 {}
     }
+
+    fn describe(&self) -> String {
+        match self.0 {}
+    }
 }
 
 /// Never made.

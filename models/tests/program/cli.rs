@@ -68,6 +68,10 @@ fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
     for part in parts {
         assert!(show.contains(part), "{part} in {show}");
     }
+    // a chain of 10 rods fills nothing in
+    let solver = "sparse solver: blocks of 2 x 2, 10 on the diagonal, 9 below it, 9 products of blocks";
+    let show = output(&["show", "chain/swing"]);
+    assert!(show.contains(solver), "{show}");
     let show = output(&["show", "singletrackcar/limit"]);
     assert!(show.contains("no Taylor series: a law calls `abs`"), "{show}");
 }

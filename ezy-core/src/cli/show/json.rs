@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::dynamics::sparse_solver;
 use crate::model::{EventKind, Formula, ParameterInfo, SceneInfo};
 
 use super::{freedom, kernels, with_equations};
@@ -23,6 +24,7 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
         "scene": info.name,
         "freedom": { "positions": positions, "velocities": velocities },
         "counts": counts_json(info),
+        "sparse_solver": sparse_solver(info),
         "templates": list(with_equations(info), |item| json!({
             "title": item.title,
             "equations": list(item.equations, |e| {

@@ -1,5 +1,6 @@
 //! A scene as text.
 
+use crate::dynamics::sparse_solver;
 use crate::model::{Direction, EffectInfo, EliminationStep, Equation, EventKind, ParameterInfo, SceneInfo};
 use crate::report::table::Table;
 
@@ -25,8 +26,8 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     }
     text += &info.equations.iter().map(written).collect::<String>();
     text += &format!("\n{}\n", series(info));
-    if !info.has_elimination() {
-        return text;
+    if let Some(solver) = sparse_solver(info) {
+        return text + &format!("\nsparse solver: {solver}\n");
     }
     text += &format!("\nsparsity of the Jacobian [C_q; S]: x, y and phi of each body\n\n{}", indent(&sparsity(info)));
     text += &format!("\norder of elimination\n\n{}", indent(&elimination(info)));

@@ -1,7 +1,7 @@
 //! Rows that hold the same bodies, and in which order they are eliminated from `G M⁻¹ Gᵀ`.
 
 use super::order::minimum_degree;
-use super::tolerances::sizes::{HUB_ROWS, MAX_PRODUCTS};
+use super::tolerances::sizes::{HUB_ROWS, PRODUCTS_PER_JOINT};
 use crate::model::SparsityPattern;
 use std::collections::{HashMap, VecDeque};
 
@@ -22,7 +22,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// None where a body is held by so many rows that they would all be coupled, the factors are too large, or an entry of G is the sum
+    /// None where a body is held by so many rows that they would all be coupled, sparse factors of K cost less, or an entry of G is the sum
     /// of two.
     pub(super) fn new(n_q: usize, pattern: &SparsityPattern, n_rows: usize) -> Option<Self> {
         let joints = joints(pattern, n_rows)?;
@@ -164,7 +164,7 @@ fn later(order: &[usize], joints: &[Joint], of_body: &[Vec<usize>]) -> Option<Ve
             children[parent].push(p as u32);
         }
         n_products += list.len() * (list.len() + 1) / 2;
-        if n_products > MAX_PRODUCTS {
+        if n_products > PRODUCTS_PER_JOINT * joints.len() {
             return None;
         }
         later.push(list);

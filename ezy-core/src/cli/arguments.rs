@@ -37,12 +37,16 @@ pub(super) struct ListArguments {
 ///
 /// Shows the constraints, their Jacobians and convective terms, the mass matrix, the forces and the equations of
 /// motion, all printed from the compiled expressions. Then follow the sparsity of the Jacobian, the order of
-/// elimination and the operations of one evaluation.
+/// elimination and the operations of one evaluation; for scenes with counts, how their equations are factored and
+/// what that costs with these counts.
 #[derive(Debug, Args)]
 pub(super) struct ShowArguments {
     /// Its name; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
     pub path: String,
+    /// Change a parameter or a count; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
+    pub set: Vec<Assignment>,
     /// How the equations are written
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -14,13 +14,15 @@ use super::Models;
 use super::arguments::{Format, ShowArguments};
 use super::failure::{Failure, print};
 use super::json::print_json;
+use super::names::scene_with;
 use super::selection::find;
 
 pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), Failure> {
     let selection = find(models, &arguments.path)?;
     let all = selection.model.scenes.iter();
     let chosen = all.filter(|entry| selection.scene.is_none_or(|scene| scene.name == entry.name));
-    let infos: Vec<Arc<SceneInfo>> = chosen.map(|entry| (entry.info)()).collect();
+    let info = |entry| scene_with(selection.model, entry, &arguments.set).map(|scene| scene.info());
+    let infos: Vec<Arc<SceneInfo>> = chosen.map(info).collect::<Result<_, _>>()?;
     let text =
         |write: fn(&SceneInfo) -> String| print(&infos.iter().map(|info| write(info) + "\n").collect::<String>());
     match (arguments.format, &infos[..]) {

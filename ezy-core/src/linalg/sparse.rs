@@ -216,6 +216,6 @@ impl KktFactorization for SparseKkt {
     }
 
     fn describe(&self) -> String {
-        format!("sparse factors of K, {} entries of L", self.n_factor_entries())
+        format!("factors of K, {} entries of L", self.n_factor_entries())
     }
 }

@@ -72,6 +72,10 @@ fn invariant_show_text_holds_equations_sparsity_order_and_operations() {
     let solver = "sparse solver: blocks of 2 x 2, 10 on the diagonal, 9 below it, 9 products of blocks";
     let show = output(&["show", "chain/swing"]);
     assert!(show.contains(solver), "{show}");
+    let show = output(&["show", "chain/swing", "--set", "n=1000"]);
+    assert!(show.contains("1000 on the diagonal, 999 below it, 999 products"), "{show}");
+    let show = output(&["show", "hangingnet/swing", "--set", "rows=20", "--set", "columns=20"]);
+    assert!(show.contains("sparse solver: factors of K, "), "{show}");
     let show = output(&["show", "singletrackcar/limit"]);
     assert!(show.contains("no Taylor series: a law calls `abs`"), "{show}");
 }

@@ -44,7 +44,7 @@ pub(super) struct ShowArguments {
     /// Its name; case and underscores do not matter
     #[arg(value_name = "MODEL[/SCENE]")]
     pub path: String,
-    /// Change a parameter or a count; may be repeated
+    /// Change a count; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub set: Vec<Assignment>,
     /// How the equations are written

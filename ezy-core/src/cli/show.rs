@@ -16,12 +16,22 @@ use super::failure::{Failure, print};
 use super::json::print_json;
 use super::names::scene_with;
 use super::selection::find;
+use super::value::Assignment;
 
 pub(super) fn show(models: Models<'_>, arguments: &ShowArguments) -> Result<(), Failure> {
     let selection = find(models, &arguments.path)?;
     let all = selection.model.scenes.iter();
     let chosen = all.filter(|entry| selection.scene.is_none_or(|scene| scene.name == entry.name));
-    let info = |entry| scene_with(selection.model, entry, &arguments.set).map(|scene| scene.info());
+    let info = |entry| {
+        let info = scene_with(selection.model, entry, &arguments.set)?.info();
+        let is_count = |name: &str| info.counts().iter().any(|count| count.name == name);
+        match arguments.set.iter().find(|set| !is_count(&set.name)) {
+            Some(Assignment { name, .. }) => Err(Failure::wrong_use(format!(
+                "`{name}` is a parameter, and equations are shown for all of its values; --set takes counts here"
+            ))),
+            None => Ok(info),
+        }
+    };
     let infos: Vec<Arc<SceneInfo>> = chosen.map(info).collect::<Result<_, _>>()?;
     let text =
         |write: fn(&SceneInfo) -> String| print(&infos.iter().map(|info| write(info) + "\n").collect::<String>());

@@ -5,7 +5,7 @@ use super::euclidean::Euclidean;
 use super::factors::{Factors, Solver};
 use super::geometry::Geometry;
 use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RANGE};
-use crate::linalg::{Backend, HAS_SPARSE, LARGEST_DENSE, SparseKkt, by_joints};
+use crate::linalg::{Backend, HAS_SPARSE, KktFactorization, LARGEST_DENSE, SparseKkt, by_joints};
 use crate::model::coordinate::{body_and_component, is_angle};
 use crate::model::{Name, Scene, SceneInfo, Start};
 use std::sync::Arc;
@@ -185,7 +185,7 @@ fn solver(info: &SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) 
     match backend {
         Backend::Auto if needs_pivots && info.n_unknowns() <= largest => dense(info),
         Backend::Auto if !info.has_elimination() => match massless.map(|i| body_of(info, i)) {
-            None => sparse(info),
+            None => sparse(info).map(Solver::Sparse),
             Some((body, quantity)) => {
                 let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
                 Err(SystemError::MasslessInLargeScene { body, quantity, n, limit })
@@ -196,7 +196,7 @@ fn solver(info: &SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) 
         Backend::Dense => dense(info),
         Backend::Generated if !info.has_elimination() => Err(SystemError::NoElimination { scene: info.name }),
         Backend::Generated => needs_mass("generated").map(|()| Solver::Generated),
-        Backend::Sparse => needs_mass("sparse").and_then(|()| sparse(info)),
+        Backend::Sparse => needs_mass("sparse").and_then(|()| sparse(info)).map(Solver::Sparse),
     }
 }
 
@@ -208,28 +208,22 @@ fn dense(info: &SceneInfo) -> Result<Solver, SystemError> {
     Ok(Solver::Dense)
 }
 
-fn sparse(info: &SceneInfo) -> Result<Solver, SystemError> {
+fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
     if !HAS_SPARSE {
         return Err(SystemError::WithoutSparse { scene: info.name });
     }
     let (n_q, n_rows) = (info.n_coordinates(), info.n_rows());
-    Ok(Solver::Sparse(match by_joints(n_q, &info.jacobian, n_rows) {
+    Ok(match by_joints(n_q, &info.jacobian, n_rows) {
         Some(kkt) => kkt,
         None => Box::new(SparseKkt::new(n_q, &info.jacobian, n_rows)?),
-    }))
+    })
 }
 
 /// With which factors, and at what cost, the sparse solver takes a scene without a generated elimination.
 #[cfg(feature = "cli")]
 pub(crate) fn sparse_solver(info: &SceneInfo) -> Option<String> {
-    if info.has_elimination() {
-        return None;
-    }
-    Some(match sparse(info) {
-        Ok(Solver::Sparse(kkt)) => kkt.describe(),
-        Ok(Solver::Dense | Solver::Generated) => return None,
-        Err(error) => error.to_string(),
-    })
+    let describe = || sparse(info).map_or_else(|error| error.to_string(), |kkt| kkt.describe());
+    (!info.has_elimination()).then(describe)
 }
 
 /// Body and kind of the mass that stands at entry `i` of the diagonal of M.

@@ -9,6 +9,7 @@ mod new;
 mod pictures;
 mod plots;
 mod run;
+mod show;
 #[cfg(unix)]
 mod signals;
 mod starts;
@@ -16,3 +17,16 @@ mod study;
 mod words;
 
 use run::{assert_wrong_use, directory, ezy, text};
+use serde_json::Value;
+
+/// Standard output of a command that succeeds.
+fn output(arguments: &[&str]) -> String {
+    let done = ezy(arguments);
+    assert_eq!(done.status.code(), Some(0), "{arguments:?}: {}", text(&done.stderr));
+    text(&done.stdout)
+}
+
+/// The same, of a command that prints JSON.
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&output(arguments)).expect("output is JSON")
+}

@@ -1,17 +1,10 @@
 //! Sketches and animations: what the program writes, and how it refuses.
 
-use crate::{assert_wrong_use, directory, ezy, text};
+use crate::{assert_wrong_use, directory, ezy, output, text};
 use ezy_core::prelude::*;
 use ezy_models::ezy_roller::Driven;
 use ezy_models::registry::MODELS;
 use serde_json::Value;
-
-/// What the program prints when all is well.
-fn output(arguments: &[&str]) -> String {
-    let done = ezy(arguments);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    text(&done.stdout)
-}
 
 /// The numbers of a page.
 fn data(page: &str) -> Value {

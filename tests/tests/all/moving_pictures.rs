@@ -2,6 +2,7 @@
 
 use ezy_core::prelude::*;
 use ezy_core::report::drawing::{Drawing, Elements, Film, Placed};
+use ezy_models::ezy_roller::Driven;
 use ezy_models::pendulum::Swing;
 
 const WIDTH: u32 = 300;
@@ -75,6 +76,20 @@ fn cross_body_of_a_moving_picture_is_where_the_run_has_it() {
         }
         assert!(!is_body(at(-x, y)) || x.abs() < NEAR_VERTICAL, "t = {}", sample.t);
     }
+}
+
+/// The arc of a torque in a sketch points counterclockwise; in a motion it would also where the torque has changed its sign.
+#[test]
+fn invariant_arc_of_a_torque_is_in_the_sketch_alone() {
+    let scene = Driven::default();
+    let run = Simulation::new(&scene).until(0.4).every(0.2).run().unwrap();
+    let elements = Elements::new(&scene);
+    let placed: Vec<Placed> = run.samples().map(|sample| elements.at_sample(&scene, &sample)).collect();
+    let drawing = Drawing::new(&scene, elements, &placed[0], &placed, None);
+    assert!(drawing.parts.iter().any(|part| part.class == "torque"));
+    let film = Film::new(&drawing, &placed, "roller");
+    assert!(film.frames().all(|frame| !frame.contains("torque")));
+    assert!(!film.moving(SECONDS).contains("torque"));
 }
 
 #[test]

@@ -4,6 +4,7 @@ pub use crate::__faulty_model as faulty_model;
 pub use crate::kernel::{array, array_mut, row, row_mut, sign};
 pub use crate::layout::{Bodies, Known, Layout, member};
 pub use crate::model::equations::PreciseScene;
+pub use crate::model::in_lanes::EquationsInLanes;
 pub use crate::model::named_bodies::BodyReader;
 pub use crate::model::named_outputs::OutputReader;
 pub use crate::model::pivots::{PIVOT_TOLERANCE, Pivots};

@@ -13,6 +13,7 @@ mod derived;
 mod element;
 pub(crate) mod equations;
 mod event;
+pub(crate) mod in_lanes;
 mod member;
 mod named;
 pub(crate) mod named_bodies;
@@ -26,6 +27,7 @@ pub use element::{ElementInfo, LoadKind, LocalVector};
 pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind, StickSlipInfo, StopInfo};
+pub(crate) use in_lanes::{Eight, EquationsInLanes};
 pub use member::ArrayIndex;
 pub use named::{NamedInputs, NamedScene, NoInputs, NoOutputs};
 pub use named_bodies::{BodyArray, BodyState};
@@ -295,6 +297,9 @@ pub struct SceneInfo {
     pub acceleration_operations: Operations,
     /// Operations of [`Equations::correction`].
     pub correction_operations: Operations,
+    /// The coordinates that accelerations and multipliers depend on, ascending; the others follow from the motion without any influence on it,
+    /// such as the place of a vehicle on a plane. `None` where that is not known.
+    pub feedback: Option<&'static [usize]>,
     /// Whether there is a Taylor series ([`Derived::series`]).
     pub series: SeriesInfo,
     /// Additional data of a scene with counts; `None` for a scene whose sizes are known at compile time. A scene with

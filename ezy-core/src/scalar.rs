@@ -23,6 +23,7 @@ mod plain;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
+pub(crate) use lanes::in_widest;
 pub(crate) use plain::{legible, rounded};
 
 use std::fmt::Debug;
@@ -66,18 +67,21 @@ pub trait Scalar:
 
     /// Sine.
     #[must_use]
+    #[inline(always)]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
 
     /// Cosine.
     #[must_use]
+    #[inline(always)]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
 
     /// Tangent.
     #[must_use]
+    #[inline(always)]
     fn tan(self) -> Self {
         let (sin, cos) = self.sin_cos();
         sin / cos

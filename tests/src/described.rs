@@ -61,6 +61,7 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     elimination: &[],
     acceleration_operations: NO_OPERATIONS,
     correction_operations: NO_OPERATIONS,
+    feedback: None,
     series: SeriesInfo::Absent,
     repeats: None,
 };

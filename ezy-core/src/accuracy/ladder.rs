@@ -38,7 +38,7 @@ pub(super) struct Family {
 }
 
 /// Every method. `rungs` is called with the ladder and a long step of the motion, s.
-pub(super) const FAMILIES: [Family; 4] = [
+pub(super) const FAMILIES: [Family; 5] = [
     Family {
         name: "taylor",
         rungs: |ladder, _| with_tolerances(ladder, Method::taylor),
@@ -50,6 +50,12 @@ pub(super) const FAMILIES: [Family; 4] = [
         rungs: |ladder, _| with_tolerances(ladder, Method::dop853),
         #[cfg(feature = "figures")]
         order: Some(8),
+    },
+    Family {
+        name: "gauss",
+        rungs: |ladder, _| with_tolerances(ladder, Method::gauss),
+        #[cfg(feature = "figures")]
+        order: None,
     },
     Family {
         name: "radau",
@@ -84,7 +90,9 @@ fn one_two_five(largest: f64) -> impl Iterator<Item = f64> {
 pub(crate) fn setting(method: Method) -> f64 {
     match method {
         Method::Rk4 { step_s } => step_s,
-        Method::Dop853(tolerance) | Method::Taylor(tolerance) | Method::Radau(tolerance) => tolerance.relative,
+        Method::Dop853(tolerance) | Method::Taylor(tolerance) | Method::Gauss(tolerance) | Method::Radau(tolerance) => {
+            tolerance.relative
+        }
     }
 }
 

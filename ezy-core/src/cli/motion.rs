@@ -25,6 +25,7 @@ pub(super) fn method(arguments: &MotionArguments) -> Result<Method, Failure> {
         },
         MethodName::Dop853 => Ok(Method::Dop853(tolerance("dop853", arguments)?)),
         MethodName::Taylor => Ok(Method::Taylor(tolerance("taylor", arguments)?)),
+        MethodName::Gauss => Ok(Method::Gauss(tolerance("gauss", arguments)?)),
         MethodName::Radau => Ok(Method::Radau(tolerance("radau", arguments)?)),
     }
 }

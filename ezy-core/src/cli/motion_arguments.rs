@@ -77,6 +77,8 @@ pub(super) enum MethodName {
     Dop853,
     /// Taylor's method with order and steps that keep to a tolerance
     Taylor,
+    /// Gauss-Legendre collocation of order 16 with steps that keep to a tolerance, for smooth motions
+    Gauss,
     /// Implicit method Radau IIA of order 5 with steps that keep to a tolerance, for stiff scenes
     Radau,
 }

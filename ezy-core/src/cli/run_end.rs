@@ -227,6 +227,7 @@ fn energy_remark(energy: EnergyError, steps: u64, method: Method, radau_runs: bo
         }
         Method::Dop853(Tolerance { relative, .. })
         | Method::Taylor(Tolerance { relative, .. })
+        | Method::Gauss(Tolerance { relative, .. })
         | Method::Radau(Tolerance { relative, .. }) => {
             if relative <= Tolerance::SMALLEST_RELATIVE {
                 return format!(

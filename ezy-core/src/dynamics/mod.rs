@@ -8,6 +8,7 @@ mod acceleration;
 mod any;
 mod assembly_mode;
 mod configuration;
+mod eight_states;
 mod energy;
 mod error;
 mod euclidean;
@@ -32,6 +33,7 @@ mod tolerances;
 mod worst;
 
 pub(crate) use any::{Dynamics, SystemOf};
+pub(crate) use eight_states::EightStates;
 pub use error::{MotionError, StartError, SystemError};
 pub(crate) use integrated_inputs::Jump;
 pub use moved::MovedValue;

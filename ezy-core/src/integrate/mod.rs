@@ -3,6 +3,7 @@
 
 mod compensated;
 mod dop853;
+mod gauss;
 mod hermite;
 mod radau;
 mod rk4;
@@ -10,6 +11,7 @@ mod step_control;
 mod taylor;
 
 pub(crate) use dop853::{Dop853, ERROR_ORDER as DOP853_ERROR_ORDER, StiffnessWatch};
+pub(crate) use gauss::{Collocated, Gauss, GaussControl};
 pub(crate) use hermite::{Node, interpolate};
 pub(crate) use radau::{Attempt, Radau, RadauControl, tolerance_of_estimate};
 pub(crate) use rk4::Rk4;
@@ -31,6 +33,8 @@ pub enum Method {
     Dop853(Tolerance),
     /// Taylor's method, with order and steps that keep to a tolerance; for scenes whose laws are analytic.
     Taylor(Tolerance),
+    /// Gauss–Legendre collocation of order 16, with steps that keep to a tolerance; for smooth motions.
+    Gauss(Tolerance),
     /// The implicit method Radau IIA of order 5, with steps that keep to a tolerance; for stiff scenes.
     Radau(Tolerance),
 }
@@ -52,6 +56,11 @@ impl Method {
         Self::Taylor(Tolerance::new(tolerance, tolerance))
     }
 
+    /// Gauss–Legendre collocation, with one number for the relative and the absolute tolerance (m, rad, m/s, rad/s).
+    pub const fn gauss(tolerance: f64) -> Self {
+        Self::Gauss(Tolerance::new(tolerance, tolerance))
+    }
+
     /// Radau IIA of order 5, with one number for the relative and the absolute tolerance (m, rad, m/s, rad/s).
     pub const fn radau(tolerance: f64) -> Self {
         Self::Radau(Tolerance::new(tolerance, tolerance))
@@ -61,7 +70,9 @@ impl Method {
     pub const fn tolerance(self) -> Option<Tolerance> {
         match self {
             Self::Rk4 { .. } => None,
-            Self::Dop853(tolerance) | Self::Taylor(tolerance) | Self::Radau(tolerance) => Some(tolerance),
+            Self::Dop853(tolerance) | Self::Taylor(tolerance) | Self::Gauss(tolerance) | Self::Radau(tolerance) => {
+                Some(tolerance)
+            }
         }
     }
 
@@ -76,6 +87,7 @@ impl Method {
             Self::Rk4 { .. } => self,
             Self::Dop853(tolerance) => Self::Dop853(with(tolerance)),
             Self::Taylor(tolerance) => Self::Taylor(with(tolerance)),
+            Self::Gauss(tolerance) => Self::Gauss(with(tolerance)),
             Self::Radau(tolerance) => Self::Radau(with(tolerance)),
         }
     }
@@ -86,6 +98,7 @@ impl Method {
             Self::Rk4 { .. } => "rk4",
             Self::Dop853(_) => "dop853",
             Self::Taylor(_) => "taylor",
+            Self::Gauss(_) => "gauss",
             Self::Radau(_) => "radau",
         }
     }

@@ -1,6 +1,6 @@
 //! What `model!` derives besides the equations.
 
-use super::{ElementInfo, Equations, List, PreciseScene, Scene, Series};
+use super::{ElementInfo, Equations, EquationsInLanes, List, PreciseScene, Scene, Series};
 
 /// What a scene may know besides its equations of motion; `model!` derives it.
 ///
@@ -76,6 +76,11 @@ pub trait Derived: Equations<f64> {
     /// there. Empty where it stays what it is.
     fn modes(&self) -> Vec<Box<dyn Scene>> {
         Vec::new()
+    }
+
+    /// Its kernels at eight states at once, where it has a generated elimination.
+    fn in_lanes(&self) -> Option<&dyn EquationsInLanes> {
+        None
     }
 
     /// The recurrences of its Taylor series; none when a law of the scene is not analytic.

@@ -8,9 +8,11 @@
 mod sin_cos;
 #[cfg(test)]
 mod tests;
+mod widest;
 
 use super::Scalar;
 use std::ops::Neg;
+pub(crate) use widest::in_widest;
 
 /// `L` numbers that go through the same operations, one a trajectory; 4 and 8 fill vector registers.
 ///
@@ -103,12 +105,18 @@ impl<const L: usize> Scalar for Lanes<L> {
 
     #[inline(always)]
     fn least_ratio(self, divisor: Self) -> f64 {
-        let mut least = f64::INFINITY;
-        for i in 0..L {
-            let ratio = self.0[i] / divisor.0[i];
-            least = if ratio >= least || least.is_nan() { least } else { ratio };
+        let mut least = (self / divisor).0;
+        // by halves, so that lanes are compared together; what is no number stays
+        let mut n = L;
+        while n > 1 {
+            let half = n.div_ceil(2);
+            for i in 0..n - half {
+                let [x, y] = [least[i], least[half + i]];
+                least[i] = if (x < y) | x.is_nan() { x } else { y };
+            }
+            n = half;
         }
-        least
+        least[0]
     }
 
     #[inline(always)]

@@ -95,6 +95,7 @@ fn seconds(method: Method) -> Vec<Method> {
         Method::Rk4 { step_s } => return vec![Method::rk4(0.5 * step_s)],
         Method::Dop853(tolerance) => (tolerance, Method::Dop853, Method::Taylor, ROUNDING),
         Method::Taylor(tolerance) => (tolerance, Method::Taylor, Method::Dop853, ROUNDING),
+        Method::Gauss(tolerance) => (tolerance, Method::Gauss, Method::Dop853, ROUNDING),
         Method::Radau(tolerance) => (tolerance, Method::Radau, Method::Dop853, ROUNDING_OF_RADAU),
     };
     let relative = tolerance.relative;

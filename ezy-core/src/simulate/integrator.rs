@@ -2,18 +2,20 @@
 
 use super::SetupError;
 use super::adaptive::Adaptive;
+use super::collocation::Collocation;
 use super::discontinuities::{Cut, Discontinuities};
 use super::implicit::Implicit;
 use super::series::AlongSeries;
 use super::snapshot::Snapshot;
 use crate::dynamics::{MotionError, State, System, SystemError};
-use crate::integrate::{Method, Node, Radau, Rk4, Taylor, interpolate, taylor_order};
+use crate::integrate::{Gauss, Method, Node, Radau, Rk4, Taylor, interpolate, taylor_order};
 use crate::model::Scene;
 
 pub(super) enum Integrator<'s> {
     Rk4(Box<Rk4>),
     Dop853(Box<Adaptive>),
     Taylor(Box<AlongSeries<'s>>),
+    Gauss(Box<Collocation>),
     Radau(Box<Implicit>),
 }
 
@@ -28,6 +30,7 @@ impl<'s> Integrator<'s> {
                 Some(taylor) => Self::Taylor(Box::new(AlongSeries::new(taylor, tolerance))),
                 None => return Err(SetupError::NoSeries { scene: info.name, series: info.series }),
             },
+            Method::Gauss(tolerance) => Self::Gauss(Box::new(Collocation::new(Gauss::new(scene, n_works), tolerance))),
             Method::Radau(tolerance) => match Radau::new(scene, n_works).map_err(SystemError::from)? {
                 Some(radau) => Self::Radau(Box::new(Implicit::new(radau, n_q, tolerance))),
                 None => return Err(SetupError::NoJacobians { scene: info.name }),
@@ -41,6 +44,7 @@ impl<'s> Integrator<'s> {
             Self::Rk4(rk4) => rk4.restart(),
             Self::Dop853(adaptive) => adaptive.restart(),
             Self::Taylor(series) => series.restart(),
+            Self::Gauss(collocation) => collocation.restart(),
             Self::Radau(implicit) => implicit.restart(),
         }
     }
@@ -50,6 +54,7 @@ impl<'s> Integrator<'s> {
     pub(super) fn restart_with(&mut self, step_s: f64) {
         match self {
             Self::Dop853(adaptive) => adaptive.restart_with(step_s),
+            Self::Gauss(collocation) => collocation.restart_with(step_s),
             Self::Radau(implicit) => implicit.restart_with(step_s),
             Self::Rk4(_) | Self::Taylor(_) => self.restart(),
         }
@@ -66,6 +71,7 @@ impl<'s> Integrator<'s> {
             Self::Rk4(_) => 0,
             Self::Taylor(series) => series.n_rejected(),
             Self::Dop853(adaptive) => adaptive.n_rejected(),
+            Self::Gauss(collocation) => collocation.n_rejected(),
             Self::Radau(implicit) => implicit.n_rejected(),
         }
     }
@@ -98,6 +104,7 @@ impl<'s> Integrator<'s> {
     pub(super) fn accept(&mut self) {
         match self {
             Self::Taylor(series) => series.taylor.accept(),
+            Self::Gauss(collocation) => collocation.accept(),
             Self::Radau(implicit) => implicit.accept(),
             Self::Rk4(_) | Self::Dop853(_) => {}
         }
@@ -142,6 +149,9 @@ impl<'s> Integrator<'s> {
             Self::Dop853(adaptive) => {
                 adaptive.step(system, from, t_next, to, |system, end| discontinuities.passage(system, from, end))
             }
+            Self::Gauss(collocation) => {
+                collocation.step(system, from, t_next, to, |system, end| discontinuities.passage(system, from, end))
+            }
             Self::Radau(implicit) => implicit.step(system, from, t_next, discontinuities, to),
             Self::Taylor(series) => series.step(system, from, t_next, to),
         }
@@ -164,6 +174,10 @@ impl<'s> Integrator<'s> {
             }
             Self::Taylor(series) => {
                 series.taylor.dense_at(system, from.state, t - from.state.t, out);
+                out.t = t;
+            }
+            Self::Gauss(collocation) => {
+                collocation.between(system, from, to.state, t, out)?;
                 out.t = t;
             }
             Self::Radau(implicit) => {

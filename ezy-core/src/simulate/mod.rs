@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod build;
+mod collocation;
 mod control;
 mod discontinuities;
 mod ensemble;

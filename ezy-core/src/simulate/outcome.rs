@@ -147,7 +147,7 @@ impl std::fmt::Display for Outcome {
                 f,
                 "reached t = {} s, but is not to be trusted: at t = {} s energy and work differ by {joules:.3e} J, {relative:.1e} of the \
                  energy turned over (limit {:e}); the fixed step of {} s is too long for this motion; take a tenth of it, or a \
-                 method with a tolerance (dop853, taylor, radau)",
+                 method with a tolerance (dop853, taylor, gauss, radau)",
                 legible(*t),
                 rounded(*at, 4),
                 EnergyError::LARGEST_OF_FIXED_STEPS,

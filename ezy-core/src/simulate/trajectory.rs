@@ -44,7 +44,9 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
                 super::build::check_tolerance(tolerance)?;
                 Steps::Dop853(Box::new(Adaptive::new(n_q, n_c, 0, tolerance)))
             }
-            Method::Taylor(_) | Method::Radau(_) => return Err(SetupError::SingleNumbers { method: method.name() }),
+            Method::Taylor(_) | Method::Gauss(_) | Method::Radau(_) => {
+                return Err(SetupError::SingleNumbers { method: method.name() });
+            }
         };
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
         let next = State::zeros(n_q, 0);

@@ -1,7 +1,7 @@
 //! Steps of given lengths, for tests of the methods: nothing chooses their length, nothing is projected.
 
 use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{Attempt, Dop853, Node, Radau, Rk4, Taylor, Tolerance, interpolate};
+use crate::integrate::{Attempt, Collocated, Dop853, Gauss, Node, Radau, Rk4, Taylor, Tolerance, interpolate};
 use crate::model::Scene;
 
 /// A method by its steps.
@@ -12,6 +12,8 @@ pub enum StepsBy {
     Rk4,
     /// DOP853 without error control.
     Dop853,
+    /// Gauss–Legendre collocation; its sweeps go on to rounding.
+    Gauss,
     /// Radau IIA; its iteration goes on to rounding.
     Radau,
     /// Taylor's method of this order.
@@ -23,9 +25,13 @@ const ANY: Tolerance = Tolerance::new(1.0, 1.0);
 /// The iteration goes on to rounding.
 const CONVERGED: Tolerance = Tolerance::new(1e-10, 1e-10);
 
+/// The same of sweeps, whose changes are compared with the tolerance itself.
+const TO_ROUNDING: Tolerance = Tolerance::new(1e-15, 1e-15);
+
 enum Method<'s> {
     Rk4(Box<Rk4>),
     Dop853(Box<Dop853>),
+    Gauss(Box<Gauss>),
     Radau(Box<Radau>),
     Taylor(Box<Taylor<'s>>),
 }
@@ -54,6 +60,7 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
         let method = match by {
             StepsBy::Rk4 => Method::Rk4(Box::new(Rk4::new(n_q, n_c, n_works))),
             StepsBy::Dop853 => Method::Dop853(Box::new(Dop853::new(n_q, n_c, n_works))),
+            StepsBy::Gauss => Method::Gauss(Box::new(Gauss::new(scene, n_works))),
             StepsBy::Radau => Method::Radau(Box::new(Radau::new(scene, n_works).ok()??)),
             StepsBy::Taylor(order) => Method::Taylor(Box::new(Taylor::new(scene, order, n_works)?)),
         };
@@ -68,6 +75,7 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
         match &mut self.method {
             Method::Rk4(rk4) => rk4.restart(),
             Method::Dop853(dop853) => dop853.restart(),
+            Method::Gauss(gauss) => gauss.restart(),
             Method::Radau(radau) => radau.restart(),
             Method::Taylor(taylor) => taylor.restart(),
         }
@@ -79,8 +87,10 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
     /// [`MotionError`] of a stage.
     pub fn attempt(&mut self, h: f64) -> Result<Option<&State>, MotionError> {
         let Self { system, method, state, other, a, power, lambda, taken_s } = self;
-        if let (Method::Radau(radau), Some(taken_s)) = (&mut *method, taken_s.take()) {
-            radau.accept(taken_s);
+        match (&mut *method, taken_s.take()) {
+            (Method::Radau(radau), Some(taken_s)) => radau.accept(taken_s),
+            (Method::Gauss(gauss), Some(_)) => gauss.accept(),
+            _ => {}
         }
         if let Method::Taylor(taylor) = method {
             taylor.expand(system, state, a, lambda)?;
@@ -96,6 +106,9 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
         let is_solved = match method {
             Method::Rk4(rk4) => rk4.step(system, from, h, state.t + h, other).map(|()| true)?,
             Method::Dop853(dop853) => dop853.attempt(system, from, h, ANY, other).map(|_| true)?,
+            Method::Gauss(gauss) => {
+                matches!(gauss.attempt(system, from, h, TO_ROUNDING, other)?, Collocated::Solved { .. })
+            }
             Method::Radau(radau) => {
                 matches!(radau.attempt(system, from, h, CONVERGED, other)?, Attempt::Solved { .. })
             }
@@ -139,6 +152,7 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
                 dop853.prepare_dense(system, begin, end)?;
                 dop853.dense_at(0.5, &mut middle);
             }
+            Method::Gauss(gauss) => gauss.dense_at(from, 0.5, &mut middle),
             Method::Radau(radau) => radau.dense_at(from, state, 0.5, &mut middle),
             Method::Taylor(taylor) => taylor.dense_at(system, from, 0.5 * h, &mut middle),
         }

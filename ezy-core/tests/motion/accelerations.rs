@@ -63,7 +63,13 @@ fn analytic_block_falls_uniformly() {
     let scene = hoist::Falls::default();
     let alpha = (3.0 * 9.81 * 0.25 + 0.5) / (0.4 + 3.0 * 0.0625);
     for backend in BACKENDS {
-        for method in [Method::rk4(0.01), Method::dop853(1e-10), Method::taylor(1e-10), Method::radau(1e-10)] {
+        for method in [
+            Method::rk4(0.01),
+            Method::dop853(1e-10),
+            Method::taylor(1e-10),
+            Method::gauss(1e-10),
+            Method::radau(1e-10),
+        ] {
             let run = Simulation::new(&scene).backend(backend).method(method).run().unwrap();
             let y = run.last().get("block.y").unwrap();
             assert!((y + 0.125 * alpha).abs() <= 1e-11, "{backend:?} {method:?}: {y}");

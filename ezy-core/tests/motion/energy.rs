@@ -47,7 +47,9 @@ model! {
 /// x = 0.3 m cos(5 t); kinetic and potential energy add up to ½ k x₀² = 2.25 J, and the samples say so.
 #[test]
 fn analytic_spring_swings_with_the_energy_of_its_start() {
-    for method in [Method::rk4(1e-3), Method::dop853(1e-11), Method::taylor(1e-11), Method::radau(1e-11)] {
+    for method in
+        [Method::rk4(1e-3), Method::dop853(1e-11), Method::taylor(1e-11), Method::gauss(1e-11), Method::radau(1e-11)]
+    {
         let run = Simulation::new(&spring::Swings::default()).method(method).every(0.1).run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {:?}", run.outcome);
         for sample in run.samples() {

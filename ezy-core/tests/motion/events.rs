@@ -33,7 +33,9 @@ fn residuals(l: f64, q: &[f64], v: &[f64]) -> [f64; 4] {
 #[test]
 fn invariant_states_of_events_fulfil_the_constraints() {
     let scene = pendulum::Swing::default();
-    for method in [Method::rk4(0.05), Method::dop853(1e-6), Method::taylor(1e-6), Method::radau(1e-6)] {
+    for method in
+        [Method::rk4(0.05), Method::dop853(1e-6), Method::taylor(1e-6), Method::gauss(1e-6), Method::radau(1e-6)]
+    {
         let run = Simulation::new(&scene).method(method).run().unwrap();
         let names: Vec<&str> = run.events().iter().map(|of| of.event.name).collect();
         assert_eq!(names, ["slow", "lowest"], "{method:?}");
@@ -51,7 +53,9 @@ fn invariant_states_of_events_fulfil_the_constraints() {
 #[test]
 fn analytic_a_run_ends_at_the_lowest_position() {
     let scene = pendulum::Down::default();
-    for method in [Method::rk4(1e-3), Method::dop853(1e-11), Method::taylor(1e-11), Method::radau(1e-11)] {
+    for method in
+        [Method::rk4(1e-3), Method::dop853(1e-11), Method::taylor(1e-11), Method::gauss(1e-11), Method::radau(1e-11)]
+    {
         let run = Simulation::new(&scene).method(method).run().unwrap();
         assert!(matches!(run.outcome, Outcome::ReachedEvent { name: "lowest", .. }), "{method:?}: {:?}", run.outcome);
         let last = run.last();

@@ -80,6 +80,7 @@ fn analytic_work_of_a_force_is_the_energy_that_it_gives() {
         (Method::rk4(2e-3), 1e-10),
         (Method::dop853(1e-10), 1e-8),
         (Method::taylor(1e-10), 1e-9),
+        (Method::gauss(1e-10), 1e-9),
         (Method::radau(1e-9), 1e-7),
     ] {
         let run = Simulation::new(&alone).method(method).every(0.1).work().run().unwrap();

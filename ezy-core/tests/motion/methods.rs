@@ -40,13 +40,13 @@ fn start(scene: &driven::Shaken) -> State {
     system.consistent_start(&start).unwrap()
 }
 
-/// Error after `n` steps over 1 s, and the largest error in the middle of them.
-fn errors(scene: &driven::Shaken, by: StepsBy, n: u32) -> [f64; 2] {
+/// Error after `n` steps over `s` seconds, and the largest error in the middle of them.
+fn errors(scene: &driven::Shaken, by: StepsBy, s: f64, n: u32) -> [f64; 2] {
     let system = System::new(scene, Backend::Auto).unwrap();
     let mut steps = GivenSteps::new(system, start(scene), by).unwrap();
     let (mut last, mut middle) = (0.0, 0.0_f64);
     for _ in 0..n {
-        let end = steps.step(1.0 / f64::from(n)).unwrap().expect("the iteration converges");
+        let end = steps.step(s / f64::from(n)).unwrap().expect("the iteration converges");
         last = error(scene, end);
         middle = middle.max(error(scene, &steps.middle().unwrap()));
     }
@@ -57,14 +57,15 @@ fn errors(scene: &driven::Shaken, by: StepsBy, n: u32) -> [f64; 2] {
 #[test]
 fn order_of_each_method_and_of_its_interpolation() {
     let scene = driven::Shaken::default();
-    for (by, n, order, between) in [
-        (StepsBy::Rk4, 20, 4.0, 3.0),
-        (StepsBy::Dop853, 4, 8.0, 7.0),
-        (StepsBy::Radau, 8, 5.0, 3.0),
-        (StepsBy::Taylor(6), 8, 6.0, 6.0),
-        (StepsBy::Taylor(10), 3, 10.0, 10.0),
+    for (by, s, n, order, between) in [
+        (StepsBy::Rk4, 1.0, 20, 4.0, 3.0),
+        (StepsBy::Dop853, 1.0, 4, 8.0, 7.0),
+        (StepsBy::Gauss, 7.2, 4, 16.0, 8.0),
+        (StepsBy::Radau, 1.0, 8, 5.0, 3.0),
+        (StepsBy::Taylor(6), 1.0, 8, 6.0, 6.0),
+        (StepsBy::Taylor(10), 1.0, 3, 10.0, 10.0),
     ] {
-        let (coarse, fine) = (errors(&scene, by, n), errors(&scene, by, 2 * n));
+        let (coarse, fine) = (errors(&scene, by, s, n), errors(&scene, by, s, 2 * n));
         let [found, found_between] = [0, 1].map(|i| (coarse[i] / fine[i]).log2());
         assert!((found - order).abs() <= 0.5, "{by:?}: order {found:.2}, {coarse:?} {fine:?}");
         assert!(found_between >= between - 0.5, "{by:?}: order {found_between:.2} between, {coarse:?} {fine:?}");
@@ -76,7 +77,7 @@ fn order_of_each_method_and_of_its_interpolation() {
 const AT_THE_END: f64 = 10.0;
 
 /// Errors of samples over the tolerance: between the ends of a step DOP853 interpolates by order 7, and controls order 8 at the ends alone.
-const BETWEEN: [(&str, f64); 3] = [("dop853", 100.0), ("taylor", 10.0), ("radau", 10.0)];
+const BETWEEN: [(&str, f64); 4] = [("dop853", 100.0), ("taylor", 10.0), ("gauss", 10.0), ("radau", 10.0)];
 
 /// Numbers of steps are those of today, within a half of them.
 #[test]
@@ -89,6 +90,9 @@ fn analytic_tolerances_are_kept_with_steps_of_the_length_that_they_allow() {
         (Method::taylor(1e-6), 7.0),
         (Method::taylor(1e-9), 7.0),
         (Method::taylor(1e-12), 6.0),
+        (Method::gauss(1e-6), 7.0),
+        (Method::gauss(1e-9), 7.0),
+        (Method::gauss(1e-12), 7.0),
         (Method::radau(1e-5), 24.0),
         (Method::radau(1e-8), 82.0),
     ] {
@@ -228,6 +232,7 @@ fn analytic_pendulum_returns_after_its_period() {
         (Method::rk4(1e-3), 1e-9),
         (Method::dop853(1e-11), 1e-9),
         (Method::taylor(1e-11), 1e-9),
+        (Method::gauss(1e-11), 1e-9),
         (Method::radau(1e-10), 1e-8),
     ] {
         for projection in [Projection::Both, Projection::Velocities, Projection::None] {

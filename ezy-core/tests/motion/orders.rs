@@ -56,7 +56,9 @@ fn analytic_runs_that_would_not_end_or_not_fit_are_refused() {
 fn invariant_tolerances_beyond_what_numbers_tell_are_refused() {
     let scene = cart::Pushed::default();
     for tolerance in [0.0, 0.9e-15, 1.1, -1e-6, f64::NAN] {
-        for method in [Method::dop853(tolerance), Method::taylor(tolerance), Method::radau(tolerance)] {
+        for method in
+            [Method::dop853(tolerance), Method::taylor(tolerance), Method::gauss(tolerance), Method::radau(tolerance)]
+        {
             let error = refused(order(&scene).method(method));
             assert!(matches!(error, SetupError::Tolerance { largest: 1.0, .. }), "{method:?}: {error}");
         }
@@ -103,7 +105,7 @@ fn invariant_runs_side_by_side_refuse_what_they_cannot_do() {
         assert!(matches!(make([&start; 2], Method::rk4(step_s)), SetupError::Step { .. }), "{step_s}");
     }
     assert!(matches!(make([&start; 2], Method::dop853(2.0)), SetupError::Tolerance { .. }));
-    for method in [Method::taylor(1e-9), Method::radau(1e-9)] {
+    for method in [Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)] {
         assert!(matches!(make([&start; 2], method), SetupError::SingleNumbers { .. }), "{method:?}");
     }
     let mut ensemble = Ensemble::new(&scenes, [&start; 2], Method::rk4(0.3)).unwrap();

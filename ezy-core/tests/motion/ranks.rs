@@ -196,7 +196,9 @@ fn analytic_rows_within_rounding_of_each_other_are_refused_by_name() {
 fn analytic_stretched_bars_are_refused_and_bent_ones_stand() {
     let scene = stretched::Hangs::default();
     for backend in BACKENDS {
-        for method in [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::radau(1e-9)] {
+        for method in
+            [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)]
+        {
             let error = Simulation::new(&scene).backend(backend).method(method).run().unwrap_err();
             let SetupError::Motion(MotionError::SingularPosition { t, rows, level, residual }) = &error else {
                 panic!("{backend:?} {method:?}: {error}")

@@ -74,7 +74,9 @@ const MOTION: f64 = 1e-9;
 
 #[test]
 fn cross_two_wheels_on_one_axle_move_like_one_and_halve_its_force() {
-    for method in [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::radau(1e-11)] {
+    for method in
+        [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::gauss(1e-10), Method::radau(1e-11)]
+    {
         let [one, two] = [&axle::One::default() as &dyn Scene, &axle::Two::default()]
             .map(|scene| Simulation::new(scene).method(method).run().unwrap());
         for (x, y) in one.last().coordinates.iter().zip(two.last().coordinates) {
@@ -114,6 +116,7 @@ fn analytic_parallel_cranks_swing_like_a_pendulum() {
         (Method::rk4(1e-2), 1e-6),
         (Method::dop853(1e-11), MOTION),
         (Method::taylor(1e-11), MOTION),
+        (Method::gauss(1e-11), MOTION),
         (Method::radau(1e-7), 1e-5),
     ] {
         for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {

@@ -67,7 +67,9 @@ fn analytic_feedback_is_asked_once_a_step() {
 #[test]
 fn invariant_samples_come_at_their_times_and_at_the_end() {
     let scene = cart::Pushed::default();
-    for method in [Method::rk4(0.07), Method::dop853(1e-9), Method::taylor(1e-9), Method::radau(1e-9)] {
+    for method in
+        [Method::rk4(0.07), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)]
+    {
         let run = Simulation::new(&scene).method(method).every(0.3).until(1.0).run().unwrap();
         let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
         assert_eq!(times.len(), 5, "{method:?}: {times:?}");
@@ -209,7 +211,7 @@ model! {
 #[test]
 fn analytic_motion_that_ends_is_followed_to_its_end_and_says_so() {
     let scene = escape::Leaves::default();
-    for method in [Method::dop853(1e-11), Method::taylor(1e-11), Method::radau(1e-9)] {
+    for method in [Method::dop853(1e-11), Method::taylor(1e-11), Method::gauss(1e-11), Method::radau(1e-9)] {
         let run = Simulation::new(&scene).method(method).until(0.9).run().unwrap();
         let x = run.last().coordinates[0];
         assert!((x / 100.0 - 1.0).abs() <= 1e-6, "{method:?}: {x}");

@@ -25,6 +25,7 @@ fn analytic_parallelogram_passes_its_flat_position() {
         (Method::rk4(1e-3), 1e-6),
         (Method::dop853(1e-10), 1e-7),
         (Method::taylor(1e-10), 1e-7),
+        (Method::gauss(1e-10), 1e-7),
         (Method::radau(1e-8), 1e-4),
     ] {
         let run = Simulation::new(&parallelogram::Falls::default()).method(method).run().unwrap();

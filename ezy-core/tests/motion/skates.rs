@@ -21,7 +21,9 @@ const LOCATED: f64 = 1e-10;
 /// m v' = F(t) − 3 N from 0 s to 1 s, where v returns to zero and F is −6 N; then m v' = F(t) + 3 N.
 #[test]
 fn analytic_sled_slides_on_to_the_other_side() {
-    for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-11), Method::rk4(1e-3)] {
+    for method in
+        [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-11), Method::rk4(1e-3)]
+    {
         let run = Simulation::new(&sled::Pulled::default()).method(method).work().run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {:?}", run.outcome);
         let events: Vec<(&str, f64)> = run.events().iter().map(|of| (of.event.name, of.state.t)).collect();
@@ -72,7 +74,7 @@ model! {
 /// 1 s, and a step that is longer than that is taken back to where it has one.
 #[test]
 fn analytic_sled_slides_before_its_limit_would_end() {
-    for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-11)] {
+    for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-11)] {
         let run = Simulation::new(&fading::Pulled::default()).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
         let events: Vec<(&str, f64)> = run.events().iter().map(|of| (of.event.name, of.state.t)).collect();

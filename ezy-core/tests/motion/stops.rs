@@ -22,7 +22,7 @@ model! {
 /// Landings are located to 1e-12 s, and each bounce goes on from the last one; methods keep to 1e-12.
 const BOUNCED: f64 = 2e-11;
 
-const METHODS: [Method; 3] = [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-11)];
+const METHODS: [Method; 4] = [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-11)];
 
 /// Down for 1 s, then flights of 1 s, 1/2 s, …: over after 3 s. Energy is lost in impacts alone, all 100 J.
 #[test]

@@ -45,6 +45,10 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let effects = effects(model, &equations.power.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let until = scene.until_s;
     let n_constants = derived.constants.coefficients().len();
+    let feedback = match derived.feedback() {
+        Some(coordinates) => quote!(::core::option::Option::Some(&[#(#coordinates),*])),
+        None => quote!(::core::option::Option::None),
+    };
     let (starts, columns) = pattern(equations);
     let entries = equations.constraints.jacobian.iter().flatten();
     let jacobian_entries: Vec<_> = entries.map(|&(_, entry)| formula_of(names, entry)).collect();
@@ -97,6 +101,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             elimination: &[#(#elimination),*],
             acceleration_operations: #acceleration_operations,
             correction_operations: #correction_operations,
+            feedback: #feedback,
             series: #series,
             repeats: ::core::option::Option::None,
         }

@@ -110,6 +110,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
             elimination: &[],
             acceleration_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             correction_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
+            feedback: ::core::option::Option::None,
             series: #series,
             repeats: ::core::option::Option::Some(ezy::Repeats {
                 counts: &[#(#counts),*],

@@ -35,6 +35,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
     let (parameter, set_parameter) = parameter_access(&parameters);
     let modes = access_to_modes(derived, &parameters);
     let elements = (!derived.elements.is_empty()).then(|| elements::method(model, derived));
+    let in_lanes = derived.kernels.contains_key(&Quantity::Accelerations).then(access_in_lanes);
     let access_to_series = series.is_some().then(access_to_series);
     quote! {
         #structure
@@ -55,6 +56,7 @@ pub fn items(model: &Model, derived: &Derived<'_>) -> TokenStream {
             #access_to_counts
             #of_derived
             #elements
+            #in_lanes
             #access_to_series
             #modes
         }
@@ -141,6 +143,15 @@ fn jacobian_places(model: &Model, derived: &Derived<'_>) -> TokenStream {
     quote! {
         fn jacobian_places(&self) -> ::core::option::Option<ezy::JacobianPlaces> {
             #places
+        }
+    }
+}
+
+/// The method that hands out the kernels at several states at once.
+fn access_in_lanes() -> TokenStream {
+    quote! {
+        fn in_lanes(&self) -> ::core::option::Option<&dyn ezy::EquationsInLanes> {
+            ::core::option::Option::Some(self)
         }
     }
 }

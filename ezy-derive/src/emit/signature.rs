@@ -143,6 +143,10 @@ impl Signature {
             quote!(#name: &mut [#number])
         });
         let (inline, other, result) = match self.writes {
+            // part of loops that are compiled for several instruction sets
+            Writes::Solution(_) if self.quantity == Quantity::Accelerations => {
+                (quote!(#[inline(always)]), None, quote!(-> ezy::Pivots))
+            }
             Writes::Solution(_) => (quote!(#[inline]), None, quote!(-> ezy::Pivots)),
             Writes::Value => (quote!(), None, quote!(-> #number)),
             Writes::Start => (quote!(), Some(quote!(start: &mut ezy::Start)), quote!()),

@@ -117,6 +117,16 @@ impl<'m> Derived<'m> {
         Ok((self.kernels[&Quantity::SeriesBegin].n(Entries::Products), operations))
     }
 
+    /// The coordinates that accelerations depend on; none in a scene without an elimination.
+    pub fn feedback(&self) -> Option<Vec<usize>> {
+        let [pass] = &self.kernels.get(&Quantity::Accelerations)?.passes[..] else { return None };
+        let inputs = pass.program.inputs();
+        let mut coordinates: Vec<usize> =
+            inputs.into_iter().filter_map(|symbol| self.symbols().coordinate_of(symbol)).collect();
+        coordinates.sort_unstable();
+        Some(coordinates)
+    }
+
     pub fn algebra(&self) -> &Algebra {
         match &self.form {
             Form::Straight(of) => &of.equations.algebra,

@@ -217,7 +217,12 @@ impl Case {
         };
         judge(other(REFERENCE), Ok(second), REFERENCE);
         for tolerance in TOLERANCES {
-            for method in [Method::dop853(tolerance), Method::taylor(tolerance), Method::radau(tolerance)] {
+            for method in [
+                Method::dop853(tolerance),
+                Method::taylor(tolerance),
+                Method::gauss(tolerance),
+                Method::radau(tolerance),
+            ] {
                 judge(method, self.run(scene, method), tolerance);
             }
         }

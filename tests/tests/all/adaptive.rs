@@ -7,7 +7,7 @@ use ezy_models::ezy_roller;
 use ezy_tests::reference::load;
 
 /// By the tolerance.
-const METHODS: [fn(f64) -> Method; 3] = [Method::dop853, Method::taylor, Method::radau];
+const METHODS: [fn(f64) -> Method; 4] = [Method::dop853, Method::taylor, Method::gauss, Method::radau];
 
 /// DOP853 at 1e-14 over 60 s in full coordinates: the method leaves 2e-12, rounding of 1.4e3 steps with a sensitivity of 2e3
 /// another 1e-12.

@@ -19,7 +19,7 @@ model! {
     }
 }
 
-const METHODS: [fn(f64) -> Method; 3] = [Method::dop853, Method::taylor, Method::radau];
+const METHODS: [fn(f64) -> Method; 4] = [Method::dop853, Method::taylor, Method::gauss, Method::radau];
 
 /// Largest error of the twist, 0.1 cos(10 t), over the run, and the number of steps.
 fn error(method: Method) -> (f64, u64) {
@@ -41,8 +41,9 @@ fn analytic_twist_of_a_fast_shaft_keeps_to_the_tolerance_of_angles() {
         let name = method(1e-6).name();
         // a tolerance of 1e-6 φ is 0.3 rad at the end
         let (without, steps) = error(method(1e-6));
-        assert!(without > 0.02, "{name}: {without:.1e} in {steps} steps");
-        for angle in [1e-6, 1e-8, 1e-10] {
+        let loosest = 1e-6;
+        assert!(without > bound(steps, loosest), "{name}: {without:.1e} in {steps} steps");
+        for angle in [loosest, 1e-8, 1e-10] {
             let (with, steps) = error(method(1e-6).angle_tolerance(angle));
             assert!(with <= bound(steps, angle), "{name} {angle:e}: {with:.1e} in {steps} steps");
             assert!(steps < 2000, "{name} {angle:e}: {steps} steps");

@@ -31,7 +31,7 @@ fn cross_estimates_are_within_a_factor_of_five_of_the_error() {
         (
             "ezyroller/drift",
             Box::new(ezy_roller::Drift::default()),
-            &[Method::dop853(1e-6), Method::taylor(1e-9), Method::radau(1e-7), Method::rk4(1e-2)],
+            &[Method::dop853(1e-6), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-7), Method::rk4(1e-2)],
         ),
         (
             "doublependulum/swing",
@@ -59,7 +59,9 @@ fn cross_estimates_are_within_a_factor_of_five_of_the_error() {
 
 #[test]
 fn analytic_amplification_is_that_of_the_linear_motion() {
-    for method in [Method::rk4(1e-3), Method::dop853(1e-6), Method::taylor(1e-12), Method::radau(1e-8)] {
+    for method in
+        [Method::rk4(1e-3), Method::dop853(1e-6), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-8)]
+    {
         let scene = balance::Lost::default();
         let run = Simulation::new(&scene).method(method).every(0.1).estimate_error().run().unwrap();
         let found = estimate(&run).amplification.unwrap();
@@ -113,7 +115,9 @@ fn invariant_estimate_without_a_tighter_run_is_too_large() {
 #[test]
 fn invariant_estimate_leaves_the_run_as_it_is() {
     let scene = ezy_roller::Driven::default();
-    for method in [Method::rk4(1e-2), Method::dop853(1e-6), Method::taylor(1e-8), Method::radau(1e-6)] {
+    for method in
+        [Method::rk4(1e-2), Method::dop853(1e-6), Method::taylor(1e-8), Method::gauss(1e-8), Method::radau(1e-6)]
+    {
         let order = || Simulation::new(&scene).method(method).until(2.0).every(0.25).work();
         let (alone, estimated) = (order().run().unwrap(), order().estimate_error().run().unwrap());
         assert_eq!((alone.cost.steps, alone.cost.evaluations), (estimated.cost.steps, estimated.cost.evaluations));

@@ -32,7 +32,8 @@ model! {
 }
 
 /// Of each kind one: a fixed step with interpolation, a method with dense output, a series, an implicit method.
-const METHODS: [Method; 4] = [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
+const METHODS: [Method; 5] =
+    [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)];
 
 fn run(scene: &dyn Scene, method: Method) -> Run {
     Simulation::new(scene).method(method).run().unwrap()

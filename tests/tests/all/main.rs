@@ -20,6 +20,7 @@ mod ensemble;
 mod error_estimate;
 mod events;
 mod exact_start;
+mod feedback;
 mod fuzz;
 mod garage;
 mod guide;

@@ -50,7 +50,7 @@ ezy_core::model! {
 const STATES: f64 = 1e-9;
 
 fn assert_angles<S: Scene>(scene: &S, angles: &[f64]) {
-    for method in [Method::dop853(1e-11), Method::taylor(1e-12), Method::radau(1e-12)] {
+    for method in [Method::dop853(1e-11), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)] {
         let run = Simulation::new(scene).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{}: {}", method.name(), run.outcome);
         let q = run.last().coordinates;

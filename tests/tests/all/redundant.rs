@@ -100,7 +100,8 @@ const MOTION: f64 = 1e-9;
 /// Rounding of multipliers around 1 N: of two equal rows each takes half, by a solution without damping.
 const SHARES: f64 = 1e-12;
 
-const METHODS: [Method; 4] = [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::radau(1e-11)];
+const METHODS: [Method; 5] =
+    [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::gauss(1e-10), Method::radau(1e-11)];
 
 #[test]
 fn cross_two_wheels_on_one_axle_move_like_one() {
@@ -176,7 +177,9 @@ const FIVE_CRANKS: [(f64, f64); 2] = [(2.1, 3.148_641_106_523_704), (0.2, 0.555_
 
 #[test]
 fn reference_five_cranks_swing_like_one_and_three_rows_are_redundant() {
-    for method in [Method::rk4(5e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::radau(1e-10)] {
+    for method in
+        [Method::rk4(5e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-10)]
+    {
         for (from_top, expected) in FIVE_CRANKS {
             let scene = five_cranks::Swing { from_top };
             let run = Simulation::new(&scene).method(method).run().unwrap();

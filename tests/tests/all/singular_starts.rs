@@ -59,7 +59,9 @@ fn analytic_parallel_cranks_leave_their_level_position() {
     const RATE: f64 = 1e-7;
     let scene = n_four_bar::Fall { n: 1, ..Default::default() };
     let rates = ["crank[0].omega", "crank[1].omega"];
-    for method in [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::radau(1e-9)] {
+    for method in
+        [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)]
+    {
         let order = Simulation::new(&scene).method(method).until(0.5).project_start();
         let order = order.give("crank[0].phi", 0.0).give("crank[1].phi", 0.0).give("coupler[0].omega", 0.0);
         let run = rates.iter().fold(order, |order, rate| order.give(*rate, -3.0)).run().unwrap();

@@ -106,7 +106,9 @@ fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
     };
     let level: Vec<f64> = turning.windows(2).filter_map(level).collect();
     assert!(level.len() >= 2, "{level:?}");
-    for method in [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::radau(1e-9)] {
+    for method in
+        [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)]
+    {
         let run = Simulation::new(&scene).method(method).until(5.0).run().unwrap();
         let crossings = &run.rank.crossings;
         // a long step may begin and end far from a level position
@@ -114,7 +116,9 @@ fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
         assert!((least..=level.len()).contains(&crossings.len()), "{method:?}: {crossings:?} of {level:?}");
         for crossing in crossings {
             let n_level = level.iter().filter(|level_s| (crossing.from_s..crossing.to_s).contains(level_s)).count();
-            assert_eq!(n_level, 1, "{method:?}: {crossing:?} of {level:?}");
+            // a step of gauss is as long as from one level position to the next but one
+            let most = if matches!(method, Method::Gauss(_)) { 2 } else { 1 };
+            assert!((1..=most).contains(&n_level), "{method:?}: {crossing:?} of {level:?}");
         }
         let run = Simulation::new(&rod).method(method).until(1.0).run().unwrap();
         assert!(run.rank.crossings.is_empty(), "{method:?}: {}", run.rank);
@@ -183,7 +187,9 @@ fn cross_four_bars_of_unequal_bars_pass_their_level_positions_on_one_branch() {
 #[test]
 fn invariant_samples_on_the_way_over_a_level_position_keep_to_rows_and_energy() {
     let scene = four_bar::Turning::default();
-    for method in [Method::rk4(1e-3), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-8)] {
+    for method in
+        [Method::rk4(1e-3), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-8)]
+    {
         let run = Simulation::new(&scene).method(method).until(2.0).every(1e-3).run().unwrap();
         let energy = |sample: &Sample<'_>| sample.energy.kinetic + sample.energy.potential;
         let samples: Vec<_> = run.samples().collect();
@@ -198,7 +204,9 @@ fn invariant_samples_on_the_way_over_a_level_position_keep_to_rows_and_energy() 
 #[test]
 fn invariant_smallest_pivot_is_seen_where_rods_lie_level() {
     let scene = four_bar::Turning::default();
-    for method in [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::radau(1e-8)] {
+    for method in
+        [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::gauss(1e-10), Method::radau(1e-8)]
+    {
         let pivot = Simulation::new(&scene).method(method).until(2.0).run().unwrap().monitors.pivot.unwrap();
         assert!(pivot.value < NEAR_LEVEL && pivot.value >= 0.0 && pivot.t > 0.0, "{method:?}: {pivot:?}");
     }

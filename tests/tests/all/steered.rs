@@ -90,7 +90,9 @@ fn cross_steady_acceleration_is_a_parabola_of_time_by_every_method() {
         assert!(run.last().energy.balance.abs() <= FIXED, "{:.1e} J", run.last().energy.balance);
         run.last().coordinates.to_vec()
     };
-    for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12), Method::rk4(STEP)] {
+    for method in
+        [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12), Method::rk4(STEP)]
+    {
         let ends = [end(&crane::Steered::default(), method), end(&crane::Ramped::default(), method)];
         let error = distance(&ends[0], &ends[1]);
         assert!(error <= METHOD, "{method:?}: {error:.1e}");

@@ -110,10 +110,12 @@ model! {
 }
 
 /// Of each kind one: a fixed step with interpolation, a method with dense output, a series, an implicit method.
-const METHODS: [Method; 4] = [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
+const METHODS: [Method; 5] =
+    [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)];
 
 /// The same with a step that leaves nothing of a motion that is no polynomial.
-const FINE: [Method; 4] = [Method::rk4(2e-3), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
+const FINE: [Method; 5] =
+    [Method::rk4(2e-3), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)];
 
 fn named(run: &Run) -> Vec<(&'static str, f64)> {
     run.events().iter().map(|occurred| (occurred.event.name, occurred.state.t)).collect()
@@ -237,7 +239,7 @@ fn analytic_sled_leaves_a_curve_where_the_speed_is_too_high() {
 #[test]
 fn cross_methods_agree_where_a_sled_holds_again_in_a_curve() {
     let scene = curve::Ride::default();
-    let runs = [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
+    let runs = [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)];
     let ends = runs.map(|method| named(&Simulation::new(&scene).method(method).run().unwrap())[1].1);
     assert!(ends.iter().all(|end| (end - ends[0]).abs() <= 1e-9), "{ends:?}");
 }
@@ -271,7 +273,7 @@ fn analytic_limit_with_a_discontinuity_is_followed_in_every_mode() {
 #[test]
 fn invariant_energy_of_a_roller_that_drifts_is_work() {
     let scene = ezy_roller::Skid { m0: 4.0, ..ezy_roller::Skid::default() };
-    for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)] {
+    for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)] {
         let run = Simulation::new(&scene).method(method).work().until(10.0).every(0.1).run().unwrap();
         assert!(run.outcome.reached_end(), "{}", run.outcome);
         assert!(run.events().len() >= 2, "{:?}", named(&run));

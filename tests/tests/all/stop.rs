@@ -137,7 +137,8 @@ model! {
 }
 
 /// Of each kind one; the fixed step leaves less than 1e-10 of motions that are no polynomials.
-const METHODS: [Method; 4] = [Method::rk4(5e-4), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)];
+const METHODS: [Method; 5] =
+    [Method::rk4(5e-4), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)];
 
 fn times(run: &Run, name: &str) -> Vec<f64> {
     run.events().iter().filter(|occurred| occurred.event.name == name).map(|occurred| occurred.state.t).collect()
@@ -149,7 +150,9 @@ fn names(run: &Run) -> Vec<&'static str> {
 
 #[test]
 fn analytic_stone_bounces_until_it_rests_by_every_method() {
-    for method in [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)] {
+    for method in
+        [Method::rk4(0.05), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)]
+    {
         let run = Simulation::new(&stone::Falls::default()).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{}", run.outcome);
         // 1 s down, then flights of 1 s, 1/2 s, …: landing n is at 3 s - 2^(1 - n)

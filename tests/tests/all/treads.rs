@@ -247,7 +247,7 @@ fn cross_wheels_of_an_array_and_wheels_one_by_one() {
     let expected = end(&pair::Rolls::default(), PRECISE);
     let error = distance(&end(&train::Rolls::default(), PRECISE), &expected);
     assert!(error <= ALIKE, "{error:.1e}");
-    for method in [Method::taylor(1e-12), Method::radau(1e-12), Method::rk4(1e-4)] {
+    for method in [Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12), Method::rk4(1e-4)] {
         let error = distance(&end(&pair::Rolls::default(), method), &expected);
         assert!(error <= ALIKE, "{method:?}: {error:.1e}");
     }

@@ -182,8 +182,14 @@ model! {
 /// Rounding of states of 1 over some hundred steps.
 const ROUNDING: f64 = 1e-12;
 
-fn methods() -> [Method; 4] {
-    [Method::Rk4 { step_s: 2e-3 }, Method::dop853(1e-11), Method::taylor(1e-13), Method::radau(1e-9)]
+fn methods() -> [Method; 5] {
+    [
+        Method::Rk4 { step_s: 2e-3 },
+        Method::dop853(1e-11),
+        Method::taylor(1e-13),
+        Method::gauss(1e-13),
+        Method::radau(1e-9),
+    ]
 }
 
 /// Both routes take the same steps, so that they differ by rounding alone.
@@ -335,7 +341,7 @@ fn reference_chain_whose_middle_member_is_massless() {
     assert!(error.starts_with("the mass of body `link[1]` is zero"), "{error}");
     // as in `massless_links`
     let angles = [-2.21710469106001, -2.2836681596165405, -1.734867634988195];
-    for method in [Method::dop853(1e-11), Method::taylor(1e-12), Method::radau(1e-12)] {
+    for method in [Method::dop853(1e-11), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)] {
         let run = Simulation::new(&scene).method(method).run().unwrap();
         let found: Vec<f64> = run.last().coordinates.iter().skip(2).step_by(3).copied().collect();
         assert!(distance(&found, &angles) <= 1e-9, "{}: {found:?}", method.name());

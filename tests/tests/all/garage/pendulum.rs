@@ -78,7 +78,9 @@ fn analytic_pendulum_knocks_against_a_post() {
     let expected: Vec<f64> = swings.map(|(_, t)| t).take_while(|t| *t < 10.0).collect();
     let kept = scene.e.powi(2 * expected.len() as i32);
     let lost = scene.m * scene.g * scene.l * (1.0 - kept);
-    for method in [Method::rk4(5e-4), Method::dop853(1e-12), Method::taylor(1e-12), Method::radau(1e-12)] {
+    for method in
+        [Method::rk4(5e-4), Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-12)]
+    {
         let run = Simulation::new(&scene).method(method).work().run().unwrap();
         let hits = run.events().iter().filter(|occurred| occurred.event.name == "post hits");
         let found: Vec<f64> = hits.map(|hit| hit.state.t).collect();

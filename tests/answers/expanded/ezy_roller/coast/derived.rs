@@ -224,6 +224,9 @@ impl ezy::Derived for Coast {
         ];
         ezy::List::Borrowed(ELEMENTS)
     }
+    fn in_lanes(&self) -> ::core::option::Option<&dyn ezy::EquationsInLanes> {
+        ::core::option::Option::Some(self)
+    }
     fn series(&self) -> ::core::option::Option<&dyn ezy::Series<f64>> {
         ::core::option::Option::Some(self)
     }

@@ -245,7 +245,7 @@ impl<T: ezy::Scalar> ezy::Equations<T> for self::Coast {
         out[4usize] = T::from_f64(0f64);
         out[5usize] = T::from_f64(0f64);
     }
-    #[inline]
+    #[inline(always)]
     fn accelerations(
         &self,
         c: &[T],

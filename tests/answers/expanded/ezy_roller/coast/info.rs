@@ -620,6 +620,7 @@ impl Coast {
             trig: 2usize,
             calls: 0usize,
         },
+        feedback: ::core::option::Option::Some(&[2usize, 5usize]),
         series: ezy::SeriesInfo::Analytic {
             n_products: 16usize,
             operations: ezy::Operations {

@@ -1,0 +1,93 @@
+//! The lengths of steps of collocation.
+
+use super::{Collocated, tableau::N};
+
+/// The error at the end of a step goes with this power of its length.
+const ERROR_ORDER: f64 = 2.0 * N as f64 + 1.0;
+
+/// The error within a step goes with this power of its length.
+const DENSE_ERROR_ORDER: f64 = N as f64 + 1.0;
+
+/// Steps aim at this error over the tolerance, since errors of neighbouring steps differ by as much: few are rejected.
+const AIM: f64 = 0.01;
+
+/// A step changes at most by these factors.
+const SHRINK: f64 = 0.2;
+const GROW: f64 = 4.0;
+
+/// A step whose sweeps do not converge is taken again shorter by this.
+const DIVERGED: f64 = 0.5;
+
+/// Steps at which sweeps converge more slowly than at this rate become shorter. With a rate ρ proportional to the length of the step, h, sweeps
+/// reach a goal in a number proportional to 1/ln(1/ρ), so that fewest are needed for a length of time at ρ = 1/e; that the first guess gets
+/// worse with longer steps makes it less.
+const BEST_RATE: f64 = 0.2;
+
+/// What the next step is to the last one.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct GaussControl {
+    /// The step under way was tried before, and failed.
+    has_failed: bool,
+}
+
+impl GaussControl {
+    /// Factor for the step after one with this error over the tolerance and rate of convergence; it is accepted where the error is at most one.
+    pub(crate) fn factor(&mut self, error: f64, rate: f64) -> f64 {
+        let most = if self.has_failed { 1.0 } else { GROW };
+        self.has_failed = error > 1.0 || error.is_nan();
+        let by_error = (AIM / error).powf(1.0 / ERROR_ORDER);
+        if by_error.is_nan() { SHRINK } else { by_error.min(BEST_RATE / rate).min(most).max(SHRINK) }
+    }
+
+    /// Factor for the next try after one that did not converge, or that could not be evaluated.
+    pub(crate) fn failed(&mut self) -> f64 {
+        self.has_failed = true;
+        DIVERGED
+    }
+}
+
+impl Collocated {
+    /// In how many parts a step is divided, so that the error within each is within the tolerance.
+    pub(crate) fn n_parts(dense_error: f64) -> usize {
+        dense_error.powf(1.0 / DENSE_ERROR_ORDER).ceil().max(1.0) as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounding of a power.
+    const ROUNDING: f64 = 1e-13;
+
+    /// Errors go with the power 17 of the length: a hundredth of the tolerance keeps the length, and 2^17 times that halves it.
+    #[test]
+    fn analytic_errors_change_lengths_by_their_seventeenth_root() {
+        let factor = |error: f64, rate: f64| GaussControl::default().factor(error, rate);
+        for (error, expected) in [(0.01, 1.0), (0.01 * 2.0_f64.powi(17), 0.5), (0.01 * 2.0_f64.powi(-17), 2.0)] {
+            assert!((factor(error, 0.01) / expected - 1.0).abs() <= ROUNDING, "{error}");
+        }
+        assert_eq!([factor(0.0, 0.01), factor(1e30, 0.01), factor(f64::NAN, 0.01)], [GROW, SHRINK, SHRINK]);
+    }
+
+    /// A rate of 0.4 asks for half the length, whatever the error.
+    #[test]
+    fn analytic_slow_sweeps_shorten_steps() {
+        assert_eq!([0.4, 0.8, 0.1].map(|rate| GaussControl::default().factor(1e-30, rate)), [0.5, 0.25, 2.0]);
+    }
+
+    #[test]
+    fn invariant_steps_do_not_grow_after_one_that_failed() {
+        let mut control = GaussControl::default();
+        assert_eq!(control.failed(), DIVERGED);
+        assert_eq!([control.factor(1e-30, 0.01), control.factor(1e-30, 0.01)], [1.0, GROW]);
+        assert!(control.factor(2.0, 0.01) < 1.0);
+        assert_eq!(control.factor(1e-30, 0.01), 1.0);
+    }
+
+    /// Halves have 2^-9 of the error.
+    #[test]
+    fn analytic_parts_by_the_ninth_root() {
+        assert_eq!([0.0, 1.0, 500.0, 513.0, 19_000.0].map(Collocated::n_parts), [1, 1, 2, 3, 3]);
+    }
+}

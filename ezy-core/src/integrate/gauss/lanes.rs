@@ -1,0 +1,110 @@
+//! What is done with values at all nodes of a step, in the widest vector registers.
+
+use super::tableau::{N, NODES, TO_COEFFICIENTS, TO_INTEGRALS};
+use crate::model::Eight;
+use crate::scalar::{Lanes, Scalar, in_widest};
+
+/// A matrix times the values of one number at the nodes.
+#[inline(always)]
+fn times(matrix: &[Eight; N], values: &Eight) -> Eight {
+    let product = |j: usize| matrix[j] * Eight::from_f64(values.0[j]);
+    let [mut even, mut odd] = [product(0), product(1)];
+    for j in [2, 4, 6] {
+        even = matrix[j].fused(Eight::from_f64(values.0[j]), even);
+        odd = matrix[j + 1].fused(Eight::from_f64(values.0[j + 1]), odd);
+    }
+    even + odd
+}
+
+/// `out = start + h · integrals of the slopes`, at each node.
+pub(super) fn integrate(h: f64, start: &[f64], slopes: &[Eight], out: &mut [Eight]) {
+    in_widest(
+        #[inline(always)]
+        || {
+            for ((out, start), slope) in out.iter_mut().zip(start).zip(slopes) {
+                *out = times(&TO_INTEGRALS, slope).fused(Eight::from_f64(h), Eight::from_f64(*start));
+            }
+        },
+    );
+}
+
+/// The same of some of the numbers; the others are left alone.
+pub(super) fn integrate_some(h: f64, start: &[f64], slopes: &[Eight], which: &[usize], out: &mut [Eight]) {
+    in_widest(
+        #[inline(always)]
+        || {
+            for &i in which {
+                out[i] = times(&TO_INTEGRALS, &slopes[i]).fused(Eight::from_f64(h), Eight::from_f64(start[i]));
+            }
+        },
+    );
+}
+
+/// Legendre coefficients of each number, from P_0 on.
+pub(super) fn coefficients(values: &[Eight], out: &mut [Eight]) {
+    in_widest(
+        #[inline(always)]
+        || values.iter().zip(out).for_each(|(values, out)| *out = times(&TO_COEFFICIENTS, values)),
+    );
+}
+
+/// Values, by the coefficients up to a degree, at the nodes of a step that begins at `start` and is `length` long, in units of the step that
+/// the coefficients belong to.
+pub(super) fn evaluate(coefficients: &[Eight], degree: usize, start: f64, length: f64, out: &mut [Eight]) {
+    in_widest(
+        #[inline(always)]
+        || {
+            let x = NODES.fused(Eight::from_f64(2.0 * length), Eight::from_f64(2.0 * start - 1.0));
+            let mut polynomials = [Eight::from_f64(1.0); N];
+            polynomials[1] = x;
+            for k in 1..N - 1 {
+                let n = k as f64;
+                let [before, last] = [Eight::from_f64(-n / (n + 1.0)), Eight::from_f64((2.0 * n + 1.0) / (n + 1.0))];
+                polynomials[k + 1] = (last * x).fused(polynomials[k], before * polynomials[k - 1]);
+            }
+            polynomials[degree + 1..].fill(Eight::from_f64(0.0));
+            for (out, coefficients) in out.iter_mut().zip(coefficients) {
+                *out = times(&polynomials, coefficients);
+            }
+        },
+    );
+}
+
+/// The largest change of a number between two sweeps, each with its weight.
+pub(super) fn change(one: &[Eight], other: &[Eight], weights: &[f64]) -> f64 {
+    in_widest(
+        #[inline(always)]
+        || {
+            let mut largest = Lanes([0.0; N]);
+            for ((one, other), weight) in one.iter().zip(other).zip(weights) {
+                let change = (*one - *other).abs() * Eight::from_f64(*weight);
+                for i in 0..N {
+                    // what is no number counts
+                    largest.0[i] = if change.0[i] <= largest.0[i] { largest.0[i] } else { change.0[i] };
+                }
+            }
+            largest.magnitude()
+        },
+    )
+}
+
+/// The largest value of a number, each with its weight.
+pub(super) fn size(values: &[Eight], weights: &[f64]) -> f64 {
+    values.iter().zip(weights).fold(0.0, |size: f64, (values, weight)| size.max(values.magnitude() * weight))
+}
+
+/// The largest coefficient of each degree, each number with its weight.
+pub(super) fn sizes(coefficients: &[Eight], weights: &[f64]) -> [f64; N] {
+    let mut largest = Lanes([0.0; N]);
+    for (coefficients, weight) in coefficients.iter().zip(weights) {
+        largest = largest.max(coefficients.abs() * Eight::from_f64(*weight));
+    }
+    largest.0
+}
+
+/// `Σ weights · values` over the nodes.
+#[inline(always)]
+pub(super) fn sum(weights: &Eight, values: &Eight) -> f64 {
+    let x = (*weights * *values).0;
+    ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]))
+}

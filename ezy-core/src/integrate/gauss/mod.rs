@@ -1,0 +1,397 @@
+//! Gauss–Legendre collocation with eight nodes, of order 16: accelerations at all nodes at once, improved by sweeps.
+
+mod control;
+mod lanes;
+mod tableau;
+
+use super::{Node, compensated, step_control::Tolerance};
+use crate::dynamics::{EightStates, MotionError, State, System};
+use crate::model::{Eight, Scene};
+use crate::scalar::Scalar;
+pub(crate) use control::GaussControl;
+use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
+
+/// Sweeps end where the next one would change a velocity by less than this part of its tolerance.
+const OF_SWEEPS: f64 = 0.1;
+
+/// What the first step changes a number of the state by, relative to its size and its unit.
+const FIRST_CHANGE: f64 = 0.1;
+
+/// Most sweeps of a step; more are no gain over a shorter step.
+const MAX_SWEEPS: u32 = 40;
+
+/// A change of the accelerations that sweeps do not make smaller is rounding below this part of them.
+const ROUNDING: f64 = 1e-12;
+
+/// Sweeps of this rate do not converge.
+const STALLED: f64 = 0.9;
+
+/// 15!! = 15 · 13 · … · 1
+const DOUBLE_FACTORIAL_OF_15: f64 = 2_027_025.0;
+
+/// What became of a step that was tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Collocated {
+    /// Errors over the tolerance, at the end of the step and of the polynomial within it, and the mean rate at which sweeps converged.
+    Solved { error: f64, dense_error: f64, rate: f64 },
+    /// The sweeps do not converge.
+    Diverged,
+}
+
+/// How sweeps converged.
+struct Convergence {
+    /// Mean of the rates.
+    rate: f64,
+    /// By how much the equations change accelerations over the step, at most: sweep n has the rate z/n where they are linear.
+    steepness: f64,
+}
+
+impl Convergence {
+    /// In so many sweeps, of which the last one changed accelerations by this part of the first one.
+    fn new(n_sweeps: u32, last: f64) -> Self {
+        let n_sweeps = f64::from(n_sweeps);
+        let rate =
+            if n_sweeps > 1.0 { last.max(f64::EPSILON * f64::EPSILON).powf(1.0 / (n_sweeps - 1.0)) } else { 0.0 };
+        Self { rate, steepness: n_sweeps * rate }
+    }
+}
+
+/// Collocation for q' = v, v' = a(t, q, v), w' = power of each effect.
+///
+/// The accelerations on a step are a polynomial of degree 7 that meets the equations at eight nodes. Sweeps find it: integrals of the
+/// accelerations at the nodes give velocities there, those of the velocities positions, and these new accelerations (Picard's iteration).
+/// The first sweep begins with the polynomial of the step before, continued.
+///
+/// # Source
+/// Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1 and VIII.6.
+#[derive(Debug)]
+pub(crate) struct Gauss {
+    nodes: EightStates,
+    /// The coordinates that accelerations depend on.
+    feedback: Vec<usize>,
+    /// Accelerations of the sweep before.
+    before: Vec<Eight>,
+    /// Legendre coefficients of the accelerations of the step that was tried last, and of the step before it.
+    coefficients: Vec<Eight>,
+    last: Vec<Eight>,
+    /// Sizes of those coefficients by degree, as [`lanes::sizes`].
+    sizes: [f64; N],
+    last_sizes: [f64; N],
+    /// Length of the step before, s; none after a start.
+    last_s: Option<f64>,
+    /// Length of the step that was tried last, s; none once the next one begins at its end.
+    tried_s: Option<f64>,
+    /// Change of an acceleration to change of the state over the tolerance.
+    weights: Vec<f64>,
+    /// Power of each effect at the nodes, and change of a power to change of the work over the tolerance.
+    power: Vec<Eight>,
+    work_weights: Vec<f64>,
+    /// Parts of the step that was tried last, of which the first `n_parts` are solved for.
+    parts: Vec<Part>,
+    n_parts: usize,
+    /// What rounding cut off the last accepted step, and what it would cut off the present one.
+    rest: State,
+    next_rest: State,
+}
+
+impl Gauss {
+    /// Storage for a scene.
+    pub(crate) fn new<S: Scene + ?Sized>(scene: &S, n_works: usize) -> Self {
+        let info = scene.info();
+        let n_q = info.n_coordinates();
+        let zeros = |n: usize| vec![Eight::from_f64(0.0); n];
+        Self {
+            nodes: EightStates::new(scene),
+            feedback: info.feedback.map_or_else(|| (0..n_q).collect(), <[usize]>::to_vec),
+            before: zeros(n_q),
+            coefficients: zeros(n_q),
+            last: zeros(n_q),
+            sizes: [0.0; N],
+            last_sizes: [0.0; N],
+            last_s: None,
+            tried_s: None,
+            weights: vec![0.0; n_q],
+            power: zeros(n_works),
+            work_weights: vec![0.0; n_works],
+            parts: Vec::new(),
+            n_parts: 0,
+            rest: State::zero(n_q, n_works),
+            next_rest: State::zero(n_q, n_works),
+        }
+    }
+
+    /// Forgets the steps taken so far, before another run.
+    pub(crate) fn restart(&mut self) {
+        (self.last_s, self.tried_s) = (None, None);
+        [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));
+    }
+
+    /// Attempts one step of length `h` from `from`; writes `to`, not yet projected.
+    ///
+    /// # Errors
+    /// [`MotionError`] at a node; `to` is then unspecified.
+    /// # Cost
+    /// Some ten sweeps, each of the accelerations at eight states; no allocation.
+    pub(crate) fn attempt<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: Node<'_>,
+        h: f64,
+        tolerance: Tolerance,
+        to: &mut State,
+    ) -> Result<Collocated, MotionError> {
+        self.begin(system, from, h, tolerance);
+        let Some(Convergence { rate, steepness }) = self.sweep(system, from.state, h)? else {
+            return Ok(Collocated::Diverged);
+        };
+        self.complete(system, from.state, h);
+        self.end(from.state, h, to);
+        let [error, dense_error] = self.errors(steepness);
+        Ok(Collocated::Solved { error, dense_error, rate })
+    }
+
+    /// Keeps the step that was tried last.
+    pub(crate) fn accept(&mut self) {
+        if let Some(tried_s) = self.tried_s.take() {
+            std::mem::swap(&mut self.rest, &mut self.next_rest);
+            std::mem::swap(&mut self.last, &mut self.coefficients);
+            self.last_sizes = self.sizes;
+            self.last_s = Some(tried_s);
+        }
+    }
+
+    fn begin<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: Node<'_>, h: f64, tolerance: Tolerance) {
+        let Self { nodes, last, last_sizes, last_s, tried_s, weights, work_weights, .. } = self;
+        system.begin_eight(nodes);
+        nodes.t = NODES.fused(Eight::from_f64(h), Eight::from_f64(from.state.t));
+        *tried_s = Some(h);
+        match last_s {
+            Some(last_s) => {
+                lanes::evaluate(last, useful_degree(last_sizes, h / *last_s), 1.0, h / *last_s, &mut nodes.a)
+            }
+            None => nodes.a.iter_mut().zip(from.a).for_each(|(nodes, a)| *nodes = Eight::from_f64(*a)),
+        }
+        write_weights(from.state, h, tolerance, weights);
+        let works = work_weights.iter_mut().zip(&from.state.work);
+        works.for_each(|(weight, work)| *weight = h / (tolerance.absolute + tolerance.relative * work.abs()));
+        self.n_parts = 0;
+    }
+
+    /// Sweeps until the accelerations at the nodes belong to the states there; none where they do not converge.
+    fn sweep<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: &State,
+        h: f64,
+    ) -> Result<Option<Convergence>, MotionError> {
+        let Self { nodes, feedback, before, weights, .. } = self;
+        nodes.q.iter_mut().zip(&from.q).for_each(|(nodes, q)| *nodes = Eight::from_f64(*q));
+        let (mut first, mut last_change, mut last_rate) = (0.0, f64::INFINITY, 1.0_f64);
+        for n in 1..=MAX_SWEEPS {
+            lanes::integrate(h, &from.v, &nodes.a, &mut nodes.v);
+            lanes::integrate_some(h, &from.q, &nodes.v, feedback, &mut nodes.q);
+            std::mem::swap(before, &mut nodes.a);
+            system.accelerations_of_eight(nodes)?;
+            let change = lanes::change(&nodes.a, before, weights);
+            if !change.is_finite() {
+                return Ok(None);
+            }
+            let rate = change / last_change;
+            if n == 1 {
+                first = change;
+            }
+            // two rates: one may be small by chance
+            if change * rate.max(last_rate).min(1.0) <= OF_SWEEPS {
+                return Ok(Some(Convergence::new(n, change / first)));
+            }
+            if rate.min(last_rate) >= STALLED && n > 2 {
+                let is_rounding = change <= ROUNDING * lanes::size(&nodes.a, weights);
+                return Ok(is_rounding.then(|| Convergence::new(n, change / first)));
+            }
+            (last_change, last_rate) = (change, rate);
+        }
+        Ok(None)
+    }
+
+    /// Velocities and powers at the nodes, from the accelerations there.
+    fn complete<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, h: f64) {
+        let Self { nodes, power, .. } = self;
+        lanes::integrate(h, &from.v, &nodes.a, &mut nodes.v);
+        if power.is_empty() {
+            return;
+        }
+        lanes::integrate(h, &from.q, &nodes.v, &mut nodes.q);
+        let mut of_node = vec![0.0; power.len()];
+        for lane in 0..N {
+            let t = nodes.t.0[lane];
+            let one = nodes.one(lane);
+            system.power(t, &one.q, &one.v, &one.lambda, &mut of_node);
+            power.iter_mut().zip(&of_node).for_each(|(power, of_node)| power.0[lane] = *of_node);
+        }
+    }
+
+    /// The end of the step that was tried last.
+    fn end(&mut self, from: &State, h: f64, to: &mut State) {
+        let Self { nodes, power, rest, next_rest, .. } = self;
+        next_rest.copy_from(rest);
+        let parts = [
+            (&mut to.q, &from.q, &nodes.v, &mut next_rest.q),
+            (&mut to.v, &from.v, &nodes.a, &mut next_rest.v),
+            (&mut to.work, &from.work, &*power, &mut next_rest.work),
+        ];
+        for (to, from, slopes, rest) in parts {
+            for (((to, from), slope), rest) in to.iter_mut().zip(from).zip(slopes).zip(rest) {
+                *to = compensated::add(*from, h * lanes::sum(&WEIGHTS, slope), rest);
+            }
+        }
+        to.t = from.t + h;
+    }
+
+    /// Length of the first step: what changes a position or a velocity by a part of itself, or of one unit. A step that is too long costs a few
+    /// sweeps.
+    pub(crate) fn first_step(&self, from: Node<'_>, longest: f64) -> f64 {
+        let State { q, v, .. } = from.state;
+        let slopes = v.iter().zip(q).chain(from.a.iter().zip(v));
+        let steepest = slopes.fold(0.0, |steepest: f64, (slope, x)| steepest.max(slope.abs() / (1.0 + x.abs())));
+        (FIRST_CHANGE / steepest.max(FIRST_CHANGE)).min(longest)
+    }
+
+    /// Errors over the tolerance at the end of the step and within it, from the Legendre coefficients of the slopes.
+    ///
+    /// Between the nodes the equations are not met: by the polynomial P_8 times the coefficient that comes next, and what follows. The
+    /// end of the step is off by the integral of that, times what a change of a slope at each time makes of the end. That factor
+    /// is smooth, too, so that P_8 sees of it only its own coefficient of degree 8: of the linear motion z^8/(2^8 15!!), of the change of its
+    /// rate over the step as much as of the slopes, and where slopes do not depend on the state what their own coefficients leave.
+    fn errors(&mut self, steepness: f64) -> [f64; 2] {
+        let Self { nodes, power, coefficients, weights, sizes, .. } = self;
+        lanes::coefficients(&nodes.a, coefficients);
+        *sizes = lanes::sizes(coefficients, weights);
+        let (next, decay) = next_coefficient(sizes);
+        let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
+        let seen = linear + steepness * next / largest + decay.powi(N as i32);
+        let error = next * seen / (2.0 * N as f64 + 1.0);
+        let mut of_works = 0.0;
+        if !power.is_empty() {
+            let mut coefficients = vec![Eight::from_f64(0.0); power.len()];
+            lanes::coefficients(power, &mut coefficients);
+            of_works = next_coefficient(&lanes::sizes(&coefficients, &self.work_weights)).0;
+        }
+        [error, LARGEST_INTEGRAL * next.max(of_works)]
+    }
+
+    /// The state at `s` of the step that was tried last, from 0 to 1, not projected; its time is left alone.
+    pub(crate) fn dense_at(&self, from: &State, s: f64, out: &mut State) {
+        let Self { nodes, power, tried_s, .. } = self;
+        interpolate(from, tried_s.unwrap_or_default(), [&nodes.v, &nodes.a, power], s, out);
+    }
+
+    /// The same by the end of a step of their own for each of `n_parts` equal parts, whose polynomials have errors as many times smaller to the
+    /// power 9. From then on [`Gauss::dense_at`] is not to be called.
+    ///
+    /// # Errors
+    /// [`MotionError`] at a node.
+    /// # Cost
+    /// Once a step, a few sweeps for each part up to `s`.
+    pub(crate) fn dense_in_parts<S: Scene + ?Sized>(
+        &mut self,
+        system: &mut System<'_, S>,
+        from: &State,
+        n_parts: usize,
+        tolerance: Tolerance,
+        s: f64,
+        out: &mut State,
+    ) -> Result<(), MotionError> {
+        let of_parts = s * n_parts as f64;
+        let wanted = (of_parts as usize).min(n_parts - 1);
+        let h = self.tried_s.unwrap_or_default() / n_parts as f64;
+        while self.n_parts <= wanted {
+            let i = self.n_parts;
+            if i == self.parts.len() {
+                let Self { nodes, power, .. } = self;
+                let part = Part { start: from.clone(), a: nodes.a.clone(), v: nodes.v.clone(), power: power.clone() };
+                self.parts.push(part);
+            }
+            let mut start = std::mem::replace(&mut self.parts[i].start, State::zero(0, 0));
+            match self.parts[..i].last() {
+                Some(before) => before.interpolate(h, 1.0, &mut start),
+                None => start.copy_from(from),
+            }
+            start.t = from.t + i as f64 * h;
+            self.nodes.t = NODES.fused(Eight::from_f64(h), Eight::from_f64(start.t));
+            let length = 1.0 / n_parts as f64;
+            lanes::evaluate(&self.coefficients, N - 1, i as f64 * length, length, &mut self.nodes.a);
+            write_weights(&start, h, tolerance, &mut self.weights);
+            self.sweep(system, &start, h)?;
+            self.complete(system, &start, h);
+            let Self { nodes, power, parts, .. } = self;
+            let part = &mut parts[i];
+            part.start = start;
+            part.a.copy_from_slice(&nodes.a);
+            part.v.copy_from_slice(&nodes.v);
+            part.power.copy_from_slice(power);
+            self.n_parts += 1;
+        }
+        self.parts[wanted].interpolate(h, of_parts - wanted as f64, out);
+        Ok(())
+    }
+}
+
+/// A part of a step, solved for by itself.
+#[derive(Debug)]
+struct Part {
+    start: State,
+    /// Slopes of v, of q and of the works at the nodes.
+    a: Vec<Eight>,
+    v: Vec<Eight>,
+    power: Vec<Eight>,
+}
+
+impl Part {
+    fn interpolate(&self, h: f64, s: f64, out: &mut State) {
+        interpolate(&self.start, h, [&self.v, &self.a, &self.power], s, out);
+    }
+}
+
+/// The state at `s` of a step of length `h` from `from`, by the slopes of q, v and the works at its nodes; the time is left alone.
+fn interpolate(from: &State, h: f64, [v, a, power]: [&[Eight]; 3], s: f64, out: &mut State) {
+    let weights = weights_up_to(s);
+    let parts = [(&mut out.q, &from.q, v), (&mut out.v, &from.v, a), (&mut out.work, &from.work, power)];
+    for (out, from, slopes) in parts {
+        for ((out, from), slope) in out.iter_mut().zip(from).zip(slopes) {
+            *out = from + h * lanes::sum(&weights, slope);
+        }
+    }
+}
+
+/// How much a change of an acceleration over a step of length `h` changes the state at its end, over the tolerance.
+fn write_weights(from: &State, h: f64, tolerance: Tolerance, weights: &mut [f64]) {
+    let n_q = weights.len();
+    for (i, (weight, (q, v))) in weights.iter_mut().zip(from.q.iter().zip(&from.v)).enumerate() {
+        let [of_q, of_v] = [tolerance.of(i, n_q, q.abs()), tolerance.of(n_q + i, n_q, v.abs())];
+        *weight = h * (1.0 / of_v).max(h / of_q);
+    }
+}
+
+/// The size of the Legendre coefficient of degree 8, which is not known, from those of lower degrees: each is smaller by the same factor, which
+/// stands behind it. Those of even or odd degree may be small by symmetry.
+fn next_coefficient(sizes: &[f64; N]) -> (f64, f64) {
+    let [earlier, later] = [sizes[4].max(sizes[5]), sizes[6].max(sizes[7])];
+    let decay = if earlier > later { (later / earlier).sqrt() } else { 1.0 };
+    (decay * sizes[7].max(decay * sizes[6]), decay)
+}
+
+/// The degree up to which Legendre coefficients of these sizes are worth continuing over a step so many times as long as their own: as long as
+/// terms fall. Those of even or odd degree may be small by symmetry.
+fn useful_degree(sizes: &[f64; N], length: f64) -> usize {
+    let polynomials = legendre(1.0 + 2.0 * length);
+    let term = |m: usize| sizes[m] * polynomials[m];
+    let of_two = |m: usize| term(m).max(if m + 1 < N { term(m + 1) } else { 0.0 });
+    let mut best = 0;
+    for m in 1..N {
+        if of_two(m) <= of_two(best) {
+            best = m;
+        }
+    }
+    best
+}

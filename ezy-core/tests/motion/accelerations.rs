@@ -3,6 +3,7 @@
 // the rope is a velocity constraint on purpose, so that every kind of row is solved for
 #![allow(deprecated)]
 
+use crate::{simulation, system_of};
 use ezy_core::prelude::*;
 
 model! {
@@ -34,7 +35,7 @@ fn analytic_block_on_a_rope_falls_as_the_wheel_lets_it() {
     for (m, j, r) in [(3.0, 0.4, 0.25), (1e-3, 2.0, 0.1), (50.0, 1e-3, 0.5)] {
         let scene = hoist::Falls { m, j, r };
         for backend in BACKENDS {
-            let mut system = System::new(&scene, backend).unwrap();
+            let mut system = system_of(&scene, backend).unwrap();
             let (mut a, mut lambda) = ([0.0; 6], [0.0; 5]);
             system.accelerations(0.0, &[0.0, 1.0, 0.0, 0.0, 0.0, 0.0], &[0.0; 6], &mut a, &mut lambda).unwrap();
             let alpha = (m * 9.81 * r + 0.5) / (j + m * r * r);
@@ -70,7 +71,7 @@ fn analytic_block_falls_uniformly() {
             Method::gauss(1e-10),
             Method::radau(1e-10),
         ] {
-            let run = Simulation::new(&scene).backend(backend).method(method).run().unwrap();
+            let run = simulation(&scene).backend(backend).method(method).run().unwrap();
             let y = run.last().get("block.y").unwrap();
             assert!((y + 0.125 * alpha).abs() <= 1e-11, "{backend:?} {method:?}: {y}");
         }
@@ -98,7 +99,7 @@ model! {
 fn analytic_hanging_rope_carries_its_weight() {
     for (n, backend) in [(1, Backend::Sparse), (6, Backend::Sparse), (6, Backend::Dense), (60, Backend::Sparse)] {
         let scene = rope::Rests { n, ..Default::default() };
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let start = system.scene_start();
         let state = system.consistent_start(&start).unwrap();
         let (mut a, mut lambda) = (vec![0.0; 3 * n], vec![0.0; 2 * n]);
@@ -116,7 +117,7 @@ fn analytic_hanging_rope_carries_its_weight() {
 fn cross_sparse_and_dense_accelerations_of_a_rope_agree() {
     let scene = rope::Swings { n: 12, ..Default::default() };
     let [sparse, dense] = [Backend::Sparse, Backend::Dense].map(|backend| {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let start = system.scene_start();
         let state = system.consistent_start(&start).unwrap();
         let (mut a, mut lambda) = (vec![0.0; 36], vec![0.0; 24]);
@@ -135,7 +136,7 @@ fn cross_sparse_and_dense_accelerations_of_a_rope_agree() {
 fn invariant_long_rope_tells_the_smallest_pivot_of_its_factors() {
     let pivot = |n, m| {
         let scene = rope::Rests { n, m };
-        let run = Simulation::new(&scene).method(Method::rk4(0.01)).until(0.02).run().unwrap();
+        let run = simulation(&scene).method(Method::rk4(0.01)).until(0.02).run().unwrap();
         assert!(run.outcome.reached_end() && run.rank.intervals.is_empty(), "{}", run.outcome);
         run.monitors.pivot.expect("there are rows").value
     };
@@ -148,14 +149,14 @@ fn invariant_long_rope_tells_the_smallest_pivot_of_its_factors() {
 fn invariant_masses_that_a_backend_cannot_take_are_refused_by_name() {
     let scene = hoist::Falls { m: 0.0, ..Default::default() };
     for backend in [Backend::Generated, Backend::Sparse] {
-        let error = System::new(&scene, backend).err().expect("a body without mass").to_string();
+        let error = system_of(&scene, backend).err().expect("a body without mass").to_string();
         assert!(error.contains("block"), "{error}");
     }
-    let mut system = System::new(&scene, Backend::Dense).unwrap();
+    let mut system = system_of(&scene, Backend::Dense).unwrap();
     let (mut a, mut lambda) = ([0.0; 6], [0.0; 5]);
     system.accelerations(0.0, &[0.0, 1.0, 0.0, 0.0, 0.0, 0.0], &[0.0; 6], &mut a, &mut lambda).unwrap();
     assert!((a[2] - 0.5 / 0.4).abs() <= ROUNDING && (a[4] + 0.25 * 0.5 / 0.4).abs() <= ROUNDING, "{a:?}");
     let negative = hoist::Falls { m: -1.0, ..Default::default() };
-    let error = System::new(&negative, Backend::Auto).err().expect("a negative mass").to_string();
+    let error = system_of(&negative, Backend::Auto).err().expect("a negative mass").to_string();
     assert!(error.contains("block") && error.contains("mass"), "{error}");
 }

@@ -1,6 +1,7 @@
 //! Near values that lead into another assembly mode: refused, with what was asked for and what was reached.
 
 use super::starts::{four_bar, two_bars};
+use crate::system_of;
 use ezy_core::dynamics::{MovedValue, StartError};
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
@@ -60,7 +61,7 @@ fn is_mode(found: [f64; 2], mode: [f64; 2]) -> bool {
 #[test]
 fn analytic_four_bar_keeps_its_elbow_or_is_refused() {
     let scene = four_bar::Turning::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let (mut n_refused, mut n_kept) = (0, 0);
     for near in guesses(8) {
         match system.consistent_start(&upright(near)) {
@@ -92,7 +93,7 @@ fn analytic_four_bar_keeps_its_elbow_or_is_refused() {
 }
 
 /// The first guess that is refused.
-fn refused(system: &mut System<'_, four_bar::Turning>) -> ([f64; 2], StartError) {
+fn refused(system: &mut System<'_, dyn Scene + '_>) -> ([f64; 2], StartError) {
     let found = guesses(8).find_map(|near| match system.consistent_start(&upright(near)) {
         Err(error @ StartError::OtherAssemblyMode { .. }) => Some((near, error)),
         _ => None,
@@ -106,7 +107,7 @@ fn analytic_nearly_stretched_bars_are_in_no_mode() {
     let (distance, to_bearing) = (1.3_f64.hypot(1.0), (-1.0_f64).atan2(1.3));
     let length = 0.5 * distance / 0.05_f64.cos();
     let scene = four_bar::Turning { coupler_length: length, rocker_length: length, ..Default::default() };
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     for guessed in [-0.6, 0.6] {
         let near = [to_bearing - 0.5 * guessed, to_bearing + 0.5 * guessed - PI];
         let state = system.consistent_start(&upright(near)).unwrap_or_else(|error| panic!("{guessed}: {error}"));
@@ -119,7 +120,7 @@ fn analytic_nearly_stretched_bars_are_in_no_mode() {
 #[test]
 fn invariant_mode_that_was_reached_is_accepted_and_what_is_not_guessed_is_in_no_mode() {
     let scene = four_bar::Turning::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let (near, error) = refused(&mut system);
     let message = error.to_string();
     let StartError::OtherAssemblyMode { values } = error else { panic!() };
@@ -151,7 +152,7 @@ fn analytic_pantograph_is_not_folded_in_silence() {
     let (x, y) = (FRAC_PI_3.cos(), FRAC_PI_3.sin());
     let modes = two_bars([x, y], [2.5 * x, 1.5 * y], [0.5, 1.0]);
     let scene = pantograph::Drawing::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut n_refused = 0;
     for near in guesses(4) {
         let mut start = Start::free(12);

@@ -1,5 +1,6 @@
 //! The energy balance of a run.
 
+use crate::simulation;
 use ezy_core::prelude::*;
 
 model! {
@@ -17,7 +18,7 @@ model! {
 #[test]
 fn analytic_energy_turned_over_counts_each_work_without_its_sign() {
     let h = 0.05;
-    let run = Simulation::new(&puck::Pushed::default()).method(Method::rk4(h)).every(h).work().run().unwrap();
+    let run = simulation(&puck::Pushed::default()).method(Method::rk4(h)).every(h).work().run().unwrap();
     let energy = run.monitors.energy.expect("works are integrated");
     assert!(energy.joules.abs() >= 1e-7, "coarse steps err: {energy:?}");
     let until = run.samples().filter(|sample| sample.t <= energy.t * (1.0 + 1e-12));
@@ -50,7 +51,7 @@ fn analytic_spring_swings_with_the_energy_of_its_start() {
     for method in
         [Method::rk4(1e-3), Method::dop853(1e-11), Method::taylor(1e-11), Method::gauss(1e-11), Method::radau(1e-11)]
     {
-        let run = Simulation::new(&spring::Swings::default()).method(method).every(0.1).run().unwrap();
+        let run = simulation(&spring::Swings::default()).method(method).every(0.1).run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {:?}", run.outcome);
         for sample in run.samples() {
             let (x, v) = (sample.get("block.x").unwrap(), sample.get("block.vx").unwrap());
@@ -72,9 +73,9 @@ fn analytic_spring_swings_with_the_energy_of_its_start() {
 #[test]
 fn invariant_steps_too_long_are_not_trusted() {
     let scene = spring::Swings { k: 5000.0 };
-    let run = Simulation::new(&scene).method(Method::rk4(0.02)).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(0.02)).run().unwrap();
     let Outcome::Untrusted { step_s, energy, .. } = run.outcome else { panic!("{:?}", run.outcome) };
     assert!((step_s - 0.02).abs() <= 1e-15 && energy.relative > 1e-3, "{step_s} {energy:?}");
-    let limited = Simulation::new(&scene).method(Method::rk4(0.02)).max_energy_error(1e-6).run().unwrap();
+    let limited = simulation(&scene).method(Method::rk4(0.02)).max_energy_error(1e-6).run().unwrap();
     assert!(matches!(limited.outcome, Outcome::Stopped { .. }), "{:?}", limited.outcome);
 }

@@ -1,5 +1,6 @@
 //! Events.
 
+use crate::simulation;
 use ezy_core::prelude::*;
 
 model! {
@@ -36,7 +37,7 @@ fn invariant_states_of_events_fulfil_the_constraints() {
     for method in
         [Method::rk4(0.05), Method::dop853(1e-6), Method::taylor(1e-6), Method::gauss(1e-6), Method::radau(1e-6)]
     {
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         let names: Vec<&str> = run.events().iter().map(|of| of.event.name).collect();
         assert_eq!(names, ["slow", "lowest"], "{method:?}");
         for of in run.events() {
@@ -44,7 +45,7 @@ fn invariant_states_of_events_fulfil_the_constraints() {
             assert!(found.iter().all(|x| x.abs() <= PROJECTED), "{method:?} {}: {found:?}", of.event.name);
         }
         // an event is in no step but the one that it divides
-        let without = Simulation::new(&scene).method(method).without_events().run().unwrap();
+        let without = simulation(&scene).method(method).without_events().run().unwrap();
         assert_eq!(run.last().coordinates, without.last().coordinates, "{method:?}");
     }
 }
@@ -56,7 +57,7 @@ fn analytic_a_run_ends_at_the_lowest_position() {
     for method in
         [Method::rk4(1e-3), Method::dop853(1e-11), Method::taylor(1e-11), Method::gauss(1e-11), Method::radau(1e-11)]
     {
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         assert!(matches!(run.outcome, Outcome::ReachedEvent { name: "lowest", .. }), "{method:?}: {:?}", run.outcome);
         let last = run.last();
         if method == Method::rk4(1e-3) {
@@ -72,7 +73,7 @@ fn analytic_a_run_ends_at_the_lowest_position() {
 /// sampled inside.
 #[test]
 fn analytic_an_event_soon_after_the_start_is_found() {
-    let run = Simulation::new(&pendulum::Swing::default()).method(Method::rk4(0.25)).until(0.25).run().unwrap();
+    let run = simulation(&pendulum::Swing::default()).method(Method::rk4(0.25)).until(0.25).run().unwrap();
     let [slow] = run.events() else { panic!("{:?}", run.events()) };
     assert!(slow.event.name == "slow" && (slow.state.t - 0.5 / 9.81).abs() < 1e-3, "{}", slow.state.t);
 }

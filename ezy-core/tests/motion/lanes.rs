@@ -2,6 +2,7 @@
 
 use super::events::pendulum;
 use super::singular::parallelogram;
+use crate::{simulation, system_of};
 use ezy_core::dynamics::MotionError;
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
@@ -26,8 +27,8 @@ const METHODS: [(Method, f64); 2] = [(Method::rk4(5e-3), 1e-8), (Method::dop853(
 fn analytic_springs_swing_together() {
     let scenes: [spring::Swings; 4] = std::array::from_fn(|i| spring::Swings { k: 4.0 + 3.0 * i as f64, m: 2.0 });
     for (method, bound) in METHODS {
-        let start = |scene| {
-            let mut system = System::new(scene, Backend::Generated).unwrap();
+        let start = |scene: &spring::Swings| {
+            let mut system = system_of(scene, Backend::Generated).unwrap();
             let start = system.scene_start();
             system.consistent_start(&start).unwrap()
         };
@@ -55,7 +56,7 @@ fn analytic_springs_swing_together() {
 fn analytic_derivatives_of_a_spring() {
     let scene = spring::Swings::default();
     for (method, bound) in METHODS {
-        let start = System::new(&scene, Backend::Generated).unwrap().scene_start();
+        let start = system_of(&scene, Backend::Generated).unwrap().scene_start();
         let mut run = Sensitivities::new(&scene, &start, ["block.x", "block.vx", "k", "m"], method).unwrap();
         run.advance(1.7).unwrap();
         let (omega, t) = ((scene.k / scene.m).sqrt(), 1.7);
@@ -81,7 +82,7 @@ fn analytic_derivatives_of_a_spring() {
 fn analytic_pendulums_in_lanes_keep_their_hinges_and_energies() {
     let scenes: [pendulum::Swing; 4] = std::array::from_fn(|i| pendulum::Swing { l: 0.5 + 0.5 * i as f64 });
     let starts = scenes.each_ref().map(|scene| {
-        let mut system = System::new(scene, Backend::Generated).unwrap();
+        let mut system = system_of(scene, Backend::Generated).unwrap();
         let start = system.scene_start();
         system.consistent_start(&start).unwrap()
     });
@@ -127,7 +128,7 @@ fn fd_derivatives_of_a_pendulum_follow_its_hinge() {
     run.advance(0.8).unwrap();
     let end = |phi: f64, omega: f64, l: f64| {
         let scene = pendulum::Swing { l };
-        let order = Simulation::new(&scene).method(Method::rk4(2e-3)).until(0.8).without_events();
+        let order = simulation(&scene).method(Method::rk4(2e-3)).until(0.8).without_events();
         let run = order.give("bob.phi", phi).give("bob.omega", omega).run().unwrap();
         [run.last().coordinates, run.last().velocities].concat()
     };

@@ -1,5 +1,6 @@
 //! Laws that are not smooth, and works of forces.
 
+use crate::simulation;
 use ezy_core::prelude::*;
 
 model! {
@@ -24,7 +25,7 @@ fn exact(t: f64) -> f64 {
 }
 
 fn largest_error(method: Method) -> f64 {
-    let run = Simulation::new(&buffer::Bounces::default()).method(method).every(0.05).run().unwrap();
+    let run = simulation(&buffer::Bounces::default()).method(method).every(0.05).run().unwrap();
     assert!(run.events().is_empty(), "a discontinuity is no event");
     run.samples().map(|sample| (sample.coordinates[0] - exact(sample.t)).abs()).fold(0.0, f64::max)
 }
@@ -37,10 +38,10 @@ fn order_is_kept_across_a_discontinuity() {
     for (method, bound) in [(Method::dop853(1e-10), 1e-8), (Method::radau(1e-9), 1e-7)] {
         let error = largest_error(method);
         assert!(error <= bound, "{method:?}: {error:.1e}");
-        let cost = Simulation::new(&buffer::Bounces::default()).method(method).run().unwrap().cost;
+        let cost = simulation(&buffer::Bounces::default()).method(method).run().unwrap().cost;
         assert!(cost.rejected >= 2 && cost.rejected <= cost.steps, "{method:?}: each discontinuity takes back a step");
     }
-    let error = Simulation::new(&buffer::Bounces::default()).method(Method::taylor(1e-9)).run().expect_err("`max`");
+    let error = simulation(&buffer::Bounces::default()).method(Method::taylor(1e-9)).run().expect_err("`max`");
     assert!(error.to_string().contains("max"), "{error}");
 }
 
@@ -51,7 +52,7 @@ const STEPPED: f64 = 1e-5;
 #[test]
 fn analytic_stepper_keeps_its_times_across_a_discontinuity() {
     let scene = buffer::Bounces::default();
-    let mut stepper = Simulation::new(&scene).method(Method::rk4(0.03)).stepper().unwrap();
+    let mut stepper = simulation(&scene).method(Method::rk4(0.03)).stepper().unwrap();
     for n in 1..=80 {
         stepper.step(1).unwrap();
         let (t, x) = (stepper.state().t, stepper.state().q[0]);
@@ -83,7 +84,7 @@ fn analytic_work_of_a_force_is_the_energy_that_it_gives() {
         (Method::gauss(1e-10), 1e-9),
         (Method::radau(1e-9), 1e-7),
     ] {
-        let run = Simulation::new(&alone).method(method).every(0.1).work().run().unwrap();
+        let run = simulation(&alone).method(method).every(0.1).work().run().unwrap();
         for sample in run.samples() {
             let v = 0.5 + 2.0 / 3.0 * (3.0 * sample.t).sin();
             let work = sample.get("work.shaker").unwrap();
@@ -96,7 +97,7 @@ fn analytic_work_of_a_force_is_the_energy_that_it_gives() {
             );
         }
         // what one effect gives and another takes
-        let run = Simulation::new(&shaken::Dragged::default()).method(method).work().run().unwrap();
+        let run = simulation(&shaken::Dragged::default()).method(method).work().run().unwrap();
         let last = run.last();
         let [given, taken] = ["work.shaker", "work.drag"].map(|name| last.get(name).unwrap());
         assert!(

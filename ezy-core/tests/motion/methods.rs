@@ -1,5 +1,6 @@
 //! Every method against a motion that is known: its order, its tolerance, its number of steps.
 
+use crate::{simulation, system_of};
 use ezy_core::integrate::PreciseMotion;
 use ezy_core::prelude::*;
 use ezy_core::scalar::Scalar as _;
@@ -35,14 +36,14 @@ fn error(scene: &driven::Shaken, state: &State) -> f64 {
 }
 
 fn start(scene: &driven::Shaken) -> State {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     system.consistent_start(&start).unwrap()
 }
 
 /// Error after `n` steps over `s` seconds, and the largest error in the middle of them.
 fn errors(scene: &driven::Shaken, by: StepsBy, s: f64, n: u32) -> [f64; 2] {
-    let system = System::new(scene, Backend::Auto).unwrap();
+    let system = system_of(scene, Backend::Auto).unwrap();
     let mut steps = GivenSteps::new(system, start(scene), by).unwrap();
     let (mut last, mut middle) = (0.0, 0.0_f64);
     for _ in 0..n {
@@ -53,21 +54,22 @@ fn errors(scene: &driven::Shaken, by: StepsBy, s: f64, n: u32) -> [f64; 2] {
     [last, middle]
 }
 
-/// Steps, half as long: errors fall by 2 to the order, of steps and of the interpolation between their ends.
+/// Steps, half as long: errors fall by 2 to the order, of steps and of the interpolation between their ends. Errors of Gauss that are no rounding
+/// need steps of 9 rad of the fastest product, cos 5t: there the next term, θ² of some 140, takes up to two orders off.
 #[test]
 fn order_of_each_method_and_of_its_interpolation() {
     let scene = driven::Shaken::default();
-    for (by, s, n, order, between) in [
-        (StepsBy::Rk4, 1.0, 20, 4.0, 3.0),
-        (StepsBy::Dop853, 1.0, 4, 8.0, 7.0),
-        (StepsBy::Gauss, 7.2, 4, 16.0, 8.0),
-        (StepsBy::Radau, 1.0, 8, 5.0, 3.0),
-        (StepsBy::Taylor(6), 1.0, 8, 6.0, 6.0),
-        (StepsBy::Taylor(10), 1.0, 3, 10.0, 10.0),
+    for (by, s, n, order, less, between) in [
+        (StepsBy::Rk4, 1.0, 20, 4.0, 0.0, 3.0),
+        (StepsBy::Dop853, 1.0, 4, 8.0, 0.0, 7.0),
+        (StepsBy::Gauss, 7.2, 4, 16.0, 2.0, 8.0),
+        (StepsBy::Radau, 1.0, 8, 5.0, 0.0, 3.0),
+        (StepsBy::Taylor(6), 1.0, 8, 6.0, 0.0, 6.0),
+        (StepsBy::Taylor(10), 1.0, 3, 10.0, 0.0, 10.0),
     ] {
         let (coarse, fine) = (errors(&scene, by, s, n), errors(&scene, by, s, 2 * n));
         let [found, found_between] = [0, 1].map(|i| (coarse[i] / fine[i]).log2());
-        assert!((found - order).abs() <= 0.5, "{by:?}: order {found:.2}, {coarse:?} {fine:?}");
+        assert!((order - less - 0.5..=order + 0.5).contains(&found), "{by:?}: order {found:.2}, {coarse:?} {fine:?}");
         assert!(found_between >= between - 0.5, "{by:?}: order {found_between:.2} between, {coarse:?} {fine:?}");
         assert!(coarse[0] <= 1e-4 && coarse[1] <= 1e-3, "{by:?}: {coarse:?}");
     }
@@ -96,7 +98,7 @@ fn analytic_tolerances_are_kept_with_steps_of_the_length_that_they_allow() {
         (Method::radau(1e-5), 24.0),
         (Method::radau(1e-8), 82.0),
     ] {
-        let run = Simulation::new(&scene).method(method).every(0.05).run().unwrap();
+        let run = simulation(&scene).method(method).every(0.05).run().unwrap();
         let tolerance = method.tolerance().unwrap().relative;
         let between = BETWEEN.iter().find(|(name, _)| *name == method.name()).unwrap().1;
         for sample in run.samples() {
@@ -115,7 +117,7 @@ fn analytic_tolerances_are_kept_with_steps_of_the_length_that_they_allow() {
 #[test]
 fn analytic_stiff_damper_costs_radau_nothing() {
     let scene = driven::Shaken { k: 1e4, c: 1e4 };
-    let run = Simulation::new(&scene).method(Method::radau(1e-8)).run().unwrap();
+    let run = simulation(&scene).method(Method::radau(1e-8)).run().unwrap();
     let last = run.last();
     let [x, v] = exact(&scene, last.t);
     assert!(
@@ -132,7 +134,7 @@ fn analytic_stiff_damper_costs_radau_nothing() {
 #[test]
 fn invariant_stiffness_is_told_by_the_method_that_suffers_from_it() {
     let stiff_since = |scene: &driven::Shaken, method| {
-        let run = Simulation::new(scene).method(method).until(3.0).run().unwrap();
+        let run = simulation(scene).method(method).until(3.0).run().unwrap();
         (run.stiff_since_s, run.last().t)
     };
     let stiff = driven::Shaken { k: 1e3, c: 1e3 };
@@ -148,7 +150,7 @@ fn invariant_stiffness_is_told_by_the_method_that_suffers_from_it() {
 #[test]
 fn analytic_radau_leaves_a_layer_behind() {
     let scene = driven::Shaken { k: 1e4, c: 1e3 };
-    let run = Simulation::new(&scene).method(Method::radau(1e-8)).give("block.vx", 1.0).run().unwrap();
+    let run = simulation(&scene).method(Method::radau(1e-8)).give("block.vx", 1.0).run().unwrap();
     let last = run.last();
     let [x, v] = exact(&scene, last.t);
     assert!(
@@ -164,7 +166,7 @@ fn analytic_radau_leaves_a_layer_behind() {
 #[test]
 fn invariant_precise_motion_keeps_energy_and_hinge() {
     let scene = pendulum::Swing::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let begin = system.scene_start();
     let begin = system.consistent_start(&begin).unwrap();
     let mut motion = PreciseMotion::new(&scene, &begin).unwrap();
@@ -185,7 +187,7 @@ fn invariant_precise_motion_keeps_energy_and_hinge() {
 #[test]
 fn invariant_precise_motion_by_refined_factors_keeps_energies_and_hinges() {
     let scene = pendulums::Swing::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let begin = system.scene_start();
     let begin = system.consistent_start(&begin).unwrap();
     let mut motion = PreciseMotion::new(&scene, &begin).unwrap();
@@ -237,7 +239,7 @@ fn analytic_pendulum_returns_after_its_period() {
     ] {
         for projection in [Projection::Both, Projection::Velocities, Projection::None] {
             let scene = pendulum::Swing::default();
-            let run = Simulation::new(&scene).method(method).project(projection).until(period).run().unwrap();
+            let run = simulation(&scene).method(method).project(projection).until(period).run().unwrap();
             let last = run.last();
             let angle = last.get("rod.phi").unwrap();
             // at the turning point the angle moves with the square of an error of time

@@ -2,15 +2,16 @@
 
 use super::runs::cart;
 use super::skates::sled;
+use crate::{simulation, system_of};
 use ezy_core::dynamics::{MotionError, SystemError};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 
-fn order(scene: &cart::Pushed) -> Simulation<'_, cart::Pushed> {
-    Simulation::new(scene).method(Method::rk4(0.1))
+fn order(scene: &cart::Pushed) -> Simulation<'_, dyn Scene + '_> {
+    simulation(scene).method(Method::rk4(0.1))
 }
 
-fn refused(order: Simulation<'_, cart::Pushed>) -> SetupError {
+fn refused(order: Simulation<'_, dyn Scene + '_>) -> SetupError {
     order.run().expect_err("it is refused")
 }
 
@@ -76,7 +77,7 @@ fn analytic_changing_inputs_need_steps_of_fixed_length() {
     let error = refused(order(&scene).method(Method::dop853(1e-9)).input("push", ramp()));
     assert!(matches!(error, SetupError::NeedsFixedStep { method: "dop853" }), "{error}");
     // 2 N, or 3 N, on 2 kg for 2 s
-    let last = |order: Simulation<'_, cart::Pushed>| order.run().unwrap().last().velocities[0];
+    let last = |order: Simulation<'_, dyn Scene + '_>| order.run().unwrap().last().velocities[0];
     for method in [Method::dop853(1e-9), Method::rk4(0.1)] {
         let found = last(order(&scene).method(method).input("push", ramp()).input("push", 2.0));
         assert!((found - 2.0).abs() <= 1e-12, "{method:?}: {found}");
@@ -119,9 +120,9 @@ fn invariant_runs_side_by_side_refuse_what_they_cannot_do() {
 #[test]
 fn invariant_scenes_with_modes_are_not_stepped_by_callers() {
     let scene = sled::Pulled::default();
-    let error = Simulation::new(&scene).method(Method::rk4(0.1)).stepper().err().unwrap();
+    let error = simulation(&scene).method(Method::rk4(0.1)).stepper().err().unwrap();
     assert!(error.to_string().contains("limit"), "{error}");
-    let error = Simulation::new(&cart::Pushed::default()).backend(Backend::Generated).give("cart.nope", 1.0).run();
+    let error = simulation(&cart::Pushed::default()).backend(Backend::Generated).give("cart.nope", 1.0).run();
     assert!(error.is_err());
-    assert!(System::new(&scene, Backend::Auto).map(|_| ()) != Err(SystemError::NoElimination { scene: "pulled" }));
+    assert!(system_of(&scene, Backend::Auto).map(|_| ()) != Err(SystemError::NoElimination { scene: "pulled" }));
 }

@@ -2,6 +2,7 @@
 
 use super::accelerations::hoist;
 use super::singular::parallelogram;
+use crate::{simulation, system_of};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 
@@ -21,7 +22,7 @@ model! {
 /// The tolerance of projections; sizes of rows are near one.
 const PROJECTED: f64 = 1e-12;
 
-fn disturbed(system: &mut System<'_, elbow::Swing>) -> State {
+fn disturbed(system: &mut System<'_, dyn Scene + '_>) -> State {
     let start = system.scene_start();
     let mut state = system.consistent_start(&start).unwrap();
     for (i, (q, v)) in state.q.iter_mut().zip(&mut state.v).enumerate() {
@@ -52,7 +53,7 @@ fn invariant_projection_leaves_no_residual_and_says_what_it_found() {
     for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
         for metric in [Metric::Mass, Metric::Euclidean] {
             let scene = elbow::Swing::default();
-            let mut system = System::new(&scene, backend).unwrap();
+            let mut system = system_of(&scene, backend).unwrap();
             let State { q, v, .. } = disturbed(&mut system);
             for projection in [Projection::Both, Projection::Positions, Projection::Velocities, Projection::None] {
                 let (mut q, mut v) = (q.clone(), v.clone());
@@ -84,7 +85,7 @@ fn invariant_projection_leaves_no_residual_and_says_what_it_found() {
 fn analytic_velocity_correction_is_smallest_in_the_metric_of_the_masses() {
     let scene = elbow::Swing::default();
     for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let State { mut q, v, .. } = disturbed(&mut system);
         system.project_positions(0.0, &mut q, Metric::Mass).unwrap();
         let mut moved = v.clone();
@@ -103,7 +104,7 @@ fn analytic_velocity_correction_is_smallest_in_the_metric_of_the_masses() {
 #[test]
 fn invariant_monitors_tell_residuals_and_drift() {
     let scene = elbow::Swing::default();
-    let run = |projection| Simulation::new(&scene).method(Method::rk4(0.01)).project(projection).run().unwrap();
+    let run = |projection| simulation(&scene).method(Method::rk4(0.01)).project(projection).run().unwrap();
     let (free, held) = (run(Projection::None), run(Projection::Both));
     let last = free.last();
     let found = residuals(last.coordinates, last.velocities);
@@ -119,7 +120,7 @@ fn invariant_monitors_tell_residuals_and_drift() {
 #[test]
 fn invariant_a_limit_on_drift_ends_a_run() {
     let scene = elbow::Swing::default();
-    let order = |drift| Simulation::new(&scene).method(Method::rk4(0.01)).project(Projection::None).max_drift(drift);
+    let order = |drift| simulation(&scene).method(Method::rk4(0.01)).project(Projection::None).max_drift(drift);
     assert!(order(1.0).run().unwrap().outcome.reached_end());
     let run = order(1e-9).run().unwrap();
     assert!(matches!(run.outcome, Outcome::Stopped { t, .. } if t < 0.9), "{:?}", run.outcome);
@@ -131,7 +132,7 @@ fn invariant_a_limit_on_drift_ends_a_run() {
 fn analytic_euclidean_velocity_correction_holds_every_kind_of_row() {
     let scene = hoist::Falls::default();
     for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let q = [0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
         let before = [0.3, -0.2, 1.0, 0.1, 0.5, -0.4];
         let mut v = before;
@@ -166,7 +167,7 @@ model! {
 #[test]
 fn invariant_row_that_cannot_be_met_is_not_told_as_a_contradiction_of_others() {
     let scene = nowhere::Stays::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut q = [0.7, 0.1, 0.0];
     let error = system.project_positions(0.0, &mut q, Metric::Mass).unwrap_err();
     let MotionError::ProjectionStalled { row, residual, passes, .. } = error else { panic!("{error}") };
@@ -179,7 +180,7 @@ fn invariant_row_that_cannot_be_met_is_not_told_as_a_contradiction_of_others() {
 fn invariant_velocities_next_to_a_flat_position_are_those_at_corrected_positions() {
     let scene = parallelogram::Falls::default();
     for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let (left, right) = (1e-5_f64 + 2e-8, 1e-5_f64 - 2e-8);
         let bar = (0.5 * (right.sin() - left.sin())).asin();
         let rate = 0.5 * (right.cos() - left.cos()) / bar.cos();

@@ -5,6 +5,7 @@
 
 use super::redundant::{cranks, two_belts};
 use super::singular::parallelogram;
+use crate::{simulation, system_of};
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
@@ -74,7 +75,7 @@ model! {
 
 const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Sparse];
 
-fn start_of<S: Scene>(system: &mut System<'_, S>) -> State {
+fn start_of<S: Scene + ?Sized>(system: &mut System<'_, S>) -> State {
     let start = system.scene_start();
     system.consistent_start(&start).unwrap()
 }
@@ -84,7 +85,7 @@ fn start_of<S: Scene>(system: &mut System<'_, S>) -> State {
 fn analytic_rank_of_parallel_cranks() {
     let scene = cranks::Swing::default();
     for backend in BACKENDS {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let state = start_of(&mut system);
         let loss = system.rank_loss(0.0, &state.q);
         assert_eq!((loss.n_coordinates, loss.n_rows, loss.n_redundant, loss.freedom()), (12, 12, Some(1), Some(1)));
@@ -98,7 +99,7 @@ fn analytic_rank_of_parallel_cranks() {
         assert_eq!(loss.rows.join(", "), "A.x, B.x, C.x, P.x, Q.x, R.x", "those along the line of all bars");
     }
     let stretched = stretched::Hangs::default();
-    let mut system = System::new(&stretched, Backend::Auto).unwrap();
+    let mut system = system_of(&stretched, Backend::Auto).unwrap();
     let loss = system.rank_loss(0.0, &[0.5, 0.0, 0.0, 1.5, 0.0, 0.0]);
     assert_eq!((loss.n_redundant, loss.freedom()), (Some(1), Some(1)));
     assert_eq!(loss.rows, ["A.x", "B.x", "C.x"]);
@@ -117,7 +118,7 @@ fn analytic_doubled_rows_share_a_push_in_systems_of_any_size() {
         (101, Backend::Sparse, None),
     ] {
         let scene = doubled::Pushed { n, ..Default::default() };
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let state = start_of(&mut system);
         let (mut a, mut lambda) = (vec![0.0; 3 * n], vec![0.0; 2 * n]);
         let solved = system.accelerations(0.0, &state.q, &state.v, &mut a, &mut lambda).unwrap();
@@ -152,7 +153,7 @@ fn analytic_doubled_rows_share_a_push_in_systems_of_any_size() {
 fn analytic_positions_that_contradict_each_other_are_refused_by_name() {
     let scene = doubled::Pushed { n: 2, apart: 1e-3 };
     for backend in [Backend::Dense, Backend::Sparse] {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let error = system.project_positions(0.0, &mut [0.0; 6], Metric::Mass).unwrap_err();
         let MotionError::ContradictoryRows { t, rows, level, residual, tolerance } = &error else { panic!("{error}") };
         assert_eq!((*t, *level, rows.len()), (0.0, "the positions", 4));
@@ -169,7 +170,7 @@ fn analytic_rows_within_rounding_of_each_other_are_refused_by_name() {
     for backend in BACKENDS {
         let solve = |apart: f64| {
             let scene = axle::Rolls { apart };
-            let mut system = System::new(&scene, backend).unwrap();
+            let mut system = system_of(&scene, backend).unwrap();
             let (mut a, mut lambda) = ([0.0; 3], [0.0; 2]);
             let solved = system.accelerations(0.0, &[0.0, 0.0, 0.3], &[0.5, 0.1, 2.0], &mut a, &mut lambda);
             solved.map(|solved| (solved, a, lambda))
@@ -199,7 +200,7 @@ fn analytic_stretched_bars_are_refused_and_bent_ones_stand() {
         for method in
             [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)]
         {
-            let error = Simulation::new(&scene).backend(backend).method(method).run().unwrap_err();
+            let error = simulation(&scene).backend(backend).method(method).run().unwrap_err();
             let SetupError::Motion(MotionError::SingularPosition { t, rows, level, residual }) = &error else {
                 panic!("{backend:?} {method:?}: {error}")
             };
@@ -213,7 +214,7 @@ fn analytic_stretched_bars_are_refused_and_bent_ones_stand() {
         }
     }
     let scene = stretched::Hinged { apart: 1.6 };
-    let run = Simulation::new(&scene).method(Method::rk4(0.01)).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(0.01)).run().unwrap();
     // each bar carries its own weight, half of it at either end: the joint hands over no vertical force
     let sink = 0.6 / 0.8;
     let last = run.last();
@@ -232,7 +233,7 @@ fn analytic_stretched_bars_are_refused_and_bent_ones_stand() {
 fn analytic_parallelogram_leaves_its_level_position() {
     let scene = parallelogram::Falls::default();
     let order = |method, rates: [f64; 2]| {
-        let mut order = Simulation::new(&scene).method(method).until(0.3).project_start();
+        let mut order = simulation(&scene).method(method).until(0.3).project_start();
         for (name, rate) in ["left", "right"].into_iter().zip(rates) {
             order = order.give(format!("{name}.phi"), 0.0).give(format!("{name}.omega"), rate);
         }
@@ -254,7 +255,7 @@ fn analytic_parallelogram_leaves_its_level_position() {
 fn analytic_crank_beyond_the_reach_of_its_rod_ends_the_run_with_the_rows() {
     let reach = 0.5_f64.asin() - 0.2;
     for method in [Method::rk4(1e-3), Method::dop853(1e-7)] {
-        let run = Simulation::new(&short_rod::Turn::default()).method(method).run().unwrap();
+        let run = simulation(&short_rod::Turn::default()).method(method).run().unwrap();
         let Outcome::Stopped { t, reason: StopReason::Motion(error), .. } = &run.outcome else {
             panic!("{method:?}: {}", run.outcome)
         };
@@ -275,7 +276,7 @@ fn analytic_velocities_that_contradict_each_other_leave_their_difference() {
     let scene = two_belts::Fall { more: 1.0, ..Default::default() };
     let q = [0.0; 3];
     for backend in BACKENDS {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         // belts at 1 m/s and 1.001 m/s
         let error = system.project_velocities(1e-3, &q, &mut [1.0, 0.0, 0.0], Metric::Mass).unwrap_err();
         let MotionError::ContradictoryRows { t, rows, level, residual, tolerance } = &error else { panic!("{error}") };

@@ -3,6 +3,7 @@
 // that rows repeat others is what the compiler warns of
 #![allow(deprecated)]
 
+use crate::simulation;
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::StopReason;
@@ -26,7 +27,7 @@ model! {
 /// The time and the message with which belts of different accelerations end a run; `None` when it reaches its end.
 fn end_of_belts(more: f64, projection: Projection) -> Option<(f64, String)> {
     let scene = two_belts::Fall { more, ..Default::default() };
-    let run = Simulation::new(&scene).method(Method::rk4(1e-4)).project(projection).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-4)).project(projection).run().unwrap();
     match run.outcome {
         Outcome::ReachedEnd => None,
         Outcome::Stopped { t, reason: StopReason::Motion(reason @ MotionError::ContradictoryRows { .. }), .. } => {
@@ -50,7 +51,7 @@ fn analytic_belts_end_a_run_when_their_velocities_part() {
 fn analytic_belts_end_a_run_when_their_accelerations_differ() {
     assert_eq!(end_of_belts(2e-2, Projection::None), None, "without projection velocities are not compared");
     let scene = two_belts::Fall { more: 2.0, ..Default::default() };
-    let error = Simulation::new(&scene).run().expect_err("a fifth of the largest acceleration").to_string();
+    let error = simulation(&scene).run().expect_err("a fifth of the largest acceleration").to_string();
     assert!(error.contains("the accelerations") && error.contains("first"), "{error}");
 }
 
@@ -78,7 +79,7 @@ fn cross_two_wheels_on_one_axle_move_like_one_and_halve_its_force() {
         [Method::rk4(1e-3), Method::dop853(1e-10), Method::taylor(1e-10), Method::gauss(1e-10), Method::radau(1e-11)]
     {
         let [one, two] = [&axle::One::default() as &dyn Scene, &axle::Two::default()]
-            .map(|scene| Simulation::new(scene).method(method).run().unwrap());
+            .map(|scene| simulation(scene).method(method).run().unwrap());
         for (x, y) in one.last().coordinates.iter().zip(two.last().coordinates) {
             assert!((x - y).abs() <= MOTION, "{method:?}: {x} and {y}");
         }
@@ -120,7 +121,7 @@ fn analytic_parallel_cranks_swing_like_a_pendulum() {
         (Method::radau(1e-7), 1e-5),
     ] {
         for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
-            let run = Simulation::new(&cranks::Swing::default()).method(method).backend(backend).run().unwrap();
+            let run = simulation(&cranks::Swing::default()).method(method).backend(backend).run().unwrap();
             let last = run.last();
             let (phi, rate) = (last.get("a.phi").unwrap(), last.get("a.omega").unwrap());
             let expected = (2.0 * 13.0 * 9.81 * ((-0.5_f64).sin() - phi.sin()) / 12.0).sqrt();

@@ -1,5 +1,6 @@
 //! How a run is asked for: inputs, samples, limits, and a caller who steps.
 
+use crate::simulation;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ExceededLimit, StopReason};
 
@@ -23,7 +24,7 @@ const ROUNDING: f64 = 1e-13;
 #[test]
 fn analytic_inputs_are_held_over_a_step() {
     let scene = cart::Pushed::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(0.5)).every(0.5).outputs();
+    let order = || simulation(&scene).method(Method::rk4(0.5)).every(0.5).outputs();
     let ramp = InputTable::new(vec![0.0, 2.0], vec![0.0, 4.0]).unwrap();
     let jump = InputTable::held(vec![0.0, 1.0], vec![2.0, -2.0]).unwrap();
     let close = |x: f64, y: f64| assert!((x - y).abs() <= ROUNDING * 100.0, "{x} {y}");
@@ -70,7 +71,7 @@ fn invariant_samples_come_at_their_times_and_at_the_end() {
     for method in
         [Method::rk4(0.07), Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-9)]
     {
-        let run = Simulation::new(&scene).method(method).every(0.3).until(1.0).run().unwrap();
+        let run = simulation(&scene).method(method).every(0.3).until(1.0).run().unwrap();
         let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
         assert_eq!(times.len(), 5, "{method:?}: {times:?}");
         assert!(run.sample(3).is_some_and(|sample| sample.t == times[3]) && run.sample(5).is_none(), "{method:?}");
@@ -91,7 +92,7 @@ fn invariant_samples_come_at_their_times_and_at_the_end() {
 #[test]
 fn invariant_samples_of_radau_cost_one_evaluation_each() {
     let scene = cart::Pushed::default();
-    let cost = |every| Simulation::new(&scene).method(Method::radau(1e-9)).every(every).run().unwrap().cost;
+    let cost = |every| simulation(&scene).method(Method::radau(1e-9)).every(every).run().unwrap().cost;
     let (few, many) = (cost(2.0), cost(0.01));
     assert_eq!((many.steps, many.evaluations), (few.steps, few.evaluations + 199));
 }
@@ -100,7 +101,7 @@ fn invariant_samples_of_radau_cost_one_evaluation_each() {
 fn invariant_a_limit_on_steps_ends_a_run_with_what_it_has() {
     let scene = cart::Pushed::default();
     for (method, steps) in [(Method::rk4(0.01), 7), (Method::radau(1e-9), 2)] {
-        let run = Simulation::new(&scene).method(method).max_steps(steps).run().unwrap();
+        let run = simulation(&scene).method(method).max_steps(steps).run().unwrap();
         let Outcome::Stopped { t, reason: StopReason::Limit(ExceededLimit::Steps { .. }), .. } = &run.outcome else {
             panic!("{method:?}: {:?}", run.outcome)
         };
@@ -111,10 +112,10 @@ fn invariant_a_limit_on_steps_ends_a_run_with_what_it_has() {
         );
     }
     // where the last good state was sampled, it is not sampled again
-    let run = Simulation::new(&scene).method(Method::rk4(0.01)).every(0.01).max_steps(7).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(0.01)).every(0.01).max_steps(7).run().unwrap();
     let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
     assert!(times.len() == 8 && times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
-    let whole = Simulation::new(&scene).method(Method::rk4(0.01)).max_steps(200).run().unwrap();
+    let whole = simulation(&scene).method(Method::rk4(0.01)).max_steps(200).run().unwrap();
     assert!(whole.outcome.reached_end() && whole.cost.steps == 200, "{:?}", whole.cost);
     assert_eq!(whole.cost.evaluations, 4 * 200 + 1);
 }
@@ -122,7 +123,7 @@ fn invariant_a_limit_on_steps_ends_a_run_with_what_it_has() {
 #[test]
 fn cross_stepper_gives_the_bits_of_a_run_and_repeats_them() {
     let scene = cart::Pushed::default();
-    let order = || Simulation::new(&scene).method(Method::rk4(0.05)).until(2.0).outputs().work();
+    let order = || simulation(&scene).method(Method::rk4(0.05)).until(2.0).outputs().work();
     let run = order().every(0.05).run().unwrap();
     let mut stepper = order().stepper().unwrap();
     for pass in 0..2 {
@@ -184,7 +185,7 @@ fn invariant_rows_of_a_file_are_the_samples() {
     let scene = cart::Pushed::default();
     let mut file = Vec::new();
     let mut writer = CsvWriter::new(&mut file);
-    let run = Simulation::new(&scene).method(Method::rk4(0.1)).every(0.7).record_to(&mut writer).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(0.1)).every(0.7).record_to(&mut writer).run().unwrap();
     drop(writer);
     let text = String::from_utf8(file).unwrap();
     let mut lines = text.lines();
@@ -212,12 +213,12 @@ model! {
 fn analytic_motion_that_ends_is_followed_to_its_end_and_says_so() {
     let scene = escape::Leaves::default();
     for method in [Method::dop853(1e-11), Method::taylor(1e-11), Method::gauss(1e-11), Method::radau(1e-9)] {
-        let run = Simulation::new(&scene).method(method).until(0.9).run().unwrap();
+        let run = simulation(&scene).method(method).until(0.9).run().unwrap();
         let x = run.last().coordinates[0];
         assert!((x / 100.0 - 1.0).abs() <= 1e-6, "{method:?}: {x}");
         let [shortest, longest] = run.monitors.steps_s.unwrap();
         assert!(shortest < longest / 3.0, "{method:?}: steps become shorter, from {longest} to {shortest}");
-        let run = Simulation::new(&scene).method(method).run().unwrap();
+        let run = simulation(&scene).method(method).run().unwrap();
         let Outcome::Stopped { t, .. } = run.outcome else { panic!("{method:?}: {:?}", run.outcome) };
         assert!((t - 1.0).abs() <= 1e-3, "{method:?}: {t}");
     }
@@ -228,7 +229,7 @@ fn analytic_motion_that_ends_is_followed_to_its_end_and_says_so() {
 fn analytic_progress_is_told_for_each_hundredth() {
     let scene = cart::Pushed::default();
     let mut told = Vec::new();
-    let order = Simulation::new(&scene).method(Method::rk4(0.005)).until(2.0).on_progress(|done| told.push(done));
+    let order = simulation(&scene).method(Method::rk4(0.005)).until(2.0).on_progress(|done| told.push(done));
     assert_eq!(order.run().unwrap().cost.steps, 400);
     assert!(told.len() >= 99 && told.len() <= 101 && told[told.len() - 1] == 1.0, "{} times", told.len());
     for pair in told.windows(2) {

@@ -1,5 +1,6 @@
 //! Positions in which constraints depend on each other.
 
+use crate::simulation;
 use ezy_core::prelude::*;
 
 model! {
@@ -28,7 +29,7 @@ fn analytic_parallelogram_passes_its_flat_position() {
         (Method::gauss(1e-10), 1e-7),
         (Method::radau(1e-8), 1e-4),
     ] {
-        let run = Simulation::new(&parallelogram::Falls::default()).method(method).run().unwrap();
+        let run = simulation(&parallelogram::Falls::default()).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
         let last = run.last();
         let (phi, rate) = (last.get("left.phi").unwrap(), last.get("left.omega").unwrap());
@@ -62,7 +63,7 @@ const PASSED: f64 = 1e-8;
 #[test]
 fn cross_parallelogram_turns_over_and_records_what_it_passes() {
     let pendulum = equivalent::Turns::default();
-    let exact = Simulation::new(&pendulum).method(Method::dop853(1e-13)).every(1e-3).run().unwrap();
+    let exact = simulation(&pendulum).method(Method::dop853(1e-13)).every(1e-3).run().unwrap();
     let half_turns: Vec<(f64, f64)> =
         exact.samples().map(|sample| (sample.t, sample.coordinates[2] / std::f64::consts::PI)).collect();
     let passes = |pair: &[(f64, f64)]| {
@@ -74,7 +75,7 @@ fn cross_parallelogram_turns_over_and_records_what_it_passes() {
     assert!(level.len() >= 4, "{level:?}");
     let scene = parallelogram::Falls::default();
     let turning = |method| {
-        let order = Simulation::new(&scene).method(method).until(3.0).project_start();
+        let order = simulation(&scene).method(method).until(3.0).project_start();
         order.give("left.omega", 7.0).give("right.omega", 7.0).give("bar.omega", 0.0).run().unwrap()
     };
     for (method, tolerance, least) in [
@@ -90,7 +91,7 @@ fn cross_parallelogram_turns_over_and_records_what_it_passes() {
         let error = last.get("left.phi").unwrap() - exact.last().coordinates[2];
         assert!(error.abs() <= (TURNED_OVER * tolerance).max(PASSED), "{method:?}: {error:.1e}");
         assert!(last.get("bar.phi").unwrap().abs() <= PASSED && last.position_residual <= 1e-12, "{method:?}");
-        let alone = Simulation::new(&pendulum).method(method).run().unwrap().cost;
+        let alone = simulation(&pendulum).method(method).run().unwrap().cost;
         assert!(run.cost.steps <= 4 * alone.steps, "{method:?}: {} steps, {} alone", run.cost.steps, alone.steps);
         let crossings = &run.rank.crossings;
         assert!((least..=level.len()).contains(&crossings.len()), "{method:?}: {crossings:?} of {level:?}");
@@ -99,7 +100,7 @@ fn cross_parallelogram_turns_over_and_records_what_it_passes() {
             assert_eq!(n, 1, "{method:?}: {crossing:?} of {level:?}");
         }
         // the pendulum itself has no singular position
-        let alone = Simulation::new(&pendulum).method(method).run().unwrap();
+        let alone = simulation(&pendulum).method(method).run().unwrap();
         assert!(alone.rank.crossings.is_empty() && alone.rank.intervals.is_empty(), "{method:?}: {}", alone.rank);
     }
 }

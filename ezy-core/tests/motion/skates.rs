@@ -1,5 +1,6 @@
 //! A skate with a limit.
 
+use crate::simulation;
 use ezy_core::prelude::*;
 
 model! {
@@ -24,7 +25,7 @@ fn analytic_sled_slides_on_to_the_other_side() {
     for method in
         [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-11), Method::rk4(1e-3)]
     {
-        let run = Simulation::new(&sled::Pulled::default()).method(method).work().run().unwrap();
+        let run = simulation(&sled::Pulled::default()).method(method).work().run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {:?}", run.outcome);
         let events: Vec<(&str, f64)> = run.events().iter().map(|of| (of.event.name, of.state.t)).collect();
         let [("runner slides", first), ("runner stops", stops), ("runner slides", second)] = events[..] else {
@@ -43,18 +44,18 @@ fn analytic_sled_slides_on_to_the_other_side() {
 #[test]
 fn analytic_sled_that_holds_does_not_move() {
     let scene = sled::Pulled { limit: 20.0, ..Default::default() };
-    let run = Simulation::new(&scene).method(Method::dop853(1e-12)).run().unwrap();
+    let run = simulation(&scene).method(Method::dop853(1e-12)).run().unwrap();
     let last = run.last();
     assert!(run.events().is_empty() && last.get("sled.y").unwrap().abs() <= 1e-15);
     assert!((last.get("lambda.runner").unwrap().abs() - (12.0 * 1.2_f64.powi(3) - 6.0)).abs() <= 1e-12);
-    let fixed = Simulation::new(&scene).method(Method::rk4(1e-2)).run().unwrap().cost;
+    let fixed = simulation(&scene).method(Method::rk4(1e-2)).run().unwrap().cost;
     assert_eq!((fixed.steps, fixed.rejected), (120, 0));
 }
 
 /// A step of fixed length is taken back where a mode ends in it; what is left of it is a step more.
 #[test]
 fn regress_steps_that_changes_of_mode_take_back() {
-    let run = Simulation::new(&sled::Pulled::default()).method(Method::rk4(0.07)).run().unwrap();
+    let run = simulation(&sled::Pulled::default()).method(Method::rk4(0.07)).run().unwrap();
     // 18 steps to 1.2 s; the sled stops in the one that passes 1 s
     assert_eq!((run.cost.steps, run.cost.rejected, run.events().len()), (19, 1, 3));
 }
@@ -75,7 +76,7 @@ model! {
 #[test]
 fn analytic_sled_slides_before_its_limit_would_end() {
     for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::gauss(1e-12), Method::radau(1e-11)] {
-        let run = Simulation::new(&fading::Pulled::default()).method(method).run().unwrap();
+        let run = simulation(&fading::Pulled::default()).method(method).run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
         let events: Vec<(&str, f64)> = run.events().iter().map(|of| (of.event.name, of.state.t)).collect();
         let [("runner slides", t)] = events[..] else { panic!("{method:?}: {events:?}") };

@@ -1,5 +1,6 @@
 //! Starts: what is given stays, what is free moves as little as possible, and what cannot be met is named.
 
+use crate::system_of;
 use ezy_core::dynamics::StartError;
 use ezy_core::model::Start;
 use ezy_core::prelude::*;
@@ -67,7 +68,7 @@ model! {
 const ASSEMBLED: f64 = 1e-12;
 
 fn assembled(scene: &dyn Scene, start: &Start) -> State {
-    let mut system = System::new(scene, Backend::Auto).unwrap();
+    let mut system = system_of(scene, Backend::Auto).unwrap();
     let state = system.consistent_start(start).unwrap_or_else(|error| panic!("{error}"));
     assert!(system.position_residual(state.t, &state.q) <= ASSEMBLED, "{:?}", state.q);
     assert!(system.velocity_residual(state.t, &state.q, &state.v) <= ASSEMBLED, "{:?}", state.v);
@@ -75,7 +76,7 @@ fn assembled(scene: &dyn Scene, start: &Start) -> State {
 }
 
 fn refused(scene: &dyn Scene, start: &Start) -> StartError {
-    System::new(scene, Backend::Auto).unwrap().consistent_start(start).expect_err("it cannot be met")
+    system_of(scene, Backend::Auto).unwrap().consistent_start(start).expect_err("it cannot be met")
 }
 
 /// With G = [1, 2] and masses m, n: the rope asks each block for its share (1/m and 2/n) of the residual over 1/m + 4/n.
@@ -156,7 +157,7 @@ fn motion(q: &[f64], j: usize) -> Vec<f64> {
 fn analytic_velocities_of_a_chain_have_least_energy_by_both_solvers() {
     for n in [3, 50, 51] {
         let scene = chain::Swing { n, ..Default::default() };
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let system = system_of(&scene, Backend::Auto).unwrap();
         let start = system.scene_start();
         let state = assembled(&scene, &start);
         let mut end = [0.0, 0.0];
@@ -217,7 +218,7 @@ fn analytic_four_bar_is_assembled_from_far() {
 #[test]
 fn invariant_consistent_start_is_not_touched() {
     let scene = four_bar::Turning::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let start = system.scene_start();
     let state = system.consistent_start(&start).unwrap();
     assert!(system.position_residual(0.0, &state.q) <= 4.0 * f64::EPSILON, "one pass more, for rounding");
@@ -247,7 +248,7 @@ fn analytic_start_leaves_a_symmetry() {
     // places that are the same each time
     assert_eq!(assembled(&flat, &start), state);
     let massive = four_bar::Turning { base: 2e3, crank_length: 1e3, coupler_length: 2e3, rocker_length: 1.5e3 };
-    let mut system = System::new(&massive, Backend::Auto).unwrap();
+    let mut system = system_of(&massive, Backend::Auto).unwrap();
     let large = system.consistent_start(&start).unwrap();
     assert!((large.q[5].sin().abs() - bent[0].sin().abs()).abs() <= 10.0 * ASSEMBLED, "{:?}", large.q);
 }
@@ -266,7 +267,7 @@ fn invariant_start_values_that_are_no_numbers_are_refused_by_name() {
     assert_eq!(error(|start| start.v[4] = -2e9), large);
     let mut start = Start::free(6);
     start.give_position(1, 1e9);
-    assert_eq!(System::new(&scene, Backend::Auto).unwrap().consistent_start(&start).unwrap().q[1], 1e9);
+    assert_eq!(system_of(&scene, Backend::Auto).unwrap().consistent_start(&start).unwrap().q[1], 1e9);
 }
 
 /// The rope is 0.75 m too short for both blocks, and runs at 2.5 m/s where it runs at 1.5 m/s.
@@ -340,7 +341,7 @@ fn invariant_row_without_a_value_is_named() {
 #[test]
 fn analytic_near_values_give_way_and_are_told() {
     let scene = tackle::Moves::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut start = Start::free(6);
     start.give_position(0, 2.0);
     start.near_position(3, 1.0);
@@ -364,7 +365,7 @@ fn analytic_near_values_give_way_and_are_told() {
 #[test]
 fn analytic_last_digits_of_near_values_are_not_told() {
     let scene = tackle::Moves::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut told = |q: f64, v: f64| {
         let mut start = Start::free(6);
         start.give_position(0, 2.0);
@@ -379,7 +380,7 @@ fn analytic_last_digits_of_near_values_are_not_told() {
     assert_eq!(told(2e-6, 20e-6), ["right.x"]);
     assert_eq!(told(-2e-6, -60e-6), ["right.x", "right.vx"]);
     let pendulum = chain::Swing { n: 1, ..Default::default() };
-    let mut system = System::new(&pendulum, Backend::Auto).unwrap();
+    let mut system = system_of(&pendulum, Backend::Auto).unwrap();
     for (off, n) in [(2e-7, 0), (-2e-7, 0), (1e-5, 1), (-1e-5, 1)] {
         let mut start = Start::free(3);
         start.give_position(0, 0.5 * FRAC_PI_3.cos());

@@ -1,5 +1,6 @@
 //! Stops: impacts, and rest on an end.
 
+use crate::simulation;
 use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::StopReason;
@@ -28,7 +29,7 @@ const METHODS: [Method; 4] = [Method::dop853(1e-12), Method::taylor(1e-12), Meth
 #[test]
 fn analytic_stone_bounces_and_rests() {
     for method in METHODS {
-        let run = Simulation::new(&stone::Falls::default()).method(method).work().run().unwrap();
+        let run = simulation(&stone::Falls::default()).method(method).work().run().unwrap();
         let events = run.events();
         let hits: Vec<f64> = events.iter().filter(|of| of.event.name == "floor hits").map(|of| of.state.t).collect();
         for (hit, expected) in hits.iter().zip([1.0, 2.0, 2.5, 2.75]) {
@@ -69,7 +70,7 @@ model! {
 fn analytic_floor_that_rises_under_a_stone_that_leaves_does_not_throw_it() {
     for e in [0.0, 0.5, 1.0] {
         let scene = lift::Flies { e };
-        let run = Simulation::new(&scene).method(Method::dop853(1e-12)).run().unwrap();
+        let run = simulation(&scene).method(Method::dop853(1e-12)).run().unwrap();
         let names: Vec<&str> = run.events().iter().map(|of| of.event.name).collect();
         assert_eq!(names, ["floor holds"], "e = {e}");
         let last = run.last();
@@ -83,7 +84,7 @@ fn analytic_floor_that_rises_under_a_stone_that_leaves_does_not_throw_it() {
 #[test]
 fn invariant_restitution_beyond_one_ends_the_run() {
     let scene = stone::Falls { e: 1.5, ..Default::default() };
-    let run = Simulation::new(&scene).run().unwrap();
+    let run = simulation(&scene).run().unwrap();
     let Outcome::Stopped { reason: StopReason::Motion(MotionError::Restitution { t, value, .. }), .. } = &run.outcome
     else {
         panic!("{:?}", run.outcome)
@@ -113,7 +114,7 @@ fn analytic_floor_that_sinks_carries_what_falls_no_slower() {
         for (a, sinks) in [(4.0, 4.0), (9.9, 9.9), (10.1, 10.0), (25.0, 10.0)] {
             let scene = sinking::Sinks { a, h, ..Default::default() };
             for method in [Method::dop853(1e-12), Method::taylor(1e-12), Method::rk4(1e-2)] {
-                let run = Simulation::new(&scene).method(method).run().unwrap();
+                let run = simulation(&scene).method(method).run().unwrap();
                 let last = run.last();
                 let (y, v) = (last.get("stone.y").unwrap() - h, last.get("stone.vy").unwrap());
                 // rounding of a height of 1 km is 1e-13 m
@@ -133,7 +134,7 @@ fn analytic_floor_that_sinks_carries_what_falls_no_slower() {
 fn invariant_stone_within_the_tolerance_of_the_floor_rests_on_it() {
     for above in [-1e-13, 1e-13] {
         let scene = sinking::Sinks { above, h: 1.0, ..Default::default() };
-        let run = Simulation::new(&scene).method(Method::dop853(1e-12)).until(0.1).run().unwrap();
+        let run = simulation(&scene).method(Method::dop853(1e-12)).until(0.1).run().unwrap();
         let found = run.sample(0).unwrap().get("lambda.floor").unwrap();
         assert!((found + 12.0).abs() <= 1e-9 && run.events().is_empty(), "{above}: {found}, {:?}", run.events());
     }

@@ -8,6 +8,7 @@ use super::ranks::doubled;
 use super::redundant::cranks;
 use super::singular::parallelogram;
 use super::starts::{chain, four_bar, tackle};
+use crate::{simulation, system_of};
 use ezy_core::dynamics::{MotionError, StrainSource, SystemError};
 use ezy_core::prelude::*;
 use std::f64::consts::FRAC_PI_6;
@@ -68,13 +69,13 @@ const ROUNDING: f64 = 1e-13;
 
 const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Sparse];
 
-fn start_of<S: Scene>(system: &mut System<'_, S>) -> State {
+fn start_of<S: Scene + ?Sized>(system: &mut System<'_, S>) -> State {
     let start = system.scene_start();
     system.consistent_start(&start).unwrap()
 }
 
-fn refused<S: Scene>(scene: &S, backend: Backend) -> String {
-    System::new(scene, backend).err().expect("it is refused").to_string()
+fn refused(scene: &dyn Scene, backend: Backend) -> String {
+    system_of(scene, backend).err().expect("it is refused").to_string()
 }
 
 #[test]
@@ -97,7 +98,7 @@ fn invariant_systems_that_cannot_be_set_up_say_why() {
         refused(&chain, Backend::Generated).starts_with("scene `swing` has no generated elimination: it has counts")
     );
     // 3 n coordinates and 2 n rows
-    let system = |n, backend| System::new(&doubled::Pushed { n, ..Default::default() }, backend).map(|_| ());
+    let system = |n, backend| system_of(&doubled::Pushed { n, ..Default::default() }, backend).map(|_| ());
     assert!(system(600, Backend::Dense).is_ok());
     assert_eq!(system(601, Backend::Dense), Err(SystemError::TooLargeForDense { n: 3005, limit: 3000 }));
     assert!(matches!(system(0, Backend::Auto), Err(SystemError::Layout(_))));
@@ -106,7 +107,7 @@ fn invariant_systems_that_cannot_be_set_up_say_why() {
 /// The inertia j of a rod on a lever of r is felt like a mass j/r²: from 1e-4 of the heaviest on the elimination is taken.
 #[test]
 fn analytic_light_bodies_are_left_to_the_pivoted_solver() {
-    let eliminates = |scene: pair::Moves| System::new(&scene, Backend::Auto).unwrap().uses_elimination();
+    let eliminates = |scene: pair::Moves| system_of(&scene, Backend::Auto).unwrap().uses_elimination();
     for lever in [0.25, 1.0, 4.0] {
         for (share, expected) in [(1.2e-4, true), (0.8e-4, false)] {
             let j = share * lever * lever;
@@ -125,8 +126,8 @@ fn analytic_slopes_too_far_apart_are_left_to_the_pivoted_solver() {
         [(1e11, true), (1e-11, true), (1e13, false), (1e-13, false), (1e60, false), (1e-60, false), (0.0, true)]
     {
         let scene = pair::Moves { slope, ..Default::default() };
-        assert_eq!(System::new(&scene, Backend::Auto).unwrap().uses_elimination(), expected, "{slope:e}");
-        let generated = System::new(&scene, Backend::Generated).map(|_| ());
+        assert_eq!(system_of(&scene, Backend::Auto).unwrap().uses_elimination(), expected, "{slope:e}");
+        let generated = system_of(&scene, Backend::Generated).map(|_| ());
         assert_eq!(generated.is_ok(), expected, "{slope:e}");
         assert!(expected || generated == Err(SystemError::OutOfRange { scene: "moves" }), "{slope:e}");
     }
@@ -137,7 +138,7 @@ fn analytic_slopes_too_far_apart_are_left_to_the_pivoted_solver() {
 fn analytic_corrections_are_smallest_in_their_metric() {
     let scene = tackle::Moves::default();
     for backend in BACKENDS {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         let share = 1.0 / 3.0 + 4.0 / 5.0;
         for (metric, by) in [(Metric::Mass, [1.0 / 3.0 / share, 2.0 / 5.0 / share]), (Metric::Euclidean, [0.2, 0.4])] {
             for r in [0.5, -2.0] {
@@ -152,7 +153,7 @@ fn analytic_corrections_are_smallest_in_their_metric() {
         }
     }
     let scene = doubled::Pushed { n: 601, ..Default::default() };
-    let mut system = System::new(&scene, Backend::Sparse).unwrap();
+    let mut system = system_of(&scene, Backend::Sparse).unwrap();
     let error = system.project_velocities(0.0, &vec![0.0; 1803], &mut vec![1.0; 1803], Metric::Euclidean).unwrap_err();
     assert_eq!(error, MotionError::EuclideanTooLarge { n: 3005, limit: 3000 });
 }
@@ -163,7 +164,7 @@ fn analytic_corrections_are_smallest_in_their_metric() {
 fn analytic_inputs_change_accelerations_at_once() {
     let scene = gearbox::Drives::default();
     for backend in BACKENDS {
-        let mut system = System::new(&scene, backend).unwrap();
+        let mut system = system_of(&scene, backend).unwrap();
         for push in [6.0, -3.0, 1.0] {
             system.inputs_mut()[0] = push;
             let (mut q, mut v) = ([0.0; 6], [2.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
@@ -195,7 +196,7 @@ fn regress_evaluations_and_factorisations_of_a_run() {
     let scene = pendulum::Swing::default();
     for backend in BACKENDS {
         for (projection, of_a_step) in [(Projection::Both, 5), (Projection::Velocities, 4), (Projection::None, 4)] {
-            let order = Simulation::new(&scene).backend(backend).method(Method::rk4(0.01)).without_events();
+            let order = simulation(&scene).backend(backend).method(Method::rk4(0.01)).without_events();
             let run = order.project(projection).run().unwrap();
             assert_eq!((run.cost.steps, run.cost.evaluations), (STEPS, 4 * STEPS + 1), "{backend:?} {projection:?}");
             // one factorisation at the start; an elimination also shows the pivots there, to three who ask
@@ -203,7 +204,7 @@ fn regress_evaluations_and_factorisations_of_a_run() {
             assert_eq!(run.cost.factorizations, of_a_step * STEPS + at_start, "{backend:?} {projection:?}");
         }
         // in plain numbers positions and velocities take a correction each, and the next accelerations a factorisation of their own
-        let order = Simulation::new(&scene).backend(backend).method(Method::rk4(0.01)).without_events();
+        let order = simulation(&scene).backend(backend).method(Method::rk4(0.01)).without_events();
         let run = order.metric(Metric::Euclidean).run().unwrap();
         assert_eq!(run.cost.factorizations / STEPS, 6, "{backend:?}: {:?}", run.cost);
     }
@@ -219,7 +220,7 @@ fn invariant_passes_of_a_projection_do_not_depend_on_units() {
             coupler_length: 1.4 * unit,
             rocker_length: 1.2 * unit,
         };
-        let mut system = System::new(&scene, Backend::Dense).unwrap();
+        let mut system = system_of(&scene, Backend::Dense).unwrap();
         let State { mut q, .. } = start_of(&mut system);
         q.iter_mut().enumerate().for_each(|(i, q)| *q += off * if i % 3 == 2 { 1.0 } else { unit });
         let passes = system.project_positions(0.0, &mut q, Metric::Euclidean).unwrap();
@@ -240,7 +241,7 @@ fn invariant_passes_of_a_projection_do_not_depend_on_units() {
 #[test]
 fn analytic_projection_counts_rounding_of_large_coordinates() {
     let scene = pendulum::Swing::default();
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let phi = 1e6_f64;
     let mut q = [0.75 * phi.cos() + 1e-5, 0.75 * phi.sin(), phi];
     let passes = system.project_positions(0.0, &mut q, Metric::Mass).unwrap();
@@ -251,7 +252,7 @@ fn analytic_projection_counts_rounding_of_large_coordinates() {
 #[test]
 fn invariant_projection_that_stalls_tells_row_and_residual() {
     let scene = four_bar::Turning { base: 4.0, ..Default::default() };
-    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut system = system_of(&scene, Backend::Auto).unwrap();
     let mut q = [0.5, 0.1, 0.2, 1.7, 0.2, -0.1, 3.4, 0.1, 3.0];
     let error = system.project_positions(0.0, &mut q, Metric::Mass).unwrap_err();
     let MotionError::ProjectionStalled { t, residual, row, passes, tolerance } = error else { panic!("{error}") };
@@ -271,7 +272,7 @@ fn analytic_positions_are_corrected_to_the_last_digit_near_rank_loss() {
     let scene = parallelogram::Falls::default();
     for (phi, is_polished) in [(1e-5_f64, true), (0.4, false)] {
         for metric in [Metric::Mass, Metric::Euclidean] {
-            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let mut system = system_of(&scene, Backend::Auto).unwrap();
             let (sin, cos) = phi.sin_cos();
             let mut q = [0.5 * cos, 0.5 * sin, phi, 2.0 + 0.5 * cos, 0.5 * sin, phi, 1.0 + cos, sin + 3e-13, 0.0];
             // as an antiparallelogram turns: the rows tell nearly nothing of it when all bars are in one line
@@ -294,7 +295,7 @@ fn analytic_strain_is_the_reaction_where_speed_rules_and_else_the_force() {
     let strain = |f: f64, drag: f64| {
         let mut scene = circling::Round::default();
         (scene.f, scene.drag) = (f, drag);
-        let run = Simulation::new(&scene).method(Method::rk4(1e-7)).max_steps(1).run().unwrap();
+        let run = simulation(&scene).method(Method::rk4(1e-7)).max_steps(1).run().unwrap();
         let Outcome::Stopped { strain, .. } = run.outcome else { panic!("{}", run.outcome) };
         strain.expect("something moves")
     };
@@ -315,13 +316,13 @@ fn analytic_strain_is_the_reaction_where_speed_rules_and_else_the_force() {
 #[test]
 fn analytic_strain_of_a_turning_rod_is_its_pivot() {
     let scene = cranks::Swing::default();
-    let run = Simulation::new(&scene).method(Method::rk4(1e-7)).max_steps(1).run().unwrap();
+    let run = simulation(&scene).method(Method::rk4(1e-7)).max_steps(1).run().unwrap();
     let Outcome::Stopped { strain: Some(strain), .. } = run.outcome else { panic!("{}", run.outcome) };
     let StrainSource::Applied { coordinate, force, effect } = &strain.source else { panic!("{strain}") };
     assert_eq!((&**coordinate, *effect), ("bar.y", None));
     assert!((force + 98.1).abs() <= 1e-9, "{strain}");
     let scene = pendulum::Swing::default();
-    let order = Simulation::new(&scene).method(Method::rk4(1e-9)).max_steps(1);
+    let order = simulation(&scene).method(Method::rk4(1e-9)).max_steps(1);
     let run = order.give("bob.phi", FRAC_PI_6).give("bob.omega", 100.0).run().unwrap();
     let Outcome::Stopped { strain: Some(strain), .. } = run.outcome else { panic!("{}", run.outcome) };
     let StrainSource::Reaction { row, force } = &strain.source else { panic!("{strain}") };

@@ -1,28 +1,39 @@
-//! Random motions by every method that has a tolerance, judged by two references and by their own amplification.
+//! Motions by every method, judged by a reference and by their own amplification: random ones, or all scenes as they are.
 //!
 //! `cargo run --release -p ezy-tests --example methods -- 1000 --seed 1`
+//! `cargo run --release -p ezy-tests --example methods -- --scenes [SCENE]`: each over its time and three times that, a line for each run, as CSV
 
 use std::collections::BTreeMap;
+use std::process::ExitCode;
 
+use ezy_models::registry::MODELS;
 use ezy_tests::fuzz::Scenes;
-use ezy_tests::fuzz::methods::Case;
+use ezy_tests::fuzz::methods::{Case, Told};
 
-fn main() -> std::process::ExitCode {
+/// Times of a scene's own.
+const TIMES: [f64; 2] = [1.0, 3.0];
+
+fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let option = |name: &str, otherwise: u64| match words.iter().position(|word| word == name) {
         Some(i) => words.get(i + 1).and_then(|text| text.parse().ok()),
         None => Some(otherwise),
     };
+    if words.first().is_some_and(|word| word == "--scenes") {
+        return scenes(words.get(1).map_or("", |word| word));
+    }
     let n = words.first().and_then(|text| text.parse::<u64>().ok());
     let (Some(n), Some(seed), Some(first)) = (n, option("--seed", 1), option("--first", 0)) else {
-        eprintln!("usage: methods N [--seed S] [--first I]");
-        return std::process::ExitCode::from(2);
+        eprintln!("usage: methods N [--seed S] [--first I], or methods --scenes [SCENE]");
+        return ExitCode::from(2);
     };
     let scenes = Scenes::all();
-    let (mut verdicts, mut n_faults) = (BTreeMap::new(), 0);
+    let (mut verdicts, mut n_faults, mut n_skipped) = (BTreeMap::new(), 0, 0);
     for i in first..first + n {
-        let faults = Case::new(&scenes, seed, i)
-            .judge(|method, verdict| *verdicts.entry((verdict, method.name())).or_insert(0_u64) += 1);
+        let faults = Case::new(&scenes, seed, i).judge(|told| {
+            *verdicts.entry((told.judgement, told.method.name())).or_insert(0_u64) += 1;
+            n_skipped += told.n_skipped;
+        });
         for fault in faults {
             println!("case {i}: {}\n", fault.shrunk());
             n_faults += 1;
@@ -31,5 +42,29 @@ fn main() -> std::process::ExitCode {
     for ((verdict, method), n) in verdicts {
         println!("{n:>9} {method} {verdict:?}");
     }
-    std::process::ExitCode::from(u8::from(n_faults > 0))
+    println!("{n_skipped:>9} samples within crossings of singular positions, not compared");
+    ExitCode::from(u8::from(n_faults > 0))
+}
+
+/// Every scene whose name contains `only`.
+fn scenes(only: &str) -> ExitCode {
+    let mut n_faults = 0;
+    println!("scene,times,method,setting,judgement,excess,amplification,steps,skipped");
+    for model in MODELS {
+        for entry in model.scenes {
+            let name = format!("{}/{}", model.name, entry.name);
+            for times in TIMES.into_iter().filter(|_| name.contains(only)) {
+                let tell = |told: Told| {
+                    let Told { method, judgement, excess, amplification, n_steps, n_skipped } = told;
+                    let setting = method.tolerance().map_or(0.0, |tolerance| tolerance.relative);
+                    let method = method.name();
+                    println!(
+                        "{name},{times},{method},{setting:e},{judgement:?},{excess:.2e},{amplification:.2e},{n_steps},{n_skipped}"
+                    );
+                };
+                n_faults += Case::shipped(model, entry, times).judge(tell).len();
+            }
+        }
+    }
+    ExitCode::from(u8::from(n_faults > 0))
 }

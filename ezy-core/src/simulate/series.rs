@@ -1,7 +1,7 @@
 //! Taylor's method with its step control.
 
 use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::steps::{DEFECT_OF_ROUNDING, LARGEST_DEFECT};
+use super::tolerances::steps::{DEFECT_OF_ROUNDING, LARGEST_DEFECT, RESOLVED, SERIES_CORRECTION, SHORTEST_OF_SERIES};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Node, Taylor, Tolerance};
 use crate::model::Scene;
@@ -13,17 +13,57 @@ pub(super) struct AlongSeries<'s> {
     /// Longest step after one that was taken again, s; infinite once coefficients choose shorter ones.
     at_most_s: f64,
     rejected: u64,
+    corrections: Corrections,
+}
+
+/// What the projection makes of the errors of steps. A series keeps each number to its tolerance; where a lever is short, the projection makes
+/// a fast turn of an error of a position, with one sign step after step. Steps become so short that it does not.
+struct Corrections {
+    /// Velocities at the end of the step, before their projection.
+    found: Vec<f64>,
+    /// Steps are this part of what coefficients choose.
+    part: f64,
+    /// The correction of a whole step, in tolerances.
+    of_whole: f64,
+    /// Corrections that are allowed, in tolerances: more where shorter steps do not make them smaller, since they are rounding.
+    allowed: f64,
+}
+
+impl Corrections {
+    fn new(n_q: usize) -> Self {
+        Self { found: vec![0.0; n_q], part: 1.0, of_whole: 0.0, allowed: SERIES_CORRECTION }
+    }
+
+    fn restart(&mut self) {
+        (self.part, self.of_whole, self.allowed) = (1.0, 0.0, SERIES_CORRECTION);
+    }
+
+    /// Takes note of the projected velocities at the end of a step of a method of this order.
+    fn note(&mut self, projected: &[f64], tolerance: Tolerance, order: usize) {
+        let n_q = projected.len();
+        let of = |(i, (found, v)): (usize, (&f64, &f64))| (v - found).abs() / tolerance.of(n_q + i, n_q, v.abs());
+        let correction = self.found.iter().zip(projected).enumerate().map(of).fold(0.0, f64::max);
+        if self.part == 1.0 {
+            self.of_whole = correction;
+        } else if self.part == SHORTEST_OF_SERIES && correction > RESOLVED * self.of_whole {
+            self.allowed = self.allowed.max(correction / RESOLVED);
+        }
+        let factor = (self.allowed / correction).powf(1.0 / order as f64);
+        self.part = (self.part * factor).clamp(SHORTEST_OF_SERIES, 1.0);
+    }
 }
 
 impl<'s> AlongSeries<'s> {
     pub(super) fn new(taylor: Taylor<'s>, tolerance: Tolerance) -> Self {
-        Self { taylor, tolerance, at_most_s: f64::INFINITY, rejected: 0 }
+        let corrections = Corrections::new(taylor.n_coordinates());
+        Self { taylor, tolerance, at_most_s: f64::INFINITY, rejected: 0, corrections }
     }
 
     /// Forgets the steps taken so far.
     pub(super) fn restart(&mut self) {
         self.taylor.restart();
         self.at_most_s = f64::INFINITY;
+        self.corrections.restart();
     }
 
     /// Steps taken again.
@@ -39,7 +79,7 @@ impl<'s> AlongSeries<'s> {
         end: f64,
         to: &mut State,
     ) -> Result<(), MotionError> {
-        let (t, mut length) = (from.state.t, self.taylor.longest_step(self.tolerance));
+        let (t, mut length) = (from.state.t, self.corrections.part * self.taylor.longest_step(self.tolerance));
         if is_too_short(t, length) && length < end - t {
             return Err(MotionError::StepCollapsed { t, step_s: length });
         }
@@ -51,6 +91,7 @@ impl<'s> AlongSeries<'s> {
         let StepLimit { step_s, t_next } = limited_step(t, end, length);
         self.taylor.advance(system, from.state, step_s, to);
         to.t = t_next;
+        self.corrections.found.copy_from_slice(&to.v);
         Ok(())
     }
 
@@ -63,6 +104,7 @@ impl<'s> AlongSeries<'s> {
             self.rejected += 1;
         } else {
             self.at_most_s *= 2.0;
+            self.corrections.note(&to.state.v, self.tolerance, self.taylor.order());
         }
         shortens
     }

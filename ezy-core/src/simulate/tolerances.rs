@@ -57,6 +57,16 @@ pub(crate) mod steps {
     /// Test: `invariant_taylor_takes_few_steps_again_where_forces_are_smooth`.
     pub(crate) const DEFECT_OF_ROUNDING: f64 = 1e-12;
 
+    /// Change of a velocity by projection that steps along a series aim at, at most: corrections of one sign add up over some hundred steps.
+    /// Unit: tolerances of a velocity.
+    /// Test: `cross_taylor_keeps_to_the_tolerance_over_short_levers`.
+    pub(crate) const SERIES_CORRECTION: f64 = 0.25;
+
+    /// Steps along a series become at most this part as long for such a change. At order 6 it leaves 1/64 of an error of the step.
+    /// Unit: 1.
+    /// Test: `analytic_corrections_shorten_steps_of_a_series`.
+    pub(crate) const SHORTEST_OF_SERIES: f64 = 0.5;
+
     /// A sample within this fraction of a step of a step's end is that end.
     /// Unit: share of a step.
     /// Test: `invariant_sample_on_the_end_of_a_step_costs_nothing`.

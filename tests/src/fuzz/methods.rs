@@ -1,6 +1,7 @@
 //! The same motion by every method: what tolerance and the motion's own amplification do not explain is a fault; for RK4, what half the
 //! step does not tell.
 
+use ezy_core::integrate::PreciseMotion;
 use ezy_core::model::{Name, SceneEntry};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
@@ -10,23 +11,26 @@ use super::parameters::{Scenes, change};
 use crate::garage::worse;
 
 /// Tolerances that methods are judged at.
-const TOLERANCES: [f64; 4] = [1e-4, 1e-6, 1e-8, 1e-10];
+const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
 /// Steps of RK4 over a run.
 const RK4_STEPS: [f64; 2] = [1e3, 1e4];
 
-/// Tolerance of the two references: below it a step of DOP853 has one witness, and rounding of Radau shows.
+/// Tolerance of the two references where there is none in double-double: below it a step of DOP853 has one witness, and rounding of Radau
+/// shows.
 const REFERENCE: f64 = 1e-11;
+
+/// Tolerances below this many times that of such references are not judged by them.
+const ABOVE_REFERENCE: f64 = 10.0;
 
 /// Tolerance of the steps that carry RK4 across singular positions: half the step does not change them.
 const CROSSING: f64 = 1e-9;
 
-/// What an error may be, in tolerances times amplification, since steps add up; for RK4, in differences to half the step. A run of more steps
-/// than this may err by a tolerance each.
+/// What an error may be, in tolerances times amplification, since steps add up; for RK4, in differences to half the step.
 const MARGIN: f64 = 100.0;
 
-/// Share of a scene's time that is run, as powers of ten.
-const SHARES: [f64; 2] = [-2.0, -0.3];
+/// Share of a scene's time that is run, as powers of ten: up to three times of it.
+const SHARES: [f64; 2] = [-2.0, 0.477];
 
 /// Samples that are compared.
 const N_SAMPLES: usize = 32;
@@ -62,7 +66,7 @@ pub struct Case {
 /// What came of one run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
-    /// The motion has no two references: one is refused, stops or takes too many steps.
+    /// The motion has no reference, or two that do not agree, or none for a tolerance as small: one is refused, stops or takes too many steps.
     NoReference,
     /// The method does not apply to the scene.
     NotForIt,
@@ -70,12 +74,27 @@ pub enum Judgement {
     Amplifies,
     /// Within its bound.
     Right,
-    /// Within a tolerance for each of its steps, which are more than those of the bound.
-    Adds,
     /// It stopped and said why.
     Stopped,
     /// Beyond its bound without a word.
     Fault,
+}
+
+/// What came of a run, and its figures.
+#[derive(Debug, Clone, Copy)]
+pub struct Told {
+    /// By which method.
+    pub method: Method,
+    /// What came of it.
+    pub judgement: Judgement,
+    /// Its error in tolerances times amplification, or in differences to half the step; NaN where there is none.
+    pub excess: f64,
+    /// How much the motion amplifies errors.
+    pub amplification: f64,
+    /// Steps, with rejected ones.
+    pub n_steps: u64,
+    /// Samples that are not compared, since they lie in a crossing of a singular position.
+    pub n_skipped: usize,
 }
 
 /// A run that is wrong without a word.
@@ -88,14 +107,28 @@ pub struct Fault {
 }
 
 /// What a run computed.
+#[derive(Clone)]
 struct Motion {
-    /// Coordinates and velocities.
+    /// Coordinates, velocities and multipliers.
     samples: Vec<Vec<f64>>,
     /// Samples in stretches across a singular position, which the run names: at a distance D from it velocities carry errors of
     /// positions multiplied by 1/D².
     crosses: Vec<bool>,
     crosses_any: bool,
     n_steps: u64,
+}
+
+/// What runs are compared with.
+struct Reference {
+    motion: Motion,
+    /// What tolerances are relative to: one more than the largest of each number.
+    scale: Vec<f64>,
+    /// Coordinates and velocities among the numbers of a sample; multipliers follow.
+    n_state: usize,
+    /// How much errors of a state grow, in later states and in multipliers.
+    amplification: [f64; 2],
+    /// The smallest tolerance that it can judge.
+    least: f64,
 }
 
 impl Case {
@@ -114,6 +147,12 @@ impl Case {
         }
         let [low, high] = SHARES;
         Self { model, entry, changed, given, until_s: info.until_s * draw.decades(low, high), seed: i }
+    }
+
+    /// A scene as it is, over so many times its time.
+    pub fn shipped(model: &'static ModelInfo, entry: &'static SceneEntry, times: f64) -> Self {
+        let until_s = times * (entry.new)().info().until_s;
+        Self { model, entry, changed: Vec::new(), given: Vec::new(), until_s, seed: 0 }
     }
 
     fn scene(&self) -> Box<dyn Scene> {
@@ -150,96 +189,146 @@ impl Case {
     }
 
     /// What comes of a start that is moved: `by` says what is added to a number of this size.
-    fn moved(&self, scene: &dyn Scene, reference: &Motion, mut by: impl FnMut(usize) -> f64) -> Option<Motion> {
+    fn moved(&self, scene: &dyn Scene, start: &[f64], mut by: impl FnMut(usize) -> f64) -> Option<Motion> {
         let info = scene.info();
         let names = info.coordinates.iter().map(|c| &*c.name).chain(info.coordinates.iter().map(|c| &*c.velocity_name));
-        let start = names.zip(&reference.samples[0]).enumerate();
+        let start = names.zip(start).enumerate();
         let order = start.fold(self.order(scene, Method::dop853(REFERENCE)), |order, (i, (name, value))| {
             order.give(name, value + MOVED * by(i))
         });
         order.run().ok().and_then(|run| motion(&run).ok())
     }
 
-    /// Runs the case by every method with a tolerance, tells what came of each run, and returns the faults.
-    pub fn judge(&self, mut tell: impl FnMut(Method, Judgement)) -> Vec<Fault> {
+    /// The motion of `explicit` in double-double; none where the scene has no series, changes its modes, or crosses a singular position.
+    fn precise(&self, scene: &dyn Scene, explicit: &Motion) -> Option<Motion> {
+        if explicit.crosses_any || !scene.modes().is_empty() {
+            return None;
+        }
+        let n_q = scene.info().n_coordinates();
+        let start = &explicit.samples[0];
+        let start = State { t: 0.0, q: start[..n_q].to_vec(), v: start[n_q..2 * n_q].to_vec(), work: Vec::new() };
+        let mut precise = PreciseMotion::new(scene, &start).ok()?;
+        let mut motion = explicit.clone();
+        for (i, sample) in motion.samples.iter_mut().enumerate() {
+            precise.advance_to(self.until_s * i as f64 / N_SAMPLES as f64).ok()?;
+            let numbers = precise.q().iter().chain(precise.v()).chain(precise.lambda());
+            sample.iter_mut().zip(numbers).for_each(|(sample, number)| *sample = number.high());
+        }
+        Some(motion)
+    }
+
+    /// What runs of the case are compared with.
+    fn reference(&self, scene: &dyn Scene) -> Result<Reference, Judgement> {
+        let explicit = self.run(scene, Method::dop853(REFERENCE)).map_err(|_| Judgement::NoReference)?;
+        let n_state = 2 * scene.info().n_coordinates();
+        let scale = scale(&explicit);
+        let start = &explicit.samples[0];
+        let mut draw = Draw::new(self.seed, 1);
+        let faster = self.moved(scene, start, |i| if i < n_state / 2 { 0.0 } else { start[i] });
+        let moved = (0..N_MOVED).map(|_| self.moved(scene, start, |i| scale[i] * draw.between(-1.0, 1.0)));
+        let moved = std::iter::once(faster).chain(moved).collect::<Option<Vec<Motion>>>();
+        let moved = moved.ok_or(Judgement::NoReference)?;
+        let grown = moved.iter().map(|moved| amplification(moved, &explicit, &scale, n_state));
+        let amplification = grown.fold([1.0; 2], |most, grown| [0, 1].map(|i| worse(most[i], grown[i])));
+        if amplification[0] > LARGEST_AMPLIFICATION {
+            return Err(Judgement::Amplifies);
+        }
+        let precise = self.precise(scene, &explicit);
+        let is_precise = precise.is_some();
+        let motion = precise.unwrap_or(explicit);
+        let least = if is_precise { 0.0 } else { ABOVE_REFERENCE * REFERENCE };
+        let reference = Reference { motion, scale, n_state, amplification, least };
+        if is_precise {
+            return Ok(reference);
+        }
+        let second = match self.run(scene, Method::taylor(REFERENCE)) {
+            Err(Judgement::NotForIt) => self.run(scene, Method::radau(REFERENCE)),
+            second => second,
+        };
+        match second {
+            Ok(second) if reference.excess(&second, REFERENCE) <= MARGIN => Ok(reference),
+            _ => Err(Judgement::NoReference),
+        }
+    }
+
+    /// Runs the case by every method, tells what came of each run, and returns the faults.
+    pub fn judge(&self, mut tell: impl FnMut(Told)) -> Vec<Fault> {
         let scene = self.scene();
         let scene = &*scene;
-        let explicit = Method::dop853(REFERENCE);
-        let mut other: fn(f64) -> Method = Method::taylor;
-        let mut second = self.run(scene, other(REFERENCE));
-        if let Err(Judgement::NotForIt) = second {
-            other = Method::radau;
-            second = self.run(scene, other(REFERENCE));
-        }
-        let (Ok(reference), Ok(second)) = (self.run(scene, explicit), second) else {
-            tell(explicit, Judgement::NoReference);
-            return Vec::new();
+        let told = |method, judgement, excess, amplification| Told {
+            method,
+            judgement,
+            excess,
+            amplification,
+            n_steps: 0,
+            n_skipped: 0,
         };
-        let scale = scale(&reference);
-        let mut draw = Draw::new(self.seed, 1);
-        let n_q = scale.len() / 2;
-        let faster = self.moved(scene, &reference, |i| if i < n_q { 0.0 } else { reference.samples[0][i] });
-        let moved = (0..N_MOVED).map(|_| self.moved(scene, &reference, |i| scale[i] * draw.between(-1.0, 1.0)));
-        let Some(moved) = std::iter::once(faster).chain(moved).collect::<Option<Vec<Motion>>>() else {
-            tell(explicit, Judgement::NoReference);
-            return Vec::new();
+        let reference = match self.reference(scene) {
+            Ok(reference) => reference,
+            Err(judgement) => {
+                tell(told(Method::dop853(REFERENCE), judgement, f64::NAN, f64::NAN));
+                return Vec::new();
+            }
         };
-        let mut amplification = moved.iter().map(|moved| amplification(moved, &reference, &scale)).fold(1.0, worse);
-        if distance(&second, &reference, &scale) > MARGIN * REFERENCE * amplification {
-            // what errors on the way grow to, by both references: one alone may be wrong
-            let grown = |method: fn(f64) -> Method, of: &Motion| {
-                let finer = self.run(scene, method(0.1 * REFERENCE));
-                finer.map_or(1.0, |finer| distance(&finer, of, &scale) / REFERENCE)
-            };
-            amplification = worse(amplification, grown(Method::dop853, &reference).min(grown(other, &second)));
-        }
-        if amplification > LARGEST_AMPLIFICATION {
-            tell(explicit, Judgement::Amplifies);
-            return Vec::new();
-        }
+        let amplification = reference.amplification[0];
         let mut faults = Vec::new();
-        let mut judge = |method: Method, outcome: Result<Motion, Judgement>, tolerance: f64| {
-            let verdict = outcome.map_or_else(
-                |verdict| verdict,
-                |motion| {
-                    let excess = distance(&motion, &reference, &scale) / (tolerance * amplification);
-                    if excess <= MARGIN {
-                        return Judgement::Right;
-                    }
-                    if method.tolerance().is_some() && excess <= motion.n_steps as f64 {
-                        return Judgement::Adds;
-                    }
-                    faults.push(Fault { case: self.clone(), method, excess, amplification });
-                    Judgement::Fault
-                },
-            );
-            tell(method, verdict);
+        let mut judge = |method: Method, outcome: Result<(Motion, f64), Judgement>| {
+            let (motion, excess) = match outcome {
+                Ok(judged) => judged,
+                Err(judgement) => return tell(told(method, judgement, f64::NAN, amplification)),
+            };
+            let is_right = excess <= MARGIN;
+            let judgement = if is_right { Judgement::Right } else { Judgement::Fault };
+            if !is_right {
+                faults.push(Fault { case: self.clone(), method, excess, amplification });
+            }
+            let n_skipped = motion.crosses.iter().filter(|crosses| **crosses).count();
+            tell(Told { n_steps: motion.n_steps, n_skipped, ..told(method, judgement, excess, amplification) });
         };
-        judge(other(REFERENCE), Ok(second), REFERENCE);
         for tolerance in TOLERANCES {
-            for method in [
-                Method::dop853(tolerance),
-                Method::taylor(tolerance),
-                Method::gauss(tolerance),
-                Method::radau(tolerance),
-            ] {
-                judge(method, self.run(scene, method), tolerance);
+            for method in [Method::dop853, Method::taylor, Method::gauss, Method::radau] {
+                let method = method(tolerance);
+                if tolerance < reference.least {
+                    judge(method, Err(Judgement::NoReference));
+                    continue;
+                }
+                let run = self.run(scene, method);
+                judge(
+                    method,
+                    run.map(|motion| {
+                        let excess = reference.excess(&motion, tolerance);
+                        (motion, excess)
+                    }),
+                );
             }
         }
         for n in RK4_STEPS {
             let [method, finer] = [n, 2.0 * n].map(|n| Method::rk4(self.until_s / n));
-            let (motion, finer) = (self.run(scene, method), self.run(scene, finer));
-            let difference = match (&motion, &finer) {
-                (Ok(motion), Ok(finer)) => {
-                    let least = if motion.crosses_any { CROSSING } else { REFERENCE };
-                    distance(motion, finer, &scale).max(least * amplification)
-                }
-                // without a second run nothing is said
-                _ => f64::INFINITY,
-            };
-            judge(method, motion, difference / amplification);
+            // without a second run nothing is said
+            let run = self.run(scene, method).and_then(|motion| {
+                let finer = self.run(scene, finer).map_err(|_| Judgement::NoReference)?;
+                let least = if motion.crosses_any { CROSSING } else { REFERENCE };
+                let told = reference.error(&motion, &finer).max(least);
+                let excess = reference.error(&motion, &reference.motion) / told;
+                Ok((motion, excess))
+            });
+            judge(method, run);
         }
         faults
+    }
+}
+
+impl Reference {
+    /// The largest difference of two runs over what errors of states grow to, of the scale of each number.
+    fn error(&self, a: &Motion, b: &Motion) -> f64 {
+        let [of_state, of_multipliers] = self.amplification;
+        let grown = |[state, multipliers]: [f64; 2]| worse(state / of_state, multipliers / of_multipliers);
+        differences(a, b, &self.scale, self.n_state).map(grown).fold(0.0, worse)
+    }
+
+    /// The error of a run in tolerances times amplification.
+    fn excess(&self, motion: &Motion, tolerance: f64) -> f64 {
+        self.error(motion, &self.motion) / tolerance
     }
 }
 
@@ -247,7 +336,7 @@ impl Fault {
     /// The same fault with as few changes of the scene as it takes.
     pub fn shrunk(mut self) -> Self {
         let fails = |case: &Case, method: Method| {
-            let mut faults = case.judge(|_, _| {});
+            let mut faults = case.judge(|_| {});
             let at = faults.iter().position(|fault| fault.method == method);
             at.map(|at| faults.swap_remove(at))
         };
@@ -300,10 +389,13 @@ fn motion(run: &Run) -> Result<Motion, Judgement> {
             let crosses =
                 |t: f64| run.rank.crossings.iter().any(|crossed| (crossed.from_s..=crossed.to_s).contains(&t));
             Ok(Motion {
-                samples: run.samples().map(|sample| [sample.coordinates, sample.velocities].concat()).collect(),
+                samples: run
+                    .samples()
+                    .map(|sample| [sample.coordinates, sample.velocities, sample.multipliers].concat())
+                    .collect(),
                 crosses: run.samples().map(|sample| crosses(sample.t)).collect(),
                 crosses_any: !run.rank.crossings.is_empty(),
-                n_steps: run.cost.steps,
+                n_steps: run.cost.steps + run.cost.rejected,
             })
         }
         _ => Err(Judgement::Stopped),
@@ -316,23 +408,22 @@ fn scale(reference: &Motion) -> Vec<f64> {
     (0..reference.samples[0].len()).map(|i| 1.0 + largest(i)).collect()
 }
 
-/// The largest difference of each pair of samples that can be compared, of its scale; NaN where one is none.
-fn differences(a: &Motion, b: &Motion, scale: &[f64]) -> impl Iterator<Item = f64> {
+/// The largest differences of states and of multipliers in each pair of samples that can be compared, of their scale; NaN where one is none.
+fn differences(a: &Motion, b: &Motion, scale: &[f64], n_state: usize) -> impl Iterator<Item = [f64; 2]> {
     let pairs = a.samples.iter().zip(&b.samples).zip(a.crosses.iter().zip(&b.crosses));
     pairs.filter(|(_, (a, b))| !*a && !*b).map(move |((a, b), _)| {
-        a.iter().zip(b).zip(scale).fold(0.0, |m: f64, ((a, b), scale)| worse(m, (a - b) / scale))
+        let largest = |range: std::ops::Range<usize>| range.fold(0.0, |m: f64, i| worse(m, (a[i] - b[i]) / scale[i]));
+        [largest(0..n_state), largest(n_state..scale.len())]
     })
 }
 
-/// The largest difference of two runs.
-fn distance(a: &Motion, b: &Motion, scale: &[f64]) -> f64 {
-    differences(a, b, scale).fold(0.0, worse)
-}
-
-/// How much a difference grows, from the move of the start, and from any sample to any later one.
-fn amplification(moved: &Motion, reference: &Motion, scale: &[f64]) -> f64 {
-    let grown = |(least, most): (f64, f64), difference: f64| {
-        (least.min(difference), most.max(difference / least.min(difference)))
-    };
-    differences(moved, reference, scale).map(|difference| difference.max(REFERENCE)).fold((MOVED, 1.0), grown).1
+/// How much a difference of states grows, from the move of the start, and from any sample to any later one: in states, and in multipliers.
+fn amplification(moved: &Motion, reference: &Motion, scale: &[f64], n_state: usize) -> [f64; 2] {
+    let (mut least, mut most) = (MOVED, [1.0_f64; 2]);
+    for [state, multipliers] in differences(moved, reference, scale, n_state) {
+        let state = state.max(REFERENCE);
+        least = least.min(state);
+        most = [most[0].max(state / least), most[1].max(multipliers / least)];
+    }
+    most
 }

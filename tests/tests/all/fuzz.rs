@@ -3,7 +3,7 @@
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_models::tractor_trailers;
-use ezy_tests::fuzz::methods::{Case, Judgement};
+use ezy_tests::fuzz::methods::{Case, Judgement, Told};
 use ezy_tests::fuzz::{Scenes, Tally, Verdict, compare, trial};
 use ezy_tests::garage::set;
 
@@ -75,8 +75,7 @@ const N_MOTIONS: u64 = 24;
 #[test]
 fn cross_random_motions_are_the_same_by_every_method() {
     let (scenes, mut n_right) = (Scenes::all(), 0);
-    let tell = |_: Method, verdict: Judgement| n_right += u64::from(verdict == Judgement::Right);
-    let mut tell = tell;
+    let mut tell = |told: Told| n_right += u64::from(told.judgement == Judgement::Right);
     let faults = (0..N_MOTIONS).flat_map(|i| Case::new(&scenes, SEED, i).judge(&mut tell));
     let faults: Vec<String> = faults.map(|fault| fault.shrunk().to_string()).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));

@@ -56,6 +56,16 @@ impl<'s> Taylor<'s> {
         })
     }
 
+    /// Number of coordinates.
+    pub(crate) fn n_coordinates(&self) -> usize {
+        self.n_q
+    }
+
+    /// Order of a step.
+    pub(crate) fn order(&self) -> usize {
+        self.order
+    }
+
     /// Forgets what rounding cut off, before another run.
     pub(crate) fn restart(&mut self) {
         [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));

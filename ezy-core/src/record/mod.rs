@@ -35,7 +35,7 @@ pub trait Recorder: Send {
 
 /// A sample could not be kept.
 #[derive(Debug, thiserror::Error)]
-#[error("the sample at t = {t} s could not be written: {cause}")]
+#[error("the sample at t = {t} s could not be written: {cause}", t = crate::scalar::legible_time(*.t))]
 pub struct RecordError {
     /// Time of the sample, s.
     pub t: f64,

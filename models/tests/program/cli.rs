@@ -138,7 +138,7 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["run", "ezyroller/coast", "--method", "taylor", "--step", "1e-3"], "taylor chooses the length of its steps"),
         (&["run", "ezyroller/coast", "--method", "dop853", "--rtol", "0"], "give a relative one between"),
         (&["run", "ezyroller/coast", "--frobnicate"], "unexpected argument"),
-        (&["run", "ezyroller/coast", "--out", "/no/such/directory/x.csv"], "in a directory that exists"),
+        (&["run", "ezyroller/coast", "--out", "/dev/null/x.csv"], "give --out a file that may be written"),
         (&["run", "ezyroller/coast", "--every", "0"], "give a positive interval"),
         (&["run", "ezyroller/coast", "--every", "0.1"], "add --out FILE.csv"),
         (&["run", "ezyroller/coast", "--at", "0.1"], "add --out FILE.csv"),

@@ -8,7 +8,6 @@ use super::{STYLE, number};
 use crate::model::{Scene, SceneInfo};
 use crate::record::Sample;
 use crate::report::page::escape;
-use crate::scalar::legible_time;
 
 /// Larger side of the mechanism on the sheet, pixels.
 const SIDE: f64 = 560.0;
@@ -56,7 +55,7 @@ pub fn sketch(scene: &dyn Scene, sample: &Sample<'_>) -> String {
     let [left, top, right, bottom] = sheet.bounds();
     let [x, y, w, h] =
         [left - MARGIN, top - MARGIN, right - left + 2.0 * MARGIN, bottom - top + 2.0 * MARGIN].map(f64::round);
-    let title = escape(&format!("{}, scene {}, at t = {} s", info.model, info.name, legible_time(sample.t)));
+    let title = escape(&format!("{}, scene {}, at t = {} s", info.model, info.name, sample.t));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ezy\" viewBox=\"{x} {y} {w} {h}\" width=\"{w}\" height=\"{h}\">\n\
          <title>{title}</title>\n<style>\n{OF_A_FILE}{STYLE}</style>\n{lengths}{parts}{axes}{}</svg>\n",

@@ -24,7 +24,7 @@ pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
 pub(crate) use lanes::in_widest;
-pub(crate) use plain::{legible, rounded};
+pub(crate) use plain::{legible, legible_time, rounded};
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

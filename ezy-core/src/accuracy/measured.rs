@@ -104,7 +104,8 @@ impl WorkPrecision {
         self.processor_share.is_some_and(|share| share < QUIET)
     }
 
-    /// What is to be known before the advice is read, as sentences: an interruption, a busy machine.
+    /// What is to be known before the advice is read, as sentences: an interruption, a busy machine, a build that is
+    /// not optimised.
     pub fn reservations(&self) -> Vec<String> {
         let interrupted = self
             .interrupted
@@ -116,7 +117,13 @@ impl WorkPrecision {
                 100.0 * share
             )
         });
-        interrupted.into_iter().chain(busy).collect()
+        let slow = (OPT_LEVEL != "3").then(|| {
+            format!(
+                "ezy-core was built at opt-level {OPT_LEVEL}: times are longer than those of a release build, and not all by the same \
+                 factor. Errors and counts of steps hold."
+            )
+        });
+        interrupted.into_iter().chain(busy).chain(slow).collect()
     }
 
     /// What was not measured: settings with the same reason together, and projections with the same settings.
@@ -149,9 +156,19 @@ impl WorkPrecision {
     }
 }
 
+/// The level at which this crate was optimised: that of its profile, which a debug build may raise.
+const OPT_LEVEL: &str = env!("EZY_OPT_LEVEL");
+
+/// Whether this crate was built without optimisation, so that times mean nothing.
+#[cfg(feature = "cli")]
+pub(crate) const IS_UNOPTIMISED: bool = matches!(OPT_LEVEL.as_bytes(), b"0");
+
 /// Processor, target and kind of build.
 pub(super) fn machine() -> String {
-    let build = if cfg!(debug_assertions) { "debug build, whose times mean nothing" } else { "release build" };
+    let build = match OPT_LEVEL {
+        "3" => "optimised build".to_owned(),
+        level => format!("ezy-core at opt-level {level}"),
+    };
     let target = format!("{} {}", std::env::consts::ARCH, std::env::consts::OS);
     let wide = if cfg!(target_feature = "avx2") { " with AVX2" } else { "" };
     let processor = processor().map(|name| format!("{name}, ")).unwrap_or_default();

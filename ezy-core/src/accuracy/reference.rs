@@ -12,6 +12,7 @@ use super::variant::Variant;
 use crate::dynamics::State;
 use crate::integrate::{Method, PreciseMotion};
 use crate::record::Sample;
+use crate::scalar::legible_time;
 use crate::simulate::{Cost, Run, processor_time};
 
 /// Tolerances from the tightest on, until two runs have reached the end.
@@ -134,7 +135,10 @@ fn precise(runs: &Runs<'_>, start: &Sample<'_>, times: &[f64], deadline: Duratio
     for &t in times {
         motion.advance_to(t).map_err(|error| error.to_string())?;
         if processor_time() >= deadline || runs.is_interrupted() {
-            return Err(format!("the motion in double-double had come to t = {t} s when its time was over"));
+            return Err(format!(
+                "the motion in double-double had come to t = {} s when its time was over",
+                legible_time(t)
+            ));
         }
         let [q, v, lambda] = [motion.q(), motion.v(), motion.lambda()]
             .map(|numbers| numbers.iter().map(|x| x.high()).collect::<Vec<f64>>());

@@ -8,6 +8,7 @@ use super::point::Measured;
 use super::variant::Variant;
 use crate::integrate::Method;
 use crate::report::table::Table;
+use crate::scalar::legible_time;
 
 /// A column of a table of settings: its head, and its cell.
 pub(super) type Column = (&'static str, fn(&WorkPrecision, Method, &Measured) -> String);
@@ -74,7 +75,8 @@ impl WorkPrecision {
                 "The runs end at t = {} s in place of {} s: there, the tightest runs differ by {unknown:.1e} of \
                  the size of the motion. The motion multiplies rounding until no digit is left, and no method of this \
                  precision gets further.",
-                self.until_s, self.asked_until_s
+                legible_time(self.until_s),
+                legible_time(self.asked_until_s)
             ));
         }
         all

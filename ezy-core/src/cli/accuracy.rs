@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 
 use crate::accuracy::{
-    Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, Point, Size, WorkPrecision, setting,
+    Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, IS_UNOPTIMISED, Point, Size, WorkPrecision, setting,
 };
 use crate::output::OutputFolder;
+use crate::scalar::legible_time;
 use crate::simulate::SetupError;
 
 use super::Models;
@@ -16,6 +17,7 @@ use super::failure::{Failure, print};
 use super::interruption::Interruption;
 use super::json::print_json;
 use super::names::{check_assignments, scene_entry, scene_with};
+use super::out_path::check_folder_name;
 use super::progress::Progress;
 use super::selection::typed;
 
@@ -24,6 +26,12 @@ const WRITTEN: &str = if cfg!(feature = "figures") { "page" } else { "numbers" }
 
 pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
+    if IS_UNOPTIMISED {
+        return Err(Failure::wrong_use(
+            "ezy-core was built without optimisation, and times of such a program mean nothing; build with --release, or write into \
+             Cargo.toml: [profile.dev.package.ezy-core] opt-level = 3",
+        ));
+    }
     check_assignments(model, entry, &arguments.start, &arguments.input)?;
     let scene = scene_with(model, entry, &arguments.set)?;
     let mut order = Accuracy::new(scene.as_ref()).budget(arguments.budget);
@@ -36,6 +44,7 @@ pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Res
         .out
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("out/accuracy-{}-{}", typed(model.name), entry.name)));
+    check_folder_name(&directory)?;
     let interruption = Interruption::listen();
     // a directory that cannot be written is found before the work, not after it
     let written = OutputFolder::create(&directory);
@@ -83,7 +92,8 @@ impl From<AccuracyError> for Failure {
 }
 
 fn text(measured: &WorkPrecision) -> String {
-    let mut text = format!("{}/{} to t = {} s\n\n", measured.info.model, measured.info.name, measured.until_s);
+    let mut text =
+        format!("{}/{} to t = {} s\n\n", measured.info.model, measured.info.name, legible_time(measured.until_s));
     measured.reservations().iter().for_each(|line| text += &format!("{line}\n\n"));
     measured.advice().iter().for_each(|advice| text += &format!("{advice}\n"));
     text += &format!("\n{}\n", measured.table());

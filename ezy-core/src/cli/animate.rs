@@ -17,6 +17,7 @@ use super::interruption::Interruption;
 use super::motion::{end, method, refused, simulation};
 use super::motion_arguments::MotionArguments;
 use super::names::{check_assignments, scene_entry, scene_with};
+use super::out_path::{ending, make_folder_of};
 use super::progress::Progress;
 use super::selection::typed;
 use data::Animation;
@@ -113,7 +114,7 @@ enum Kind {
 impl Kind {
     /// By the ending of its name; a device has none.
     fn of(path: &Path) -> Result<Self, Failure> {
-        match path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).as_deref() {
+        match ending(path).as_deref() {
             None | Some("html" | "htm") => Ok(Self::Page),
             Some("svg") => Ok(Self::Svg),
             Some("gif") => Ok(Self::Gif),
@@ -174,9 +175,7 @@ fn n_frames(info: &SceneInfo) -> f64 {
 
 /// Writes a file, and makes its folder.
 pub(super) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let made = folder.map_or(Ok(()), std::fs::create_dir_all);
-    made.and_then(|()| output::write(path, bytes)).map_err(|cause| {
+    make_folder_of(path).and_then(|()| output::write(path, bytes)).map_err(|cause| {
         let path = path.display();
         Failure::wrong_use(format!("`{path}` cannot be written: {cause}; give --out a file that may be written"))
     })

@@ -28,6 +28,9 @@ pub(super) enum Command {
 
 #[derive(Debug, Args)]
 pub(super) struct ListArguments {
+    /// A model or a scene, to list it alone
+    #[arg(value_name = "MODEL[/SCENE]")]
+    pub path: Option<String>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -48,7 +51,7 @@ pub(super) struct ShowArguments {
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse_assignment)]
     pub set: Vec<Assignment>,
     /// How the equations are written
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, ignore_case = true, default_value_t)]
     pub format: Format,
 }
 
@@ -118,7 +121,7 @@ pub(super) struct AnimateArguments {
     #[arg(long, value_name = "DIR")]
     pub frames: Option<PathBuf>,
     /// How the frames are written
-    #[arg(long, value_enum, default_value_t, requires = "frames")]
+    #[arg(long, value_enum, ignore_case = true, default_value_t, requires = "frames")]
     pub format: FrameFormat,
     /// Pixels across a frame of a .gif or .png [default: 960 along its longer side]
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(50..=4000))]
@@ -161,6 +164,9 @@ pub(super) struct SketchArguments {
 /// Runs every scene as it is declared, by dop853.
 #[derive(Debug, Args)]
 pub(super) struct GalleryArguments {
+    /// A model or a scene, to show it alone
+    #[arg(value_name = "MODEL[/SCENE]")]
+    pub path: Option<String>,
     /// Directory to write into; made if it does not exist [default: out/gallery]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -179,8 +185,8 @@ pub(super) struct PlotArguments {
     #[arg(long, value_name = "COLUMN")]
     pub against: Option<String>,
     /// Run with each of these values: of a parameter, count, input or start value, or of method, step, rtol, atol, angle-tol, project,
-    /// metric; may be repeated
-    #[arg(long, value_name = "NAME=A,B,…", value_parser = parse_variation)]
+    /// metric; may be repeated. 40:60:5 stands for 40,45,50,55,60
+    #[arg(long, value_name = "NAME=A,B,…|START:END:STEP", value_parser = parse_variation)]
     pub vary: Vec<Variation>,
     /// The file: .svg, .png or .html [default: MODEL-SCENE.svg]
     #[arg(long, value_name = "FILE")]

@@ -9,6 +9,8 @@ use clap::{ArgMatches, FromArgMatches as _, Subcommand as _};
 use super::arguments::Command;
 use super::examples::Examples;
 use super::failure::Failure;
+use super::interruption::Interruption;
+use super::leads::lead_on;
 use super::{Models, accuracy, animate, check, compare, gallery, list, plot, run, shell, show, sketch};
 use crate::model::ModelInfo;
 
@@ -86,13 +88,19 @@ impl<'m> CommandLine<'m> {
 
     /// Reads the arguments of the program, does what they ask, and turns a failure into a message and an exit status.
     pub fn main(self) -> ExitCode {
+        Interruption::outlive_full_files();
         let mut arguments: Vec<OsString> = std::env::args_os().collect();
         if let (Some(default), 0 | 1) = (self.default, arguments.len()) {
             arguments.resize(1, OsString::new());
             arguments.push(default.into());
         }
         let program = program_name(arguments.first());
-        let matches = self.clap(&program).get_matches_from(arguments);
+        let typed: Vec<String> = arguments.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+        let commands = self.clap(&program);
+        let matches = commands.clone().try_get_matches_from(arguments).unwrap_or_else(|mut error| {
+            lead_on(&mut error, &commands, self.models, &typed);
+            error.exit()
+        });
         match self.act(&program, &matches) {
             Ok(()) => ExitCode::SUCCESS,
             Err(failure) => failure.report(),
@@ -121,7 +129,7 @@ impl<'m> CommandLine<'m> {
         }
     }
 
-    fn clap(&self, program: &str) -> clap::Command {
+    pub(super) fn clap(&self, program: &str) -> clap::Command {
         let examples = Examples::new(program, self.models);
         let first_line = self.about.lines().next().unwrap_or_default();
         let commands = Command::augment_subcommands(clap::Command::new(program.to_owned()))

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::failure::Failure;
+use super::out_path::ending;
 
 /// Endings of the files that are written.
 const ENDINGS: [&str; 3] = ["svg", "png", "html"];
@@ -20,15 +21,7 @@ pub(super) fn check() -> Result<(), Failure> {
 
 /// Whether a file of this name can be written, found before the runs.
 pub(super) fn check_name(path: &Path) -> Result<(), Failure> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir());
-    if let Some(folder) = folder {
-        return Err(Failure::wrong_use(format!(
-            "`{}` is no folder; make it, or give --out another file",
-            folder.display()
-        )));
-    }
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    if ENDINGS.contains(&ending) {
+    if ending(path).is_some_and(|ending| ENDINGS.contains(&ending.as_str())) {
         return Ok(());
     }
     Err(Failure::wrong_use(format!(

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use super::animate;
 use super::failure::Failure;
 use super::motion_table::MotionTable;
+use super::out_path::ending;
 use crate::record::{Column, UnknownName};
 use crate::report::figure::Figure;
 use crate::report::page::Page;
@@ -131,8 +133,7 @@ fn quantity(unit: &str) -> &'static str {
 
 /// Draws a figure into a file, whose ending says how.
 pub(super) fn write(figure: &Figure, title: &str, alternative: &str, path: &Path) -> Result<(), Failure> {
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    let bytes = match ending {
+    let bytes = match ending(path).as_deref() {
         Some("png") => figure.png().map_err(Failure::stopped)?,
         Some("html") => {
             let mut page = Page::new(title);
@@ -141,10 +142,5 @@ pub(super) fn write(figure: &Figure, title: &str, alternative: &str, path: &Path
         }
         _ => figure.picture().map_err(Failure::stopped)?.wide.into_bytes(),
     };
-    crate::output::write(path, bytes).map_err(|cause| {
-        Failure::wrong_use(format!(
-            "`{}` cannot be written: {cause}; give --out a file in a directory that exists",
-            path.display()
-        ))
-    })
+    animate::write(path, bytes)
 }

@@ -15,25 +15,27 @@ use super::interruption::Interruption;
 use super::motion::refused;
 use super::motion_arguments::{MethodName, MotionArguments};
 use super::names::path;
-use super::selection::typed;
+use super::out_path::check_folder_name;
+use super::selection::{selected, typed};
 
 const PAGE: &str = include_str!("gallery/page.html");
 
 /// Writes a sketch of each model, a page for each scene and the index.
 pub(super) fn gallery(models: Models<'_>, arguments: &GalleryArguments) -> Result<(), Failure> {
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out/gallery"));
+    check_folder_name(&directory)?;
     let interruption = Interruption::listen();
     // every scene as it is declared, by a method that chooses its steps
     let motion = MotionArguments { method: MethodName::Dop853, ..MotionArguments::default() };
     let mut items = String::new();
     let mut faults = Vec::new();
-    for model in models {
+    for (model, scenes) in selected(models, arguments.path.as_deref())? {
         let name = typed(model.name);
-        if let Some(entry) = model.scenes.first() {
+        if let Some(entry) = scenes.first() {
             write(&directory.join(format!("{name}.svg")), &sketch(entry)?)?;
         }
         let mut links = String::new();
-        for entry in model.scenes {
+        for entry in scenes {
             let scene = (entry.new)();
             let (page, run) = page_of(&motion, scene.as_ref(), interruption)?;
             let file = format!("{name}-{}.html", entry.name);

@@ -13,6 +13,9 @@ use super::failure::Failure;
 static ASKED: AtomicBool = AtomicBool::new(false);
 /// Whether by SIGTERM.
 static TERMINATED: AtomicBool = AtomicBool::new(false);
+/// Whether a file grew beyond a limit; the error of writing tells it, too.
+#[cfg(unix)]
+static FULL: AtomicBool = AtomicBool::new(false);
 static LISTENING: Once = Once::new();
 
 /// What a shell adds to the number of a signal that ended a program.
@@ -49,6 +52,15 @@ impl Interruption {
             }
         });
         Self(())
+    }
+
+    /// Makes a file that grows beyond a limit of the system (`ulimit -f`) an error of writing: by itself SIGXFSZ ends the program.
+    pub(super) fn outlive_full_files() {
+        #[cfg(unix)]
+        {
+            // without a handler, which a system may refuse, the program ends
+            _ = flag::register(signal_hook::consts::SIGXFSZ, &FULL);
+        }
     }
 
     /// True once a signal has come.

@@ -2,20 +2,22 @@
 
 use serde_json::{Value, json};
 
-use crate::model::{CountInfo, EffectInfo, ModelInfo, ParameterInfo, SceneInfo};
+use crate::model::{CountInfo, EffectInfo, ModelInfo, ParameterInfo, SceneEntry, SceneInfo};
 use crate::report::table::Table;
 
 use super::Models;
 use super::arguments::ListArguments;
 use super::failure::{Failure, print};
 use super::json::print_json;
-use super::selection::typed;
+use super::selection::{selected, typed};
 
 pub(super) fn list(models: Models<'_>, arguments: &ListArguments) -> Result<(), Failure> {
+    let models = selected(models, arguments.path.as_deref())?;
     if arguments.json {
-        return print_json(&json!({ "models": models.iter().map(|model| model_json(model)).collect::<Value>() }));
+        let models = models.iter().map(|(model, scenes)| model_json(model, scenes)).collect::<Value>();
+        return print_json(&json!({ "models": models }));
     }
-    print(&models.iter().map(|model| model_text(model) + "\n").collect::<String>())
+    print(&models.iter().map(|(model, scenes)| model_text(model, scenes) + "\n").collect::<String>())
 }
 
 /// Independent velocities: coordinates less rows, which are independent in a sound scene.
@@ -23,7 +25,7 @@ fn freedom(info: &SceneInfo) -> usize {
     info.n_coordinates().saturating_sub(info.n_rows())
 }
 
-fn model_text(model: &ModelInfo) -> String {
+fn model_text(model: &ModelInfo, scenes: &[&SceneEntry]) -> String {
     let mut table = Table::new([
         "scene",
         "effects",
@@ -33,7 +35,7 @@ fn model_text(model: &ModelInfo) -> String {
         "degrees of freedom",
         "until [s]",
     ]);
-    for scene in model.scenes {
+    for scene in scenes {
         let info = (scene.info)();
         let effects = info.effects.iter().map(|effect| effect.name).collect::<Vec<_>>().join(", ");
         table.push([
@@ -63,12 +65,12 @@ pub(super) fn counts_json(info: &SceneInfo) -> Value {
     counts.map(count).collect()
 }
 
-fn model_json(model: &ModelInfo) -> Value {
+fn model_json(model: &ModelInfo, scenes: &[&SceneEntry]) -> Value {
     json!({
         "name": model.name,
         "documentation": model.documentation.trim(),
         "effects": names(model.effects),
-        "scenes": model.scenes.iter().map(|entry| scene_json(&(entry.info)())).collect::<Value>(),
+        "scenes": scenes.iter().map(|entry| scene_json(&(entry.info)())).collect::<Value>(),
     })
 }
 

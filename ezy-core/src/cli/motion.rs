@@ -4,6 +4,7 @@ use std::fs::File;
 
 use crate::integrate::{Method, Tolerance};
 use crate::model::{Scene, SceneInfo};
+use crate::scalar::legible_time;
 use crate::simulate::{InputTable, SetupError, Simulation, read_inputs};
 
 use super::failure::Failure;
@@ -11,6 +12,8 @@ use super::motion_arguments::{MethodName, MotionArguments};
 
 /// Step of a method with a fixed step, s, when none is given.
 const STEP_S: f64 = 1e-3;
+/// Time at which scenes start, s.
+const START_S: f64 = 0.0;
 /// Relative tolerance of a method that chooses its steps, when none is given.
 const RELATIVE_TOLERANCE: f64 = 1e-9;
 
@@ -49,6 +52,12 @@ fn inputs(arguments: &MotionArguments, info: &SceneInfo) -> Result<Vec<(String, 
         let of_file = |what: &dyn std::fmt::Display| Failure::wrong_use(format!("`{}`: {what}", path.display()));
         let file = File::open(path).map_err(|error| of_file(&error))?;
         all = read_inputs(file, info).map_err(|error| of_file(&error))?;
+        if let Some((name, table)) = all.iter().find(|(_, table)| table.begin() > START_S) {
+            return Err(of_file(&format!(
+                "the first value of `{name}` is at t = {} s, after the start of the run at {START_S} s; add a row for the start",
+                legible_time(table.begin())
+            )));
+        }
     }
     all.extend(arguments.input.iter().map(|a| (a.name.clone(), InputTable::from(a.value))));
     Ok(all)

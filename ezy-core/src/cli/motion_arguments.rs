@@ -15,7 +15,7 @@ pub(super) struct MotionArguments {
     #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true)]
     pub until: Option<f64>,
     /// Integration method
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, ignore_case = true, default_value_t)]
     pub method: MethodName,
     /// Step in seconds, of a method with a fixed step [default: 1e-3]
     #[arg(long, value_name = "H", value_parser = parse_number, allow_negative_numbers = true)]
@@ -30,10 +30,10 @@ pub(super) struct MotionArguments {
     #[arg(long, value_name = "A", value_parser = parse_number, allow_negative_numbers = true)]
     pub angle_tol: Option<f64>,
     /// What is projected onto the constraints after each step
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, ignore_case = true, default_value_t)]
     pub project: Projection,
     /// Metric in which the projection is smallest
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, ignore_case = true, default_value_t)]
     pub metric: Metric,
     /// Stop before the residual of a constraint exceeds R: m or rad in positions, m/s or rad/s in velocities
     #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]

@@ -7,6 +7,7 @@ use crate::output::OutputFile;
 use crate::record::{CsvWriter, RecordError, Recorder, Sample};
 
 use super::failure::Failure;
+use super::out_path::make_folder_of;
 use super::run_error::{Estimate, error_line};
 
 /// A CSV file that takes its place when the run has ended.
@@ -30,7 +31,7 @@ impl OutFile {
     /// Opens `path` for writing, leaves its content alone, and keeps other writers out. `estimated`: the first line will tell the
     /// estimated error, or the last one of a pipe or device.
     pub(super) fn open(path: &Path, estimated: bool) -> Result<Self, Failure> {
-        match OutputFile::create(path) {
+        match make_folder_of(path).and_then(|()| OutputFile::create(path)) {
             Ok(file) => {
                 let partial = file.partial().map(|path| path.display().to_string());
                 let mut rows = CsvWriter::new(file);
@@ -86,7 +87,7 @@ fn padded(line: String) -> String {
 fn not_written(path: &Path, cause: &std::io::Error) -> Failure {
     let remedy = match cause.kind() {
         std::io::ErrorKind::ResourceBusy => "wait for it, or give --out another file",
-        _ => "give --out a file in a directory that exists and may be written to",
+        _ => "give --out a file that may be written",
     };
     Failure::wrong_use(format!("`{}` cannot be written: {cause}; {remedy}", path.display()))
 }

@@ -16,10 +16,19 @@ pub(super) fn plot(models: Models<'_>, arguments: &PlotArguments) -> Result<(), 
     use super::failure::print;
     use super::names::{path, scene_entry};
     use super::runs::Runs;
+    use super::selection::find;
 
     let (scenes, patterns): (Vec<&String>, Vec<&String>) = arguments.what.iter().partition(|word| word.contains('/'));
     let Some(first) = scenes.first() else {
         let word = patterns.first().map_or("", |word| word.as_str());
+        // a model, or what may be one, is answered with its scenes
+        if let [word, ..] = patterns[..] {
+            match find(models, word) {
+                Ok(_) => scene_entry(models, word).map(|_| ())?,
+                Err(unknown) if unknown.known.iter().any(|known| known.contains('/')) => return Err(unknown.into()),
+                Err(_) => {}
+            }
+        }
         return Err(Failure::wrong_use(format!("`{word}` names no scene; write MODEL/SCENE before the columns")));
     };
     let (model, entry) = scene_entry(models, first)?;

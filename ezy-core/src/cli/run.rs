@@ -2,6 +2,7 @@
 
 use crate::integrate::Method;
 use crate::model::Scene;
+use crate::scalar::{legible, rounded};
 use crate::simulate::{Outcome, Run, SetupError};
 
 use super::Models;
@@ -12,11 +13,15 @@ use super::json::print_json;
 use super::motion::{end, method, refused, simulation};
 use super::names::{check_assignments, scene_entry, scene_with};
 use super::out_file::OutFile;
+use super::out_path::check_ending;
 use super::progress::Progress;
 use super::run_end::{remarks, run_json, run_text};
 
 /// Rows of `--out` when `--every` is not given, besides the first.
 const N_ROWS: f64 = 1000.0;
+
+/// Rows that are written at most: tens of gigabytes, even of a small scene.
+const MOST_ROWS: f64 = 1e8;
 
 /// Times at which runs are compared where there are no rows.
 const N_COMPARED: f64 = 200.0;
@@ -32,8 +37,19 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
             "--every is the time between the rows of --out; add --out FILE.csv, or leave --every",
         ));
     }
+    let n_rows = arguments.every.map_or(0.0, |every_s| end(&arguments.motion, &(entry.info)()) / every_s);
+    if n_rows > MOST_ROWS {
+        let least_s = rounded(end(&arguments.motion, &(entry.info)()) / MOST_ROWS, 3);
+        return Err(Failure::wrong_use(format!(
+            "--every {} makes {n_rows:.1e} rows, more than a disk holds; at most {MOST_ROWS:.0e} are written: give --every {least_s} or more",
+            legible(arguments.every.unwrap_or_default()),
+        )));
+    }
     if !arguments.at.is_empty() && arguments.out.is_none() {
         return Err(Failure::wrong_use("--at gives the times of the rows of --out; add --out FILE.csv, or leave --at"));
+    }
+    if let Some(out) = &arguments.out {
+        check_ending(out, "motions", &["csv"])?;
     }
     let scene = scene_with(model, entry, &arguments.motion.set)?;
     let method = method(&arguments.motion)?;

@@ -7,7 +7,7 @@ use crate::integrate::{Method, Tolerance};
 use crate::model::SceneInfo;
 use crate::record::Sample;
 use crate::report::table::{Table, fixed};
-use crate::scalar::{legible, rounded};
+use crate::scalar::{legible, legible_time, rounded};
 use crate::simulate::{
     EnergyError, ExceededLimit, Outcome, RankDeficientInterval, Run, SingularityCrossed, StopReason,
 };
@@ -97,7 +97,7 @@ fn interval_json(RankDeficientInterval { from_s, to_s, loss }: &RankDeficientInt
 pub(super) fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
     let (info, last, cost) = (run.info(), run.last(), run.cost);
     let mut text =
-        format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_words(&run.outcome), legible(last.t));
+        format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_words(&run.outcome), legible_time(last.t));
     text += &moved_text(&run.moved);
     text += &motion_table(&last).to_string();
     text += &left_out(info.n_coordinates(), "coordinates");

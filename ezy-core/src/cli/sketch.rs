@@ -11,19 +11,21 @@ use super::arguments::SketchArguments;
 use super::failure::{Failure, print};
 use super::motion::refused;
 use super::names::{check_assignments, scene_entry, scene_with};
+use super::out_path::check_ending;
 use super::selection::typed;
 
 pub(super) fn sketch(models: Models<'_>, arguments: &SketchArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
     check_assignments(model, entry, &arguments.start, &[])?;
     let scene = scene_with(model, entry, &arguments.set)?;
-    let simulation = Simulation::new(scene.as_ref()).until(arguments.at);
-    let given = arguments.start.iter().fold(simulation, |run, start| run.give(&start.name, start.value));
-    let run = given.run().map_err(refused)?;
     let path = arguments
         .out
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("out/sketch-{}-{}.svg", typed(model.name), entry.name)));
+    check_ending(&path, "sketches", &["svg"])?;
+    let simulation = Simulation::new(scene.as_ref()).until(arguments.at);
+    let given = arguments.start.iter().fold(simulation, |run, start| run.give(&start.name, start.value));
+    let run = given.run().map_err(refused)?;
     write(&path, drawing::sketch(scene.as_ref(), &run.last()))?;
     print(&format!("The sketch: {}\n", path.display()))?;
     match run.outcome.reached_end() {

@@ -22,7 +22,18 @@ pub(super) fn parse_assignment(text: &str) -> Result<Assignment, String> {
 pub(super) fn parse_number(text: &str) -> Result<f64, String> {
     evaluate(text.trim())
         .filter(|value| value.is_finite())
-        .ok_or_else(|| format!("`{text}` is not a finite number; write 2, -0.5, 1e-3, pi, -pi/2 or 2*pi"))
+        .ok_or_else(|| format!("`{text}` is not a finite number; {}", number_alone(text)))
+}
+
+/// How to write a number, above all one that has a unit.
+fn number_alone(text: &str) -> String {
+    let unit_at = text.find(|c: char| c.is_alphabetic() || c == '°' || c == '%').unwrap_or(text.len());
+    let (number, unit) = (text[..unit_at].trim(), text[unit_at..].trim());
+    match unit {
+        _ if unit.is_empty() || evaluate(number).is_none() => "write 2, -0.5, 1e-3, pi, -pi/2 or 2*pi".to_owned(),
+        "deg" | "degree" | "degrees" | "°" => format!("for radians write {number}*pi/180"),
+        _ => format!("write it without `{unit}`, in the unit that help or the model file says"),
+    }
 }
 
 /// Reads a whole number that is not negative, also as `1e6`.
@@ -87,6 +98,13 @@ mod tests {
         for text in ["", "nan", "inf", "-", "1/0", "1e999", "--1", "2**3", "pi pi", "m0"] {
             assert!(parse_number(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn invariant_number_with_a_unit_is_refused_with_the_number_to_write() {
+        let refused = |text: &str| parse_number(text).unwrap_err();
+        assert!(refused("30deg").ends_with("write 30*pi/180") && refused("-30 °").ends_with("write -30*pi/180"));
+        assert!(refused("5 s").contains("without `s`") && refused("abc").ends_with("2*pi"));
     }
 
     #[test]

@@ -3,10 +3,12 @@
 use clap::ValueEnum;
 
 use super::failure::Failure;
+use super::leads;
 use super::motion_arguments::MotionArguments;
 use super::value::{Assignment, parse_number};
 use crate::model::SceneInfo;
 use crate::record::find_name;
+use crate::scalar::rounded;
 
 /// A name and the values that it takes, one after the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,15 +17,46 @@ pub(super) struct Variation {
     pub values: Vec<String>,
 }
 
-/// Reads `NAME=A,B,…`.
+/// Reads `NAME=A,B,…`, where a part may be a range, START:END:STEP.
 pub(super) fn parse_variation(text: &str) -> Result<Variation, String> {
-    let example = "write NAME=A,B, such as l=0.4,0.5 or method=rk4,dop853";
+    let example = "write NAME=A,B or NAME=START:END:STEP, such as l=0.4,0.5, l=0.4:0.6:0.05 or method=rk4,dop853";
     let (name, values) = text.split_once('=').ok_or_else(|| format!("it has no `=`; {example}"))?;
-    let values: Vec<String> = values.split(',').map(|value| value.trim().to_owned()).collect();
-    if name.trim().is_empty() || values.iter().any(String::is_empty) {
+    let mut all = Vec::new();
+    for value in values.split(',').map(str::trim) {
+        match value.contains(':') {
+            true => all.extend(range(value)?),
+            false => all.push(value.to_owned()),
+        }
+    }
+    if name.trim().is_empty() || all.iter().any(String::is_empty) {
         return Err(format!("a name or a value is missing; {example}"));
     }
-    Ok(Variation { name: name.trim().to_owned(), values })
+    Ok(Variation { name: name.trim().to_owned(), values: all })
+}
+
+/// Values of one range at most: each is a run.
+const MOST_VALUES: f64 = 1000.0;
+/// An end that is missed by this part of a step is met: START + n STEP is rounded.
+const MET: f64 = 1e-6;
+/// Digits of a value: enough for what people type, too few for the rounding of START + n STEP.
+const DIGITS: usize = 12;
+
+/// Values from START on, STEP apart, with END where a step meets it.
+fn range(text: &str) -> Result<Vec<String>, String> {
+    let parts = text.split(':').map(parse_number).collect::<Result<Vec<f64>, String>>()?;
+    let [start, end, step] = parts[..] else {
+        return Err(format!("`{text}` is no range; write START:END:STEP, such as 40:60:5"));
+    };
+    let n = (end - start) / step;
+    if n.is_nan() || n < 0.0 {
+        return Err(format!(
+            "a step of {step} does not lead from {start} to {end}; write START:END:STEP, such as 40:60:5"
+        ));
+    }
+    if n >= MOST_VALUES {
+        return Err(format!("`{text}` has more than {MOST_VALUES} values, each of them a run; give a longer step"));
+    }
+    Ok((0..=(n + MET) as u32).map(|i| rounded(start + f64::from(i) * step, DIGITS)).collect())
 }
 
 /// What can be varied besides the names of a scene.
@@ -57,7 +90,11 @@ fn set(arguments: &mut MotionArguments, name: &str, value: &str, info: &SceneInf
     let number = || parse_number(value).map_err(wrong);
     let word = |known: Result<(), String>| known.map_err(|message| wrong(format!("`{value}`: {message}")));
     match name {
-        "method" => word(ValueEnum::from_str(value, true).map(|method| arguments.method = method))?,
+        "method" => {
+            let known = ValueEnum::from_str(value, true).map(|method| arguments.method = method);
+            let lead = leads::method(value).map_or(String::new(), |ours| format!("; {ours} comes nearest to it"));
+            word(known.map_err(|message| message + &lead))?;
+        }
         "project" => word(ValueEnum::from_str(value, true).map(|project| arguments.project = project))?,
         "metric" => word(ValueEnum::from_str(value, true).map(|metric| arguments.metric = metric))?,
         "step" => arguments.step = Some(number()?),
@@ -85,4 +122,28 @@ fn set(arguments: &mut MotionArguments, name: &str, value: &str, info: &SceneInf
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_range_has_both_ends_and_numbers_as_people_write_them() {
+        let values = |text: &str| parse_variation(text).map(|variation| variation.values.join(" "));
+        let cases = [
+            ("m=40:60:5", "40 45 50 55 60"),
+            ("m=0:0.3:0.1", "0 0.1 0.2 0.3"),
+            ("m=0:1:0.4", "0 0.4 0.8"),
+            ("m=1:-1:-1,7", "1 0 -1 7"),
+            ("m=2:2:1", "2"),
+            ("method=rk4, dop853", "rk4 dop853"),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(values(text).as_deref(), Ok(expected), "{text}");
+        }
+        for text in ["m=40:60", "m=40:60:-5", "m=40:60:0", "m=40:40:0", "m=0:1:1e-9", "m=a:b:c", "m=1:2:3:4", "m=1,"] {
+            assert!(values(text).is_err(), "{text}");
+        }
+    }
 }

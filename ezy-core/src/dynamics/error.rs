@@ -4,7 +4,7 @@ use super::MovedValue;
 use super::tolerances::report::MAX_LISTED;
 use crate::linalg::SparseKktError;
 use crate::model::{LayoutFault, Name};
-use crate::scalar::legible;
+use crate::scalar::{legible, legible_time};
 
 /// A system cannot be set up with these numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -102,7 +102,7 @@ pub enum MotionError {
     /// Constraints depend on each other and ask for different things.
     #[error(
         "constraints contradict each other at t = {t} s: {}; the best solution leaves {residual:.3e} of {level} (tolerance \
-         {tolerance:.1e}). Remove one of them, or make them agree", rows_or_unknown(.rows)
+         {tolerance:.1e}). Remove one of them, or make them agree", rows_or_unknown(.rows), t = legible_time(*.t)
     )]
     ContradictoryRows {
         /// Time, s.
@@ -121,7 +121,7 @@ pub enum MotionError {
     /// motion no acceleration that leads on.
     #[error(
         "the position at t = {t} s is singular: constraints depend on each other there, and not beside it: {}; any motion leaves \
-         {residual:.1e} of {level}. Start beside that position, or change the lengths that lead there", rows_or_unknown(.rows)
+         {residual:.1e} of {level}. Start beside that position, or change the lengths that lead there", rows_or_unknown(.rows), t = legible_time(*.t)
     )]
     SingularPosition {
         /// Time, s.
@@ -137,7 +137,7 @@ pub enum MotionError {
     #[error(
         "the motion at t = {t} s is lost in rounding{}: the best solution leaves {residual:.1e} of one equation. Bring \
          masses and lengths nearer to each other, or move away from a position where constraints depend on each other",
-        nearly_dependent(.rows, *.smallest_pivot)
+        nearly_dependent(.rows, *.smallest_pivot), t = legible_time(*.t)
     )]
     LostInRounding {
         /// Time, s.
@@ -152,7 +152,7 @@ pub enum MotionError {
     /// Next to a position where constraints depend on each other, no step leads on.
     #[error(
         "the motion does not get past the position at t = {t} s, where constraints nearly depend on each other: {}; smallest pivot \
-         {smallest_pivot:.1e}. {cause}. If the mechanism locks there, it is the geometry or a drive that has to change", rows_or_unknown(.rows)
+         {smallest_pivot:.1e}. {cause}. If the mechanism locks there, it is the geometry or a drive that has to change", rows_or_unknown(.rows), t = legible_time(*.t)
     )]
     LockedUp {
         /// Time of the last good state, s.
@@ -167,7 +167,7 @@ pub enum MotionError {
     /// In lanes and with derivatives only the generated elimination solves, and a pivot of it vanishes.
     #[error(
         "the pivot of constraint `{row}` vanishes at t = {t} s in the generated elimination, which alone solves in lanes \
-         and with derivatives; run the scene in single numbers, where a pivoted solver decides"
+         and with derivatives; run the scene in single numbers, where a pivoted solver decides", t = legible_time(*.t)
     )]
     LostPivot {
         /// Time, s.
@@ -178,7 +178,7 @@ pub enum MotionError {
     /// A coordinate has neither mass nor a row that determines its acceleration.
     #[error(
         "the acceleration of {} is undetermined at t = {t} s: no mass and no constraint moves it; \
-         give its body a mass or an inertia, or constrain it", list(.coordinates)
+         give its body a mass or an inertia, or constrain it", list(.coordinates), t = legible_time(*.t)
     )]
     UndeterminedMotion {
         /// Time, s.
@@ -200,7 +200,7 @@ pub enum MotionError {
     /// Steps that keep to the tolerance have become too short to move anything.
     #[error(
         "the step has shrunk to {step_s:.1e} s at t = {t} s: the motion is too fast or not smooth there, or the \
-         tolerance is below rounding; allow larger errors, or look at the forces at that time"
+         tolerance is below rounding; allow larger errors, or look at the forces at that time", t = legible_time(*.t)
     )]
     StepCollapsed {
         /// Time of the last good state, s.
@@ -211,7 +211,7 @@ pub enum MotionError {
     /// An angle became too large for the tolerance of angles.
     #[error(
         "{name} is {angle:.3e} rad at t = {t} s, where doubles are {spacing:.1e} rad apart, more than the tolerance of angles, \
-         {tolerance:.1e} rad; give a larger one, end the run earlier, or continue in a new run from the angle less whole turns"
+         {tolerance:.1e} rad; give a larger one, end the run earlier, or continue in a new run from the angle less whole turns", t = legible_time(*.t)
     )]
     AngleUnresolved {
         /// End of the step, s.
@@ -228,7 +228,7 @@ pub enum MotionError {
     /// A number overflowed or is undefined.
     #[error(
         "{quantity} is not finite after t = {t} s: the motion has become too fast for the step, or a law is \
-         undefined there; take a smaller step or tolerance, or look at the state and the forces at that time"
+         undefined there; take a smaller step or tolerance, or look at the state and the forces at that time", t = legible_time(*.t)
     )]
     NotFinite {
         /// Time of the last good state, s.
@@ -237,7 +237,7 @@ pub enum MotionError {
         quantity: Name,
     },
     /// A controller or a table gave no number.
-    #[error("input `{name}` is set to {value} at t = {t} s; set it to a finite value")]
+    #[error("input `{name}` is set to {value} at t = {t} s; set it to a finite value", t = legible_time(*.t))]
     InputNotFinite {
         /// Time from which it holds, s.
         t: f64,
@@ -250,7 +250,7 @@ pub enum MotionError {
     #[error(
         "input `{name}` is {} {unit} at t = {t} s and was set to {} {unit}: what constraints follow cannot jump, here by {:.1e} {unit}; \
          leave it, and lead it there by its acceleration: for example `set.{input}_acceleration = w*w*(goal - set.{input}) - 2.0*w*set.{input}_rate`, \
-         which takes a few times 1/w", legible(*.is), legible(*.set), .set - .is
+         which takes a few times 1/w", legible(*.is), legible(*.set), .set - .is, t = legible_time(*.t)
     )]
     InputJumps {
         /// Time from which it would hold, s.
@@ -267,7 +267,7 @@ pub enum MotionError {
         set: f64,
     },
     /// A stop returns more than it gets, or nothing that is a number.
-    #[error("the restitution of stop `{stop}` is {} at t = {t} s; it must be between 0 and 1", legible(*.value))]
+    #[error("the restitution of stop `{stop}` is {} at t = {t} s; it must be between 0 and 1", legible(*.value), t = legible_time(*.t))]
     Restitution {
         /// Time, s.
         t: f64,
@@ -277,7 +277,7 @@ pub enum MotionError {
         value: f64,
     },
     /// A skate that holds up to nothing, or slides against a force that is none.
-    #[error("the limit of skate `{skate}` is {} at t = {t} s; it must be above zero", legible(*.value))]
+    #[error("the limit of skate `{skate}` is {} at t = {t} s; it must be above zero", legible(*.value), t = legible_time(*.t))]
     SkateLimit {
         /// Time, s.
         t: f64,
@@ -288,7 +288,7 @@ pub enum MotionError {
     },
     /// A stop that cannot be told to be hit.
     #[error(
-        "the {what} of stop `{stop}` from its {end} end is {value} at t = {t} s; its quantity and its bounds must be finite"
+        "the {what} of stop `{stop}` from its {end} end is {value} at t = {t} s; its quantity and its bounds must be finite", t = legible_time(*.t)
     )]
     StopNotFinite {
         /// Time, s.
@@ -305,7 +305,7 @@ pub enum MotionError {
     /// Gauss–Newton does not come closer to C = 0.
     #[error(
         "position projection stalled at t = {t} s: |C| = {residual:.3e} after {passes} passes (tolerance \
-         {tolerance:.1e}); largest constraint: {row}. Take a smaller step or tolerance"
+         {tolerance:.1e}); largest constraint: {row}. Take a smaller step or tolerance", t = legible_time(*.t)
     )]
     ProjectionStalled {
         /// Time, s.

@@ -33,9 +33,14 @@ pub trait Recorder: Send {
     fn record(&mut self, sample: &Sample<'_>) -> Result<(), RecordError>;
 }
 
+/// A time without the rounding of the sum of its steps.
+fn twelve_digits(t: f64) -> f64 {
+    format!("{t:.11e}").parse().unwrap_or(t)
+}
+
 /// A sample could not be kept.
 #[derive(Debug, thiserror::Error)]
-#[error("the sample at t = {t} s could not be written: {cause}")]
+#[error("the sample at t = {t} s could not be written: {cause}", t = twelve_digits(*.t))]
 pub struct RecordError {
     /// Time of the sample, s.
     pub t: f64,

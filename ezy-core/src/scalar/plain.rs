@@ -77,6 +77,12 @@ pub(crate) fn rounded(x: f64, n_digits: usize) -> String {
     format!("{x:.digits$e}").parse().map_or_else(|_| legible(x), legible)
 }
 
+/// A time as people write it: without the rounding of the sum of its steps, 0.30000000000000004.
+pub(crate) fn legible_time(t: f64) -> String {
+    const N_DIGITS: usize = 12;
+    rounded(t, N_DIGITS)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -85,5 +91,6 @@ mod tests {
     fn analytic_numbers_have_an_exponent_where_they_are_very_small() {
         assert_eq!([0.001, -2.0, 1e-300].map(legible), ["0.001", "-2", "1e-300"]);
         assert_eq!([12.3456, 0.000_123_456, 1.5e-9].map(|x| rounded(x, 4)), ["12.35", "0.0001235", "1.5e-9"]);
+        assert_eq!([0.1 + 0.2, 1e-7, 60.0, 0.0].map(legible_time), ["0.3", "1e-7", "60", "0"]);
     }
 }

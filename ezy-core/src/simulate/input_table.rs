@@ -48,6 +48,16 @@ pub enum TableError {
         /// Its time, s.
         t: f64,
     },
+    /// Of three values at one time the middle one has no meaning.
+    #[error(
+        "row {row} of the table is the third one at {t} s; a jump has two rows, the value before it and the one behind it"
+    )]
+    Third {
+        /// Counted from one.
+        row: usize,
+        /// Its time, s.
+        t: f64,
+    },
 }
 
 impl InputTable {
@@ -56,6 +66,14 @@ impl InputTable {
     /// # Errors
     /// [`TableError`] naming the row.
     pub fn new(times: Vec<f64>, values: Vec<f64>) -> Result<Self, TableError> {
+        let table = Self::ascending(times, values)?;
+        match table.times.windows(3).position(|three| three[0] == three[2]) {
+            Some(i) => Err(TableError::Third { row: i + 3, t: table.times[i] }),
+            None => Ok(table),
+        }
+    }
+
+    fn ascending(times: Vec<f64>, values: Vec<f64>) -> Result<Self, TableError> {
         if times.len() != values.len() || times.is_empty() {
             return Err(TableError::Lengths { n_times: times.len(), n_values: values.len() });
         }
@@ -70,12 +88,18 @@ impl InputTable {
         Ok(Self { times, values })
     }
 
+    /// Time of the first value, s; of a value that is the same at all times, negative infinity.
+    #[cfg(feature = "cli")]
+    pub(crate) fn begin(&self) -> f64 {
+        self.times[0]
+    }
+
     /// The same, but each value holds until the next time.
     ///
     /// # Errors
     /// [`TableError`] naming the row.
     pub fn held(times: Vec<f64>, values: Vec<f64>) -> Result<Self, TableError> {
-        let Self { times, values } = Self::new(times, values)?;
+        let Self { times, values } = Self::ascending(times, values)?;
         let twice = |x: &[f64]| x.iter().flat_map(|&x| [x, x]).collect::<Vec<f64>>();
         let (times, values) = (twice(&times), twice(&values));
         Ok(Self { times: times[1..].to_vec(), values: values[..values.len() - 1].to_vec() })
@@ -104,7 +128,7 @@ impl InputTable {
 impl From<f64> for InputTable {
     /// The same value at all times.
     fn from(value: f64) -> Self {
-        Self { times: vec![0.0], values: vec![value] }
+        Self { times: vec![f64::NEG_INFINITY], values: vec![value] }
     }
 }
 
@@ -138,6 +162,7 @@ mod tests {
             table(&[0.0, 1.0], &[0.0, f64::INFINITY]),
             TableError::NotFinite { row: 2, t: 1.0, value: f64::INFINITY }
         );
+        assert_eq!(table(&[0.0, 1.0, 1.0, 1.0], &[0.0; 4]), TableError::Third { row: 4, t: 1.0 });
         assert!(matches!(table(&[f64::NAN], &[1.0]), TableError::NotFinite { row: 1, .. }));
     }
 }

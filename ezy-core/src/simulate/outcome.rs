@@ -4,7 +4,7 @@ use super::{EnergyError, ErrorEstimate, ExceededLimit, Monitors, NoErrorEstimate
 use crate::dynamics::{MotionError, MovedValue, Strain};
 use crate::model::SceneInfo;
 use crate::record::{Record, RecordError, Sample, UnknownName};
-use crate::scalar::{legible, rounded};
+use crate::scalar::{legible_time, rounded};
 use std::fmt;
 use std::sync::Arc;
 
@@ -142,20 +142,20 @@ impl std::fmt::Display for Outcome {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::ReachedEnd => f.write_str("reached the end"),
-            Self::ReachedEvent { t, name } => write!(f, "reached `{name}` at t = {} s", legible(*t)),
+            Self::ReachedEvent { t, name } => write!(f, "reached `{name}` at t = {} s", legible_time(*t)),
             Self::Untrusted { t, step_s, energy: EnergyError { joules, relative, t: at } } => write!(
                 f,
                 "reached t = {} s, but is not to be trusted: at t = {} s energy and work differ by {joules:.3e} J, {relative:.1e} of the \
                  energy turned over (limit {:e}); the fixed step of {} s is too long for this motion; take a tenth of it, or a \
                  method with a tolerance (dop853, taylor, gauss, radau)",
-                legible(*t),
+                legible_time(*t),
                 rounded(*at, 4),
                 EnergyError::LARGEST_OF_FIXED_STEPS,
                 rounded(*step_s, 4)
             ),
-            Self::Interrupted { t } => write!(f, "was interrupted at t = {} s", legible(*t)),
+            Self::Interrupted { t } => write!(f, "was interrupted at t = {} s", legible_time(*t)),
             Self::Stopped { t, reason, strain } => {
-                write!(f, "stopped at t = {} s: {reason}", legible(*t))?;
+                write!(f, "stopped at t = {} s: {reason}", legible_time(*t))?;
                 strain.as_ref().map_or(Ok(()), |strain| write!(f, "; {strain}"))
             }
         }

@@ -4,7 +4,7 @@ use super::stepper_state::StepperState;
 use super::tolerances::monitors::MAX_INTERVALS;
 use crate::dynamics::RankLoss;
 use crate::model::Scene;
-use crate::scalar::rounded;
+use crate::scalar::{legible_time, rounded};
 
 /// A stretch of a run in which constraints depended on each other: from the first state at which they did to the last.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,6 +84,7 @@ impl RankRecord {
 impl std::fmt::Display for RankRecord {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for RankDeficientInterval { from_s, to_s, loss } in &self.intervals {
+            let [from_s, to_s] = [*from_s, *to_s].map(legible_time);
             if from_s == to_s {
                 write!(f, "constraints depended on each other at t = {from_s} s: {loss}")?;
             } else {

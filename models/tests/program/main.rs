@@ -5,6 +5,7 @@ mod equations;
 mod faults;
 mod guide;
 mod hostile;
+mod leads;
 mod new;
 mod pictures;
 mod plots;

@@ -45,7 +45,7 @@ pub enum ExceededLimit {
     /// A row is not met.
     #[error(
         "at t = {t} s the {level} residual of constraint `{row}` is {value:.3e}, above the limit of {limit:e} (max-drift); \
-         project positions and velocities, or take a smaller step or tolerance"
+         project positions and velocities, or take a smaller step or tolerance", t = crate::scalar::legible_time(*.t)
     )]
     Drift {
         /// Time of the state that exceeds it, s.
@@ -62,7 +62,7 @@ pub enum ExceededLimit {
     /// Energy and work do not fit.
     #[error(
         "at t = {t} s energy and work differ by {joules:.3e} J, {relative:.3e} of the energy turned over, above the limit of \
-         {limit:e} (max-energy-error); take a smaller step or tolerance, or look at the forces at that time"
+         {limit:e} (max-energy-error); take a smaller step or tolerance, or look at the forces at that time", t = crate::scalar::legible_time(*.t)
     )]
     EnergyError {
         /// Time of the state that exceeds it, s.

@@ -1,0 +1,386 @@
+//! From a word of other tools, or a slip, to the word of this program.
+
+use clap::Command;
+use clap::builder::StyledStr;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+use super::Models;
+use super::names::path;
+use super::selection::find;
+use crate::model::SceneInfo;
+
+/// Options of other tools, and the options or commands here that do the same.
+const OPTIONS: [(&str, &[&str]); 20] = [
+    ("dt h timestep deltat stepsize fixed-step", &["--step"]),
+    ("hmax dtmax max-step max-dt hmin dtmin min-step", &["--rtol", "--step"]),
+    ("tol tolerance precision eps epsilon accuracy error", &["--rtol", "--atol"]),
+    ("reltol rel relative relative-tolerance", &["--rtol"]),
+    ("abstol abs absolute absolute-tolerance", &["--atol"]),
+    ("t-end tf tfinal final-time end end-time duration stop stop-time tmax time length seconds t t1", &["--until"]),
+    ("o output csv file outfile output-file save export write dest output-dir outdir dir", &["--out"]),
+    ("p param params parameter parameters define d const constant", &["--set"]),
+    ("ic ics init initial initial-condition initial-conditions x0 q0 v0 y0 state start-value", &["--start"]),
+    ("m solver integrator integration integrate ode scheme algorithm", &["--method"]),
+    (
+        "sample sampling sample-rate sample-time output-step output-interval dt-out print-step save-every interval fps rate resolution points samples",
+        &["--every"],
+    ),
+    ("saveat times t-eval t-span", &["--at", "--every", "--until"]),
+    ("u control controls signal signals input-file inputs-file", &["--input", "--inputs"]),
+    ("sweep scan range study", &["--vary"]),
+    ("projection stabilize stabilise stabilization stabilisation baumgarte constraint-stabilization", &["--project"]),
+    ("max-iter max-iterations nsteps steps n", &["--max-steps"]),
+    ("print-json format output-format fmt", &["--json", "--out"]),
+    ("x xaxis versus vs abscissa phase", &["--against"]),
+    ("figure graph chart", &["plot"]),
+    ("animation gif video movie anim render", &["animate"]),
+];
+
+/// Values of other tools, by option, and the value here.
+const VALUES: [(&str, &str, &str); 13] = [
+    ("--method", "ode45 ode23 rk45 rk23 rkf45 rkck cash-karp dopri dopri5 dp5 dp45 tsit5 bs3 fehlberg", "dop853"),
+    ("--method", "ode113 ode78 ode89 dop8 dp8 vern6 vern7 vern8 vern9 adams abm rk78 rkf78 dopri853 dopri8", "dop853"),
+    ("--method", "lsoda lsodar lsode cvode vode default auto automatic", "dop853"),
+    ("--method", "ode15s ode15i ode23s ode23t ode23tb bdf ida idas dassl daspk dae gear ndf fbdf", "radau"),
+    (
+        "--method",
+        "radau5 radauiia5 radauiia radau2a rodas rodas4 rodas5 rosenbrock sdirk esdirk trbdf2 kencarp4",
+        "radau",
+    ),
+    (
+        "--method",
+        "implicit stiff impliciteuler backwardeuler generalizedalpha hht hhti3 newmark trapezoidal cranknicolson",
+        "radau",
+    ),
+    (
+        "--method",
+        "euler eulerforward forwardeuler expliciteuler heun midpoint rk rk1 rk2 rk3 ralston ssprk3 ode1 ode2 ode3 ode4",
+        "rk4",
+    ),
+    ("--method", "rungekutta rungekutta4 classic fixed fixedstep", "rk4"),
+    (
+        "--method",
+        "verlet velocityverlet stormerverlet leapfrog symplectic symplecticeuler semiimplicit semiimpliciteuler yoshida",
+        "gauss",
+    ),
+    ("--method", "gausslegendre gl collocation implicitmidpoint lobatto irk gl6 gl8", "gauss"),
+    ("--method", "heyoka tides series ad high multiprecision", "taylor"),
+    ("--format", "tex katex mathjax md markdown pdf", "latex"),
+    ("--format", "txt plain ascii unicode", "text"),
+];
+
+/// Commands of other tools, and the command here with what to write.
+const COMMANDS: [(&str, &str, &str); 13] = [
+    ("simulate sim solve integrate start exec execute go compute motion csv export save", "run", "run MODEL/SCENE"),
+    ("draw picture diagram drawing view svg image", "sketch", "sketch MODEL/SCENE"),
+    ("gif animation anim movie video render play film", "animate", "animate MODEL/SCENE"),
+    ("graph chart figure curve curves visualize visualise", "plot", "plot MODEL/SCENE COLUMN"),
+    ("sweep scan vary range batch parametric", "plot", "plot MODEL/SCENE COLUMN --vary NAME=A,B"),
+    (
+        "bench benchmark convergence precision work-precision error errors tolerance methods",
+        "accuracy",
+        "accuracy MODEL/SCENE",
+    ),
+    ("diff cmp difference", "compare", "compare FIRST.csv SECOND.csv"),
+    ("equations eqs equation print latex tex describe jacobian derive symbolic", "show", "show MODEL/SCENE"),
+    ("ls models model scenes scene dir info", "list", "list"),
+    ("test verify validate selftest assert", "check", "check MODEL"),
+    ("init create scaffold generate template project", "new", "new NAME"),
+    ("completion complete autocomplete", "completions", "completions bash"),
+    ("manual manpage docs doc", "man", "man"),
+];
+
+/// What no command does, and how it is done.
+const ABSENT: [(&str, &str); 2] = [
+    (
+        "linearise linearize linearisation linearization eigenvalues modes sensitivity",
+        "no command linearises; 'show' prints the equations of motion, and programs have the derivatives of a run (ezy_core::simulate)",
+    ),
+    (
+        "optimise optimize fit identify calibrate montecarlo ensemble",
+        "no command runs many cases but --vary of 'plot'; programs loop over scenes, whose parameters are fields",
+    ),
+];
+
+/// Words that are typed by themselves, without an option.
+const BY_THEMSELVES: &str = "model scene name path column columns var variable variables file input-model";
+
+/// Adds to an error of the parser the words that lead on.
+///
+/// `arguments`: what was typed, without the program.
+pub(super) fn lead_on(error: &mut clap::Error, program: &Command, models: Models<'_>, arguments: &[String]) {
+    let typed = |error: &clap::Error, kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        _ => None,
+    };
+    let command = arguments.iter().find_map(|word| program.find_subcommand(word)).unwrap_or(program);
+    let tips = match error.kind() {
+        ErrorKind::UnknownArgument => typed(error, ContextKind::InvalidArg).map(|word| {
+            if word.starts_with('-') {
+                // the parser takes `-dt` for `-d`
+                let whole = |typed: &&String| typed.starts_with(&word) && !word.starts_with("--");
+                of_option(arguments.iter().find(whole).unwrap_or(&word), program, command, models, arguments)
+            } else {
+                of_word(&word, models, arguments)
+            }
+        }),
+        ErrorKind::InvalidValue => {
+            let option = typed(error, ContextKind::InvalidArg).unwrap_or_default();
+            let option = option.split([' ', '=']).next().unwrap_or_default().to_owned();
+            typed(error, ContextKind::InvalidValue)
+                .and_then(|value| of_value(&option, &value, command))
+                .map(|tip| vec![tip])
+        }
+        ErrorKind::InvalidSubcommand => {
+            typed(error, ContextKind::InvalidSubcommand).map(|word| of_command(&word, program, models))
+        }
+        _ => None,
+    };
+    let Some(tips) = tips else { return };
+    // a guess by letters, and "to pass it as a value", lead astray
+    if !tips.is_empty() {
+        for kind in [ContextKind::SuggestedArg, ContextKind::SuggestedValue, ContextKind::SuggestedSubcommand] {
+            error.remove(kind);
+        }
+    }
+    error.remove(ContextKind::Suggested);
+    if !tips.is_empty() {
+        let tips = tips.into_iter().map(StyledStr::from).collect();
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(tips));
+    }
+}
+
+/// Letters and digits of a word, small.
+fn bare(word: &str) -> String {
+    word.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+}
+
+fn has(words: &str, word: &str) -> bool {
+    words.split_whitespace().any(|known| bare(known) == bare(word))
+}
+
+/// An option that the command does not have.
+fn of_option(
+    word: &str,
+    program: &Command,
+    command: &Command,
+    models: Models<'_>,
+    arguments: &[String],
+) -> Vec<String> {
+    let name = word.split('=').next().unwrap_or(word).trim_start_matches('-');
+    let scene = arguments.iter().find_map(|word| find(models, word).ok()?.scene);
+    if let Some(assignment) = scene.and_then(|scene| assignment_of(name, &(scene.info)()))
+        && has_option(command, assignment)
+    {
+        return vec![format!("`{name}` is a name of the scene: write {assignment} {name}=VALUE")];
+    }
+    let aims = OPTIONS.iter().find(|(words, _)| has(words, name)).map_or(&[][..], |(_, aims)| aims);
+    let described: Vec<String> = aims.iter().filter_map(|aim| described(aim, program, command)).collect();
+    if !described.is_empty() {
+        return described;
+    }
+    if let Some(tip) = of_named_value(name, command) {
+        return vec![tip];
+    }
+    if has(BY_THEMSELVES, name) {
+        return vec![format!("write the name by itself, without '--{name}'")];
+    }
+    // an option of another command, under its name here or elsewhere; a command that was written as an option
+    let name = aims.first().map_or(name, |aim| aim.trim_start_matches('-'));
+    if let Some(tip) = described_command(name, program) {
+        return vec![tip];
+    }
+    let option = format!("--{name}");
+    let owners: Vec<&str> =
+        program.get_subcommands().filter(|other| has_option(other, &option)).map(Command::get_name).collect();
+    match owners[..] {
+        [] => Vec::new(),
+        _ => vec![format!("`{option}` is an option of {}, not of {}", owners.join(", "), command.get_name())],
+    }
+}
+
+fn has_option(command: &Command, option: &str) -> bool {
+    command.get_arguments().any(|arg| arg.get_long() == option.strip_prefix("--"))
+}
+
+/// The option that gives `name` its value.
+fn assignment_of(name: &str, info: &SceneInfo) -> Option<&'static str> {
+    let parameters = info.parameters.iter().map(|known| known.name);
+    if parameters.chain(info.counts().iter().map(|known| known.name)).any(|known| known == name) {
+        return Some("--set");
+    }
+    if info.inputs.iter().any(|known| known.name == name) {
+        return Some("--input");
+    }
+    info.coordinates.iter().any(|known| known.name == name || known.velocity_name == name).then_some("--start")
+}
+
+/// An option or a command with what its help says first.
+fn described(aim: &str, program: &Command, command: &Command) -> Option<String> {
+    let Some(long) = aim.strip_prefix("--") else { return described_command(aim, program) };
+    let arg = command.get_arguments().find(|arg| arg.get_long() == Some(long))?;
+    let value = arg.get_value_names().filter(|_| arg.get_action().takes_values());
+    let value = value.map_or(String::new(), |names| format!(" <{}>", names[0]));
+    Some(format!("use '{aim}{value}': {}", arg.get_help()?))
+}
+
+fn described_command(name: &str, program: &Command) -> Option<String> {
+    let command = program.get_subcommands().find(|command| command.get_name() == name)?;
+    Some(format!("use the command '{} {name}': {}", program.get_name(), command.get_about()?))
+}
+
+/// A word that is no option where none is expected: `run ezyroller coast`, `--dt`'s number, `m0=3`.
+fn of_word(word: &str, models: Models<'_>, arguments: &[String]) -> Vec<String> {
+    let scene = arguments.iter().find_map(|word| find(models, word).ok()?.scene);
+    if let Some((name, value)) = word.split_once('=') {
+        let option = scene.and_then(|scene| assignment_of(name, &(scene.info)())).unwrap_or("--set");
+        return vec![format!("write {option} {name}={value}")];
+    }
+    let place = arguments.iter().position(|argument| argument == word).filter(|place| *place > 0);
+    let joined = place.map(|place| format!("{}/{word}", arguments[place - 1]));
+    match joined.and_then(|joined| find(models, &joined).ok()).and_then(|found| Some((found.model, found.scene?))) {
+        Some((model, scene)) => vec![format!("write '{}'", path(model, scene))],
+        None => Vec::new(),
+    }
+}
+
+/// A value that an option does not take, but that has a meaning elsewhere.
+fn of_value(option: &str, value: &str, command: &Command) -> Option<String> {
+    let arg = command.get_arguments().find(|arg| arg.get_long() == option.strip_prefix("--"))?;
+    let (_, _, ours) = VALUES.iter().find(|(of, words, _)| *of == option && has(words, value))?;
+    let known = arg.get_possible_values().into_iter().find(|known| known.get_name() == *ours)?;
+    Some(format!("use '{option} {ours}': {}", known.get_help()?))
+}
+
+/// A value that was written as an option: `--latex`, `--radau`, `--tex`.
+fn of_named_value(name: &str, command: &Command) -> Option<String> {
+    command.get_arguments().find_map(|arg| {
+        let option = format!("--{}", arg.get_long()?);
+        let known = arg.get_possible_values().into_iter().find(|known| known.get_name() == name);
+        match known.filter(|_| arg.get_action().takes_values()) {
+            Some(known) => Some(format!("use '{option} {name}': {}", known.get_help()?)),
+            None => of_value(&option, name, command),
+        }
+    })
+}
+
+/// The method here that comes nearest to one of another tool.
+pub(super) fn method(name: &str) -> Option<&'static str> {
+    VALUES.iter().find(|(option, words, _)| *option == "--method" && has(words, name)).map(|(_, _, ours)| *ours)
+}
+
+/// Slips in a command, as edits of letters.
+const MOST_SLIPS: usize = 2;
+
+/// A command that there is none of.
+fn of_command(word: &str, program: &Command, models: Models<'_>) -> Vec<String> {
+    let names: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
+    if let Ok(found) = find(models, word) {
+        let command = if found.scene.is_some() { "run" } else { "show" };
+        return vec![format!("write a command before it, such as '{} {command} {word}'", program.get_name())];
+    }
+    let small = word.to_lowercase();
+    let slips = |name: &str| strsim::damerau_levenshtein(name, &small);
+    let of_table = COMMANDS.iter().find(|(words, name, _)| has(words, word) && names.contains(name));
+    let nearest = names.iter().copied().min_by_key(|name| slips(name));
+    // of a short word two slips leave nothing
+    let nearest = nearest.filter(|name| slips(name) <= MOST_SLIPS.min(name.len() / 2));
+    let absent = ABSENT.iter().find(|(words, _)| has(words, word)).map(|(_, how)| (*how).to_owned());
+    let lead = match (of_table, nearest) {
+        (Some((_, name, usage)), _) => {
+            let about = program.find_subcommand(name).and_then(Command::get_about).map(ToString::to_string);
+            Some(format!("use '{} {usage}': {}", program.get_name(), about.unwrap_or_default()))
+        }
+        (None, Some(name)) => Some(format!("did you mean '{name}'?")),
+        (None, None) => absent,
+    };
+    lead.into_iter().chain([format!("the commands are: {}", names.join(", "))]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::CommandLine;
+    use super::*;
+    use clap::builder::PossibleValue;
+
+    fn program() -> Command {
+        CommandLine::new(&[]).clap("ezy")
+    }
+
+    /// What the program prints of wrong arguments.
+    fn answer(line: &str) -> String {
+        let words: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+        let program = program();
+        let mut error = program.clone().try_get_matches_from(["ezy".to_owned()].iter().chain(&words)).unwrap_err();
+        lead_on(&mut error, &program, &[], &words);
+        error.to_string()
+    }
+
+    #[test]
+    fn invariant_every_word_of_the_tables_leads_to_a_word_of_the_program() {
+        let program = program();
+        let names: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
+        for (words, aims) in OPTIONS {
+            for aim in aims {
+                let known = program.get_subcommands().any(|command| has_option(command, aim));
+                assert!(known || names.contains(aim), "{aim} of {words}");
+            }
+        }
+        for (option, words, ours) in VALUES {
+            let args = program.get_subcommands().flat_map(Command::get_arguments);
+            let mut args = args.filter(|arg| arg.get_long() == option.strip_prefix("--"));
+            let is = |known: &PossibleValue| known.get_name() == ours;
+            assert!(args.any(|arg| arg.get_possible_values().iter().any(is)), "{ours} of {words}");
+        }
+        for (words, name, usage) in COMMANDS {
+            // `new` belongs to one program
+            assert!(name == "new" || names.contains(&name), "{name} of {words}");
+            assert!(usage.starts_with(name), "{usage}");
+        }
+    }
+
+    #[test]
+    fn invariant_words_of_a_table_are_in_one_line_and_are_no_words_of_the_program() {
+        let options = OPTIONS.iter().map(|(words, _)| *words).collect::<Vec<_>>();
+        let commands = COMMANDS.iter().map(|(words, ..)| *words).collect::<Vec<_>>();
+        let methods = VALUES.iter().filter(|(option, ..)| *option == "--method").map(|(_, words, _)| *words).collect();
+        for table in [options, commands, methods] {
+            let words: Vec<String> = table.iter().flat_map(|words| words.split_whitespace()).map(bare).collect();
+            for (i, word) in words.iter().enumerate() {
+                assert!(!words[..i].contains(word), "{word} twice");
+            }
+        }
+    }
+
+    #[test]
+    fn invariant_options_of_other_tools_lead_to_ours() {
+        let cases = [
+            ("run a/b --dt 1e-3", "use '--step <H>': Step in seconds"),
+            ("run a/b --tol 1e-6", "use '--rtol <R>'"),
+            ("run a/b --tolerance=1e-6", "use '--atol <A>'"),
+            ("animate a/b --t-end 3", "use '--until <S>'"),
+            ("run a/b -o x.csv", "use '--out <FILE.csv>'"),
+            ("run a/b --plot", "use the command 'ezy plot'"),
+            ("sketch a/b --dt 1", "`--step` is an option of run, plot, compare, animate, not of sketch"),
+            ("run a/b m0=3", "write --set m0=3"),
+            ("run a/b --method ode45", "use '--method dop853': Method of Dormand"),
+            ("run a/b --method ode15s", "use '--method radau': Implicit"),
+            ("show a/b --format tex", "use '--format latex'"),
+            ("run a/b --radau", "use '--method radau'"),
+            ("show a/b --tex", "use '--format latex'"),
+            ("list --model a", "without '--model'"),
+            ("run a/b --format json", "use '--json'"),
+            ("linearise a/b", "no command linearises"),
+            ("rnu a/b", "did you mean 'run'?"),
+            ("Simulate a/b", "use 'ezy run MODEL/SCENE': Runs a scene"),
+            ("frobnicate", "the commands are: list, show, run"),
+        ];
+        for (line, expected) in cases {
+            let answer = answer(line);
+            assert!(answer.contains(expected), "{line}: {answer}");
+            assert!(!answer.contains("as a value") && !answer.contains("similar"), "{line}: {answer}");
+        }
+        // nothing is known of it: nothing is guessed
+        assert!(!answer("run a/b --frobnicate").contains("tip:"));
+    }
+}

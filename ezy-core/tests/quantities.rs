@@ -141,3 +141,59 @@ fn cross_units_and_names_leave_the_motion_as_it_is() {
     assert!((a.get("output.angle").unwrap().to_radians() - b.get("output.angle").unwrap()).abs() < ROUNDED);
     assert!((b.get("crank.phi").unwrap() - std::f64::consts::PI / 6.0).abs() > 0.1, "it moves");
 }
+
+model! {
+    /// A rod whose lengths have no names of their own, beside others in an array.
+    pub model Lengths {
+        count n = 3;
+        param span: mm = 200;
+        param overhang: cm = 4;
+        param rise: mm = 30;
+        param m: kg = 1;
+        let reach = sqrt((span + overhang)^2 - rise^2)/2;
+        for i in 0..n { body rod[i] { mass: m, inertia: m*reach^2/3 } }
+        hinge first: ground(0, 0) ~ rod[0](-reach, 0);
+        for i in 1..n { hinge pin[i]: rod[i-1](reach, 0) ~ rod[i](-reach, 0); }
+        gravity (0, -9.81);
+        start level { for i in 0..n { rod[i] angle 0; } at rest; }
+        scene swing { start level; until 0.1 s; }
+    }
+}
+
+model! {
+    /// The same rod alone, its lengths written out.
+    pub model WrittenOut {
+        param span: mm = 200;
+        param overhang: cm = 4;
+        param rise: mm = 30;
+        body rod { mass: 1, inertia: 0.01 }
+        hinge first: ground(0, 0) ~ rod(-sqrt((span + overhang + rise)^2 - overhang^2 - rise^2 + span*overhang)/2, 0);
+        spring ground(0.2, 0.1) ~ rod(sqrt((span + overhang + rise)^2 - overhang^2 - rise^2 + span*overhang)/2, 0):
+            stiffness 1000*sqrt((span + overhang + rise)^2 - overhang^2 - rise^2 + span*overhang)/(span + overhang);
+        gravity (0, -9.81);
+        start level { rod angle 0; at rest; }
+        scene swing { start level; until 0.1 s; }
+    }
+}
+
+#[test]
+fn reference_names_are_kept_in_scenes_with_counts() {
+    let info = lengths::Swing::default().info();
+    let equations =
+        info.equations.iter().chain(info.repeats.iter().flat_map(|of| of.templates).flat_map(|of| of.equations));
+    let text: String = equations.map(|equation| equation.text).collect();
+    assert_eq!(text.matches("reach = sqrt((span + overhang)^2 - rise^2)/2").count(), 1, "{text}");
+    assert_eq!(text.matches("sqrt").count(), 1, "{text}");
+    for part in ["rod[i-1].x + reach*cos(rod[i-1].phi)", "m*reach^2/3"] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+}
+
+#[test]
+fn invariant_long_labels_leave_the_mechanism_most_of_the_sheet() {
+    let scene = written_out::Swing::default();
+    let run = Simulation::new(&scene).until(0.0).run().unwrap();
+    let svg = drawing::sketch(&scene, &run.last());
+    let width: f64 = svg.split_once(" width=\"").unwrap().1.split_once('"').unwrap().0.parse().unwrap();
+    assert!(560.0 / width > 0.7, "560 of {width}");
+}

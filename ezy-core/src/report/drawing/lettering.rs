@@ -129,12 +129,15 @@ impl Sheet {
         let lines = lines(text);
         let n_signs = lines.iter().map(|line| line.trim_end().chars().count()).max().unwrap_or(0);
         let (width, height) = (LETTER * size * n_signs as f64, size * (1.0 + LINE * (lines.len() - 1) as f64));
+        // a text of one line is as high as the offsets expect
+        let beside = [width / 2.0, (height - size) / 2.0];
         let area = |offset: &Vector| {
-            let [x, y] =
-                [at[0] + offset[0] + offset[0].signum() * width / 2.0 * f64::from(offset[0] != 0.0), at[1] + offset[1]];
+            let side = |k: usize| if offset[k] == 0.0 { 0.0 } else { offset[k].signum() * beside[k] };
+            let [x, y] = [0, 1].map(|k| at[k] + offset[k] + side(k));
             [x - width / 2.0 - 2.0, y - height / 2.0 - 1.0, x + width / 2.0 + 2.0, y + height / 2.0 + 1.0]
         };
-        let areas = offsets.iter().map(|offset| (self.overlap(area(offset)), area(offset)));
+        // of equal room the first has it, whatever the rounding
+        let areas = offsets.iter().map(|offset| (self.overlap(area(offset)).round(), area(offset)));
         let Some((_, area)) = areas.min_by(|a, b| a.0.total_cmp(&b.0)) else { return };
         let x = number((area[0] + area[2]) / 2.0);
         let first = (area[1] + area[3]) / 2.0 + size * (0.35 - 0.5 * LINE * (lines.len() - 1) as f64);

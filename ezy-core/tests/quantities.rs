@@ -74,7 +74,7 @@ fn formulas(scene: &dyn Scene) -> Vec<Formula> {
     let outputs = info.outputs.iter().map(|output| &output.formula);
     let entries = info.jacobian_entries.iter().chain(info.mass_entries).chain(info.force_entries);
     let all = rows.chain(outputs).chain(entries).chain([&info.potential_energy]);
-    all.chain(info.abbreviations.iter().map(|of| &of.formula)).cloned().collect()
+    all.chain(info.abbreviations.iter().map(|of| &of.formula)).copied().collect()
 }
 
 #[test]
@@ -91,9 +91,9 @@ fn invariant_no_formula_shows_a_conversion_of_units() {
 #[test]
 fn reference_names_of_the_model_file_stand_in_formulas_and_are_defined_once() {
     let info = workshop::Run::default().info();
-    let texts = |of: &[Formula]| of.iter().map(|formula| formula.text.clone()).collect::<Vec<_>>();
-    let row = |name: &str| info.rows.iter().find(|row| row.name == name).unwrap().constraint.clone();
-    let outputs: Vec<Formula> = info.outputs.iter().map(|output| output.formula.clone()).collect();
+    let texts = |of: &[Formula]| of.iter().map(|formula| formula.text).collect::<Vec<_>>();
+    let row = |name: &str| info.rows.iter().find(|row| row.name == name).unwrap().constraint;
+    let outputs: Vec<Formula> = info.outputs.iter().map(|output| output.formula).collect();
     assert_eq!(
         texts(&[row("shaft.x"), row("wrist.x")]),
         ["-crank.x + r*cos(crank.phi)/2", "rod.x - half*cos(rod.phi) - block.x",]

@@ -1,10 +1,12 @@
-//! Long expressions within others get a symbol, as in a textbook: `u_1 = …` below the equation. Those that the model file names by a `let` keep
-//! that name.
+//! Long expressions within others get a symbol, as in a textbook: `u_1 = …` below the equation. What the model file names by a `let`
+//! keeps that name.
 
 use std::cell::RefCell;
 
 use crate::mechanics::Equations;
-use crate::symbolic::print::{Names, Printed, print};
+use crate::mechanics::symbols::Let;
+use crate::symbolic::coefficient::CoefficientId;
+use crate::symbolic::print::{Names, Printed, print, print_definition};
 use crate::symbolic::{SumId, Symbol, spelling};
 
 /// A sum that takes more signs is not written out within another expression: three fit on a line.
@@ -23,7 +25,7 @@ impl<'a> Abbreviations<'a> {
         let symbols = &equations.symbols;
         let parameters = equations.parameters.iter().map(|id| symbols.parameter(id.0).text);
         let inputs = equations.inputs.iter().filter_map(|&id| Some(symbols.symbol(symbols.input(id)?).text));
-        let lets = equations.lets.iter().map(|(name, _)| name.clone());
+        let lets = symbols.lets().iter().map(|of| of.name.text.clone());
         let taken: Vec<String> = parameters.chain(inputs).chain(lets).collect();
         let free = |letter: &&str| !taken.iter().any(|name| name.starts_with(letter));
         let letter = ["u", "w", "z", "k", "h"].into_iter().find(free).unwrap_or("abbreviation_");
@@ -41,15 +43,28 @@ impl<'a> Abbreviations<'a> {
         loop {
             let next = self.sums.borrow().get(definitions.len()).copied();
             let Some(sum) = next else { return definitions };
-            definitions.push((self.name_of(sum, definitions.len()), self.print(sum)));
+            let name = self.let_of(sum).map_or_else(|| self.numbered(definitions.len()), |of| of.name.clone());
+            definitions.push((name, print_definition(&self.equations.algebra, self, sum)));
         }
     }
 
-    fn name_of(&self, sum: SumId, i: usize) -> Printed {
-        match self.equations.lets.iter().find(|(_, value)| *value == sum) {
-            Some((name, _)) => spelling::name(name),
-            None => spelling::name(&format!("{}{}", self.letter, i + 1)),
-        }
+    fn let_of(&self, sum: SumId) -> Option<&Let> {
+        self.equations.symbols.lets().iter().find(|of| of.value == sum)
+    }
+
+    /// The symbol of a sum without a name, at this place.
+    fn numbered(&self, place: usize) -> Printed {
+        let n = self.sums.borrow()[..=place].iter().filter(|&&sum| self.let_of(sum).is_none()).count();
+        spelling::name(&format!("{}{n}", self.letter))
+    }
+
+    /// The place of a sum among the definitions.
+    fn place(&self, sum: SumId) -> usize {
+        let mut sums = self.sums.borrow_mut();
+        sums.iter().position(|&known| known == sum).unwrap_or_else(|| {
+            sums.push(sum);
+            sums.len() - 1
+        })
     }
 }
 
@@ -63,16 +78,17 @@ impl Names for Abbreviations<'_> {
     }
 
     fn abbreviation(&self, sum: SumId, written_out: &Printed) -> Option<Printed> {
-        let is_named =
-            self.equations.lets.iter().any(|(name, value)| *value == sum && written_out.text.len() > name.len());
-        if !is_named && written_out.text.chars().count() <= LONG {
+        let named = self.let_of(sum).filter(|of| written_out.text.len() > of.name.text.len());
+        if named.is_none() && written_out.text.chars().count() <= LONG {
             return None;
         }
-        let mut sums = self.sums.borrow_mut();
-        let i = sums.iter().position(|&known| known == sum).unwrap_or_else(|| {
-            sums.push(sum);
-            sums.len() - 1
-        });
-        Some(self.name_of(sum, i))
+        let i = self.place(sum);
+        Some(named.map_or_else(|| self.numbered(i), |of| of.name.clone()))
+    }
+
+    fn coefficient(&self, id: CoefficientId) -> Option<(bool, Printed)> {
+        let of = self.equations.symbols.let_of(id)?;
+        self.place(of.value);
+        self.equations.symbols.coefficient(id)
     }
 }

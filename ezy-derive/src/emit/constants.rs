@@ -186,6 +186,7 @@ impl<'a> Constants<'a> {
                 Some(Wording { text: (*word).to_owned(), shape: Shape::Product })
             }
             CoefficientNode::Pi => Some(Wording { text: "pi".to_owned(), shape: Shape::Product }),
+            CoefficientNode::Conversion { .. } => None,
             CoefficientNode::Parameter(index) => {
                 let parameter = self.model.parameters.get(*index).map(|parameter| parameter.name.to_string());
                 let name = parameter.or_else(|| match self.whole(*index)? {
@@ -222,12 +223,24 @@ impl<'a> Constants<'a> {
 
     fn operands(&self, id: CoefficientId) -> Vec<CoefficientId> {
         match self.coefficients.node(id) {
-            CoefficientNode::Number(_) | CoefficientNode::Pi | CoefficientNode::Parameter(_) => Vec::new(),
+            CoefficientNode::Number(_)
+            | CoefficientNode::Pi
+            | CoefficientNode::Parameter(_)
+            | CoefficientNode::Conversion { .. } => Vec::new(),
             CoefficientNode::Add(a, b) => vec![a.id, b.id],
             CoefficientNode::Mul(a, b) | CoefficientNode::Div(a, b) => vec![*a, *b],
             CoefficientNode::Call(_, arguments) => arguments.iter().map(|a| a.id).collect(),
         }
     }
+}
+
+/// A number of a unit of this size, in SI units.
+fn converted(number: TokenStream, times: f64, over: f64, pi: i32) -> TokenStream {
+    let literal = |x: f64| (x != 1.0).then(|| Numbers::Any.literal(x));
+    let (times, over) = (literal(times).into_iter(), literal(over).into_iter());
+    let by_pi = std::iter::repeat_n(quote!(*T::PI), pi.max(0) as usize);
+    let over_pi = std::iter::repeat_n(quote!(/ T::PI), (-pi).max(0) as usize);
+    quote!(#number #(* #times)* #(#by_pi)* #(#over_pi)* #(/ #over)*)
 }
 
 /// Longer names of constants give way to a number.
@@ -271,15 +284,17 @@ impl Values<'_> {
             CoefficientNode::Number(x) => Numbers::Any.literal(*x),
             CoefficientNode::Pi => quote!(T::PI),
             CoefficientNode::Parameter(index) => match of.model.parameters.get(*index) {
-                Some(_) => {
+                Some(parameter) => {
                     let place = of.parameters.iter().position(|id| id.0 == *index).unwrap_or(0);
-                    quote!(parameters[#place])
+                    let unit = parameter.size;
+                    converted(quote!(parameters[#place]), unit.times, unit.over, unit.pi)
                 }
                 None => {
                     let value = of.whole(*index).map(|value| whole(of.model, &value));
                     quote!(T::from_f64(#value as f64))
                 }
             },
+            CoefficientNode::Conversion { times, over, pi } => converted(Numbers::Any.literal(*times), 1.0, *over, *pi),
             CoefficientNode::Add(a, b) => {
                 let (x, y) = (self.operand(a.id), self.operand(b.id));
                 match (a.negative, b.negative) {

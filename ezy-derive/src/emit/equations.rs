@@ -8,7 +8,7 @@ use super::equation::{Equation, Side, WIDEST_MATRIX};
 use crate::mechanics::{Equations, ForceTemplate, RowTemplate, Templates};
 use crate::model::{Loop, Model};
 use crate::symbolic::SumId;
-use crate::symbolic::print::{Printed, print};
+use crate::symbolic::print::{Printed, print, print_definition};
 use crate::symbolic::spelling;
 
 /// A symbol of the equations that is no letter.
@@ -143,6 +143,15 @@ fn motion(position: bool, velocity: bool) -> Equation {
 pub fn motion_of(templates: &Templates<'_>) -> Equation {
     let has = |position: bool| templates.rows.iter().any(|row| row.is_position() == position);
     motion(has(true), has(false))
+}
+
+/// The `let` values that equations of a scene with counts call by their names.
+pub fn lets_of(templates: &Templates<'_>) -> Option<Equation> {
+    let Templates { algebra, symbols, .. } = templates;
+    let named = symbols.lets().iter().filter(|of| of.coefficient.is_some());
+    let definitions = named.map(|of| (of.name.clone(), print_definition(algebra, symbols, of.value)));
+    let definitions: Vec<_> = definitions.collect();
+    (!definitions.is_empty()).then(|| Equation::definitions("abbreviations", &definitions))
 }
 
 /// The equations of an item of a scene with counts, which all of its members share.

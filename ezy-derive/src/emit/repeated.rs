@@ -79,6 +79,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
     });
     let none = quote!(ezy::List::Borrowed(&[]));
     let series = info::series(derived.series_cost());
+    let lets = equations::lets_of(templates).map(|lets| lets.tokens()).into_iter();
     let motion = equations::motion_of(templates).tokens();
     quote! {
         ezy::SceneInfo {
@@ -106,7 +107,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
             force_entries: &[],
             potential_energy: ezy::Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
             abbreviations: &[],
-            equations: &[#motion],
+            equations: &[#(#lets,)* #motion],
             elimination: &[],
             acceleration_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             correction_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

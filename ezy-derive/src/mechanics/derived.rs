@@ -84,7 +84,7 @@ impl<'m> Derived<'m> {
         let series = series.map(|series| kernels.extend(programs::series(vec![series])));
         let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
         kernels.extend(solutions.into_iter().flat_map(programs::solutions));
-        equations.write_lets(model, scene);
+        equations.symbols.write_lets(model, scene, &mut equations.algebra);
         let form = Form::Straight(Box::new(Straight { equations, elimination, jacobians }));
         Self { scene: scene.clone(), form, kernels, series, constants, elements: Vec::new(), modes: Vec::new() }
     }
@@ -100,6 +100,7 @@ impl<'m> Derived<'m> {
         }
         let series = series.map(|series| kernels.extend(programs::series(series)));
         let Templates { algebra, symbols, .. } = &mut templates;
+        symbols.write_lets(model, scene, algebra);
         let elements = elements(model, scene, algebra, symbols);
         kernels.insert(Quantity::Elements, programs::elements(algebra, &elements, true, &mut constants));
         let form = Form::Counted(Box::new(Counted { templates, jacobians }));

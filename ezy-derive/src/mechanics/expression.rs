@@ -29,6 +29,10 @@ impl<'a> Writer<'a> {
                 let pi = self.algebra.coefficients.pi();
                 self.algebra.constant(pi)
             }
+            Expr::Conversion(unit) => {
+                let conversion = self.algebra.coefficients.conversion(unit.times, unit.over, unit.pi);
+                self.algebra.constant(conversion)
+            }
             Expr::Time => self.algebra.symbol(Symbol::TIME),
             Expr::Parameter(id) => {
                 let parameter = self.algebra.coefficients.parameter(id.0);

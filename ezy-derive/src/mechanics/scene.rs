@@ -44,8 +44,6 @@ pub struct Equations {
     pub potential: SumId,
     pub points: Vec<PointPosition>,
     pub start: Vec<GivenValue>,
-    /// `let` values of the model and of the scene's effects, once all else is derived.
-    pub lets: Vec<(String, SumId)>,
 }
 
 /// Forces whose work is counted together.
@@ -120,16 +118,7 @@ impl Equations {
             potential,
             points,
             start,
-            lets: Vec::new(),
         }
-    }
-
-    /// Writes the `let` values, last: what is derived does not depend on them.
-    pub fn write_lets(&mut self, model: &Model, scene: &Scene) {
-        let Self { algebra, symbols, lets, .. } = self;
-        let mut writer = Writer::new(model, algebra, symbols);
-        let of_scene = model.lets.iter().filter(|value| scene.calls_for(value.effect));
-        lets.extend(of_scene.map(|value| (value.name.clone(), writer.write(&value.value))));
     }
 }
 

@@ -1,10 +1,12 @@
 //! The symbols of a scene: time, coordinates, velocities, and values named on the way.
 
+use super::expression::Writer;
 use crate::model::whole::{Whole, WholeNames};
-use crate::model::{BodyId, Component, Coordinate, InputId, Model};
-use crate::symbolic::Symbol;
+use crate::model::{BodyId, Component, Coordinate, InputId, Model, Scene};
+use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode};
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::spelling;
+use crate::symbolic::{Algebra, SumId, Symbol};
 
 /// Symbols in fixed places: time, then `n_q` coordinates, `n_q` velocities, the inputs, then what a kernel names.
 #[derive(Debug)]
@@ -14,7 +16,17 @@ pub struct Symbols {
     inputs: Vec<(InputId, Printed)>,
     /// Parameters, then whole numbers: [`Model::whole`].
     parameters: Vec<Printed>,
+    lets: Vec<Let>,
     named: Vec<String>,
+}
+
+/// A component of a `let` value.
+#[derive(Debug)]
+pub struct Let {
+    pub name: Printed,
+    pub value: SumId,
+    /// The value, when it is computed from parameters.
+    pub coefficient: Option<Coefficient>,
 }
 
 /// What a symbol stands for.
@@ -45,7 +57,32 @@ impl Symbols {
         let parameters = parameters.chain(model.indices.iter().cloned()).map(|name| spelling::name(&name));
         let parameters = parameters.chain(model.quotients.iter().map(|of| quotient(model, of))).collect();
         let inputs = inputs.iter().map(|&id| (id, spelling::name(&model.inputs[id.0].name.to_string()))).collect();
-        Self { coordinates, velocities, inputs, parameters, named: Vec::new() }
+        Self { coordinates, velocities, inputs, parameters, lets: Vec::new(), named: Vec::new() }
+    }
+
+    /// Writes the `let` values of the model and of the scene's effects, last: what is derived does not depend on them.
+    pub fn write_lets(&mut self, model: &Model, scene: &Scene, algebra: &mut Algebra) {
+        let mut writer = Writer::new(model, algebra, self);
+        let of_scene = model.lets.iter().filter(|value| scene.calls_for(value.effect));
+        let lets = of_scene.map(|named| {
+            let value = writer.write(&named.value);
+            let coefficient = writer.algebra.as_coefficient(value).filter(|k| {
+                use CoefficientNode::{Add, Call, Div, Mul};
+                // a number is no quantity of its own, and a parameter has its name
+                matches!(writer.algebra.coefficients.node(k.id), Add(..) | Mul(..) | Div(..) | Call(..))
+            });
+            Let { name: spelling::name(&named.name), value, coefficient }
+        });
+        self.lets = lets.collect();
+    }
+
+    pub fn lets(&self) -> &[Let] {
+        &self.lets
+    }
+
+    /// The `let` that computes a coefficient, or its negative, from parameters.
+    pub fn let_of(&self, id: CoefficientId) -> Option<&Let> {
+        self.lets.iter().find(|of| of.coefficient.is_some_and(|k| k.id == id))
     }
 
     pub fn n_coordinates(&self) -> usize {
@@ -144,6 +181,11 @@ impl Names for Symbols {
 
     fn parameter(&self, index: usize) -> Printed {
         self.parameters[index].clone()
+    }
+
+    fn coefficient(&self, id: CoefficientId) -> Option<(bool, Printed)> {
+        let of = self.let_of(id)?;
+        Some((of.coefficient.is_some_and(|k| k.negative), of.name.clone()))
     }
 }
 

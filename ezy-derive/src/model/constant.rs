@@ -37,12 +37,13 @@ pub fn literal(expr: &Expr) -> Option<f64> {
     at_defaults(expr, &[])
 }
 
-/// The value of a resolved expression with the declared parameters; `None` where it moves.
+/// The value of a resolved expression with these parameters, in SI units; `None` where it moves.
 pub fn at_defaults(expr: &Expr, parameters: &[f64]) -> Option<f64> {
     let value = |expr: &Expr| at_defaults(expr, parameters);
     Some(match expr {
         Expr::Number(number) => *number,
         Expr::Pi => PI,
+        Expr::Conversion(unit) => unit.to_si(1.0),
         Expr::Parameter(id) => *parameters.get(id.0)?,
         Expr::Neg(a) => -value(a)?,
         Expr::Binary(operator, a, b) => operator.evaluate(value(a)?, value(b)?),

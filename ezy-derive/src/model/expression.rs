@@ -171,7 +171,8 @@ impl Context<'_> {
             Some(Symbol::Count(id)) => Some(Value::scalar(Expr::Count(id), Measure::Unknown)),
             Some(Symbol::Parameter(id)) => {
                 let unit = self.units.get(id.0).copied().flatten();
-                Some(in_si(Expr::Parameter(id), unit))
+                let measure = unit.map_or(Measure::Unknown, |unit| unit.dimension.into());
+                Some(Value::scalar(Expr::Parameter(id), measure))
             }
             Some(Symbol::Input(id)) => {
                 let part = self.input_parts.get(id.0).copied().flatten();
@@ -184,8 +185,10 @@ impl Context<'_> {
                     _ => (Expr::Input(id), Motion::Input),
                 };
                 self.forbid_motion(name, moves, purpose)?;
-                let unit = self.input_units.get(id.0).copied().flatten();
-                Some(in_si(expr, unit))
+                Some(match self.input_units.get(id.0).copied().flatten() {
+                    Some(unit) => Value::scalar(unit.expr_to_si(expr), unit.dimension),
+                    None => Value::scalar(expr, Measure::Unknown),
+                })
             }
             Some(Symbol::Let(id)) => {
                 let value = self.let_value(id, name)?;
@@ -245,14 +248,6 @@ impl Context<'_> {
             return self.diag.refuse(rules::direction_without_length(at, &direction.body));
         }
         Some(Direction { body, x, y })
-    }
-}
-
-/// A number that is given in a unit.
-fn in_si(value: Expr, unit: Option<Unit>) -> Value {
-    match unit {
-        Some(unit) => Value::scalar(unit.expr_to_si(value), unit.dimension),
-        None => Value::scalar(value, Measure::Unknown),
     }
 }
 

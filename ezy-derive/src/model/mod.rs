@@ -37,6 +37,7 @@ pub use resolve::resolve;
 
 use crate::grammar::Word;
 use proc_macro2::{Ident, TokenStream};
+pub use unit::Unit;
 use whole::{CountId, IndexId, QuotientId, Whole};
 
 /// Index into [`Model::bodies`].
@@ -151,6 +152,9 @@ pub struct Parameter {
     pub name: Ident,
     /// As written, blanks removed; empty when none was declared.
     pub unit: String,
+    /// The unit, or that of a plain number.
+    pub size: Unit,
+    /// In its unit.
     pub default: f64,
     /// As written.
     pub default_text: String,
@@ -437,8 +441,12 @@ pub enum Expr {
     Number(f64),
     Pi,
     Time,
+    /// In SI units.
     Parameter(ParameterId),
+    /// In its unit.
     Input(InputId),
+    /// What turns numbers of a unit into SI units. Equations hold between quantities, so that it is not printed.
+    Conversion(Unit),
     /// The value at the present time of an input `by acceleration`, or its rate; by the first of its parts.
     Integrated(InputId, Part),
     /// `body.x`, `body.y`, `body.phi`

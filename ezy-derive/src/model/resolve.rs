@@ -147,6 +147,7 @@ impl<'a> Resolver<'a> {
         let resolved = Parameter {
             name: parameter.name.clone(),
             unit: parameter.unit.as_ref().map_or_else(String::new, |unit| unit.text.clone()),
+            size: unit.unwrap_or(Unit::ONE),
             default: diag.keep(value).unwrap_or(f64::NAN),
             default_text: parameter.value_text.clone(),
             documentation: documentation.to_owned(),
@@ -225,7 +226,8 @@ impl<'a> Resolver<'a> {
             model.events.extend(context.event(event, documentation, *scope));
         }
         model.stops.extend(self.stops.iter().filter_map(|(stop, scope)| context.stop(stop, *scope)));
-        let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+        let defaults = model.parameters.iter().map(|parameter| parameter.size.to_si(parameter.default));
+        let defaults: Vec<f64> = defaults.collect();
         for (array, (body, loops)) in self.bodies.iter().enumerate() {
             context.body_item(array, body, loops, &defaults);
         }

@@ -10,9 +10,9 @@ use std::f64::consts::PI;
 /// A unit is `times / over * pi^pi` SI units; whole numbers, so that 200 mm is the f64 nearest to 0.2 m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    times: f64,
-    over: f64,
-    pi: i32,
+    pub times: f64,
+    pub over: f64,
+    pub pi: i32,
     pub dimension: Dimension,
 }
 
@@ -64,7 +64,7 @@ static KNOWN: [Known; 28] = [
 ];
 
 impl Unit {
-    const ONE: Self = Self { times: 1.0, over: 1.0, pi: 0, dimension: Dimension::NONE };
+    pub const ONE: Self = Self { times: 1.0, over: 1.0, pi: 0, dimension: Dimension::NONE };
 
     /// A unit of the language's own tables.
     pub fn of_text(text: &str) -> Option<Self> {
@@ -86,13 +86,7 @@ impl Unit {
             return None;
         };
         let one = Self { times: known.times, over: known.over, pi: known.pi, dimension: known.dimension };
-        let inverse = Self {
-            times: known.over,
-            over: known.times,
-            pi: -known.pi,
-            dimension: Dimension::NONE.over(known.dimension),
-        };
-        let base = if factor.exponent < 0 { inverse } else { one };
+        let base = if factor.exponent < 0 { one.inverse() } else { one };
         Some((0..factor.exponent.abs()).fold(Self::ONE, |product, _| product.times(base)))
     }
 
@@ -114,30 +108,32 @@ impl Unit {
     pub fn expr_of_number(self, value: f64) -> Expr {
         match self.pi {
             0 => Expr::Number(self.to_si(value)),
-            _ => self.expr_to_si(Expr::Number(value)),
+            pi => {
+                (0..pi.abs()).fold(Expr::Number(value * self.times), |value, _| {
+                    if pi > 0 { value * Expr::Pi } else { value / Expr::Pi }
+                }) / Expr::Number(self.over)
+            }
         }
+    }
+
+    /// `1/unit`
+    pub fn inverse(self) -> Self {
+        Self { times: self.over, over: self.times, pi: -self.pi, dimension: Dimension::NONE.over(self.dimension) }
+    }
+
+    /// Whether numbers of this unit are in SI units.
+    pub fn is_si(self) -> bool {
+        self.times == self.over && self.pi == 0
+    }
+
+    /// A value of this unit, in SI units; those leave no operation.
+    pub fn expr_to_si(self, value: Expr) -> Expr {
+        if self.is_si() { value } else { value * Expr::Conversion(self) }
     }
 
     /// A value in SI units, in this unit.
     pub fn expr_from_si(self, value: Expr) -> Expr {
-        Self { times: self.over, over: self.times, pi: -self.pi, ..self }.expr_to_si(value)
-    }
-
-    /// The same as an expression; SI units leave no operation.
-    pub fn expr_to_si(self, mut value: Expr) -> Expr {
-        if self.times != 1.0 {
-            value = value * Expr::Number(self.times);
-        }
-        for _ in 0..self.pi {
-            value = value * Expr::Pi;
-        }
-        for _ in 0..-self.pi {
-            value = value / Expr::Pi;
-        }
-        if self.over != 1.0 {
-            value = value / Expr::Number(self.over);
-        }
-        value
+        self.inverse().expr_to_si(value)
     }
 }
 

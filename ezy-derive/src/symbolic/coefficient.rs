@@ -23,6 +23,12 @@ pub enum CoefficientNode {
     Number(f64),
     Pi,
     Parameter(usize),
+    /// `times * pi^pi / over`: what turns numbers of a unit into SI units.
+    Conversion {
+        times: f64,
+        over: f64,
+        pi: i32,
+    },
     Add(Coefficient, Coefficient),
     Mul(CoefficientId, CoefficientId),
     Div(CoefficientId, CoefficientId),
@@ -85,6 +91,15 @@ impl Coefficients {
 
     pub fn parameter(&mut self, index: usize) -> Coefficient {
         self.intern(CoefficientNode::Parameter(index), Fingerprint::random(&[1, index as u64]))
+    }
+
+    /// Kept apart from equal numbers, since equations between quantities do not show it.
+    pub fn conversion(&mut self, times: f64, over: f64, pi: i32) -> Coefficient {
+        let key =
+            |times: f64, over: f64, pi: i32| Fingerprint::random(&[4, times.to_bits(), over.to_bits(), pi as u64]);
+        let is_inverse = times < over || (times == over && pi < 0);
+        let fingerprint = if is_inverse { key(over, times, -pi).inverse() } else { key(times, over, pi) };
+        self.intern(CoefficientNode::Conversion { times, over, pi }, fingerprint)
     }
 
     pub fn add(&mut self, a: Coefficient, b: Coefficient) -> Coefficient {
@@ -274,6 +289,18 @@ mod tests {
         );
         assert!(sin == again && sin != cos && sin != of_minus, "one node for one call");
         assert_eq!(k.node(sin.id), &CoefficientNode::Call(Function::Sin, vec![p]));
+    }
+
+    /// A conversion is no number, and goes where its inverse comes.
+    #[test]
+    fn analytic_conversions_are_kept_apart_from_numbers_and_cancel() {
+        let mut k = Coefficients::new();
+        let of_number = k.number(1e3);
+        let [kilo, milli] = [k.conversion(1e3, 1.0, 0), k.conversion(1.0, 1e3, 0)];
+        let [degree, per_degree] = [k.conversion(1.0, 180.0, 1), k.conversion(180.0, 1.0, -1)];
+        assert!(kilo != of_number && k.as_number(kilo).is_none() && degree != milli);
+        assert_eq!([k.mul(kilo, milli), k.mul(degree, per_degree)], [Coefficient::ONE; 2]);
+        assert_eq!(k.conversion(1e3, 1.0, 0), kilo);
     }
 
     #[test]

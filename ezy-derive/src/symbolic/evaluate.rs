@@ -28,6 +28,7 @@ impl Algebra {
             CoefficientNode::Number(x) => *x,
             CoefficientNode::Pi => std::f64::consts::PI,
             CoefficientNode::Parameter(index) => at.parameter(*index),
+            CoefficientNode::Conversion { times, over, pi } => times * std::f64::consts::PI.powi(*pi) / over,
             CoefficientNode::Add(a, b) => self.evaluate_coefficient(*a, at) + self.evaluate_coefficient(*b, at),
             CoefficientNode::Mul(a, b) => unsigned(*a) * unsigned(*b),
             CoefficientNode::Div(a, b) => unsigned(*a) / unsigned(*b),

@@ -1,6 +1,6 @@
 //! Expressions as text, LaTeX and MathML, built together from one expression.
 
-use super::coefficient::{Coefficient, CoefficientNode, unsigned};
+use super::coefficient::{Coefficient, CoefficientId, CoefficientNode};
 use super::sum::{Algebra, Atom, AtomId, MonomialId, SumId, Symbol};
 use crate::function::Function;
 
@@ -44,6 +44,11 @@ enum Level {
 pub trait Names {
     fn symbol(&self, symbol: Symbol) -> Printed;
     fn parameter(&self, index: usize) -> Printed;
+    /// What stands for a coefficient, and whether it is what its negative is called.
+    fn coefficient(&self, id: CoefficientId) -> Option<(bool, Printed)> {
+        let _ = id;
+        None
+    }
     /// What stands for a sum within another expression, if it shall not be `written_out`.
     fn abbreviation(&self, sum: SumId, written_out: &Printed) -> Option<Printed> {
         let _ = (sum, written_out);
@@ -120,13 +125,19 @@ impl Printed {
 
 /// A sum as an expression; zero prints as 0.
 pub fn print(algebra: &Algebra, names: &impl Names, sum: SumId) -> Printed {
-    let printer = Printer { algebra, names };
-    printer.sum(sum)
+    Printer { algebra, names, defined: None }.sum(sum)
+}
+
+/// What a name stands for, without that name.
+pub fn print_definition(algebra: &Algebra, names: &impl Names, sum: SumId) -> Printed {
+    Printer { algebra, names, defined: algebra.as_coefficient(sum).map(|k| k.id) }.sum(sum)
 }
 
 struct Printer<'a, N> {
     algebra: &'a Algebra,
     names: &'a N,
+    /// The coefficient that is defined, which is not printed by its name.
+    defined: Option<CoefficientId>,
 }
 
 impl<N: Names> Printer<'_, N> {
@@ -135,8 +146,7 @@ impl<N: Names> Printer<'_, N> {
         if terms.is_empty() {
             return Printed::number(0.0);
         }
-        let parts = terms.iter().map(|&(monomial, k)| (k.negative, self.term(k, monomial))).collect();
-        add(parts)
+        add(terms.iter().map(|&(monomial, k)| self.term(k, monomial)).collect())
     }
 
     /// A sum within another expression.
@@ -145,19 +155,17 @@ impl<N: Names> Printer<'_, N> {
         self.names.abbreviation(sum, &written_out).unwrap_or(written_out)
     }
 
-    /// Coefficient, plain symbols, then functions: the order in which such terms are written by hand.
-    fn term(&self, k: Coefficient, monomial: MonomialId) -> Printed {
+    /// Whether it is subtracted; coefficient, plain symbols, then functions: the order in which such terms are written by hand.
+    fn term(&self, k: Coefficient, monomial: MonomialId) -> (bool, Printed) {
         let mut factors = self.algebra.monomial(monomial).clone();
         factors.sort_by_key(|&(atom, _)| (!matches!(self.algebra.atom(atom), Atom::Symbol(_)), atom));
         let (mut top, mut bottom) = (Vec::new(), Vec::new());
-        if !k.is_unit() {
-            self.coefficient_factors(k, &mut top, &mut bottom);
-        }
+        let negative = k.negative ^ self.coefficient_factors(k.id, &mut top, &mut bottom);
         for (atom, n) in factors {
             let factor = self.power(atom, n.abs());
             if n > 0 { top.push(factor) } else { bottom.push(factor) }
         }
-        quotient(product(top), bottom)
+        (negative, quotient(product(top), bottom))
     }
 
     fn power(&self, atom: AtomId, n: i32) -> Printed {
@@ -182,42 +190,34 @@ impl<N: Names> Printer<'_, N> {
     }
 
     fn coefficient(&self, k: Coefficient) -> Printed {
-        let node = self.algebra.coefficients.node(k.id);
-        let magnitude = match node {
+        add(vec![self.term(k, MonomialId::ONE)])
+    }
+
+    /// Splits a coefficient's magnitude into factors above and below the line; whether these are its negative.
+    fn coefficient_factors(&self, id: CoefficientId, top: &mut Vec<Printed>, bottom: &mut Vec<Printed>) -> bool {
+        let named = if self.defined == Some(id) { None } else { self.names.coefficient(id) };
+        if let Some((negative, name)) = named {
+            top.push(name);
+            return negative;
+        }
+        let factor = match self.algebra.coefficients.node(id) {
+            CoefficientNode::Number(1.0) | CoefficientNode::Conversion { .. } => return false,
             CoefficientNode::Number(x) => Printed::number(*x),
             CoefficientNode::Pi => Printed::atom("pi", "\\pi", "<mi>π</mi>"),
             CoefficientNode::Parameter(index) => self.names.parameter(*index),
-            CoefficientNode::Add(a, b) => add(vec![
-                (a.negative, self.coefficient(unsigned(a.id))),
-                (b.negative, self.coefficient(unsigned(b.id))),
-            ]),
-            CoefficientNode::Mul(..) | CoefficientNode::Div(..) => {
-                let (mut top, mut bottom) = (Vec::new(), Vec::new());
-                self.coefficient_factors(unsigned(k.id), &mut top, &mut bottom);
-                quotient(product(top), bottom)
+            CoefficientNode::Add(a, b) => add([a, b].map(|&k| self.term(k, MonomialId::ONE)).into()),
+            CoefficientNode::Mul(a, b) => {
+                return self.coefficient_factors(*a, top, bottom) ^ self.coefficient_factors(*b, top, bottom);
+            }
+            CoefficientNode::Div(a, b) => {
+                return self.coefficient_factors(*a, top, bottom) ^ self.coefficient_factors(*b, bottom, top);
             }
             CoefficientNode::Call(function, arguments) => {
                 call(*function, None, arguments.iter().map(|&x| self.coefficient(x)).collect())
             }
         };
-        if k.negative { add(vec![(true, magnitude)]) } else { magnitude }
-    }
-
-    /// Splits a coefficient's magnitude into factors above and below the line.
-    fn coefficient_factors(&self, k: Coefficient, top: &mut Vec<Printed>, bottom: &mut Vec<Printed>) {
-        match self.algebra.coefficients.node(k.id) {
-            CoefficientNode::Mul(a, b) => {
-                self.coefficient_factors(unsigned(*a), top, bottom);
-                self.coefficient_factors(unsigned(*b), top, bottom);
-            }
-            CoefficientNode::Div(a, b) => {
-                if !unsigned(*a).is_unit() {
-                    self.coefficient_factors(unsigned(*a), top, bottom);
-                }
-                self.coefficient_factors(unsigned(*b), bottom, top);
-            }
-            _ => top.push(self.coefficient(unsigned(k.id))),
-        }
+        top.push(factor);
+        false
     }
 }
 

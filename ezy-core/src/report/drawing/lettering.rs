@@ -9,6 +9,12 @@ pub(super) type Area = [f64; 4];
 
 /// Width of a letter, in sizes of the font.
 const LETTER: f64 = 0.56;
+/// Distance of lines, in sizes of the font.
+const LINE: f64 = 1.2;
+/// Signs of a line: a longer text would widen the sheet, on which the mechanism then takes a smaller part.
+const WIDEST: usize = 20;
+/// What is behind so many lines is left out.
+const MOST_LINES: usize = 3;
 
 /// `l_centre/2` as SVG: what follows `_`, and digits behind a letter, stand lower.
 pub(super) fn typeset(text: &str) -> String {
@@ -55,6 +61,36 @@ fn greek(name: &str) -> &str {
     LETTERS.iter().find(|(known, _)| *known == name).map_or(name, |(_, letter)| letter)
 }
 
+/// A text in lines, which end at blanks, behind `*` and behind `/`; `…` stands for what is left out.
+fn lines(text: &str) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    let mut piece = String::new();
+    let mut parts = text.split_inclusive([' ', '*', '/']).peekable();
+    while let Some(part) = parts.next() {
+        piece += part;
+        // a sign stands before its term
+        if matches!(part, "+ " | "- ") && parts.peek().is_some() {
+            continue;
+        }
+        let n = |text: &str| text.trim_end().chars().count();
+        let is_full = lines.last().is_some_and(|line| !line.is_empty() && n(&(line.clone() + &piece)) > WIDEST);
+        if is_full {
+            lines.push(String::new());
+        }
+        if n(&piece) > WIDEST {
+            piece = piece.chars().take(WIDEST - 1).chain(['…']).collect();
+        }
+        if let Some(line) = lines.last_mut() {
+            *line += &std::mem::take(&mut piece);
+        }
+    }
+    if lines.len() > MOST_LINES {
+        lines.truncate(MOST_LINES);
+        lines[MOST_LINES - 1] = format!("{}…", lines[MOST_LINES - 1].trim_end());
+    }
+    lines
+}
+
 /// What is taken on the sheet, and the text that has been put there.
 #[derive(Debug, Default)]
 pub(super) struct Sheet {
@@ -90,17 +126,29 @@ impl Sheet {
 
     /// Puts text where most room is: at one of the offsets of its middle from a point.
     pub(super) fn put(&mut self, text: &str, class: &str, size: f64, at: Vector, offsets: &[Vector]) {
-        let (width, height) = (LETTER * size * text.chars().count() as f64, size);
+        let lines = lines(text);
+        let n_signs = lines.iter().map(|line| line.trim_end().chars().count()).max().unwrap_or(0);
+        let (width, height) = (LETTER * size * n_signs as f64, size * (1.0 + LINE * (lines.len() - 1) as f64));
+        // a text of one line is as high as the offsets expect
+        let beside = [width / 2.0, (height - size) / 2.0];
         let area = |offset: &Vector| {
-            let [x, y] =
-                [at[0] + offset[0] + offset[0].signum() * width / 2.0 * f64::from(offset[0] != 0.0), at[1] + offset[1]];
+            let side = |k: usize| if offset[k] == 0.0 { 0.0 } else { offset[k].signum() * beside[k] };
+            let [x, y] = [0, 1].map(|k| at[k] + offset[k] + side(k));
             [x - width / 2.0 - 2.0, y - height / 2.0 - 1.0, x + width / 2.0 + 2.0, y + height / 2.0 + 1.0]
         };
-        let areas = offsets.iter().map(|offset| (self.overlap(area(offset)), area(offset)));
+        // of equal room the first has it, whatever the rounding
+        let areas = offsets.iter().map(|offset| (self.overlap(area(offset)).round(), area(offset)));
         let Some((_, area)) = areas.min_by(|a, b| a.0.total_cmp(&b.0)) else { return };
-        let [x, y] = [(area[0] + area[2]) / 2.0, (area[1] + area[3]) / 2.0 + 0.35 * size].map(number);
-        let text = if class == "length" { typeset(text) } else { escape(text) };
-        self.svg += &format!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\" text-anchor=\"middle\">{text}</text>\n");
+        let x = number((area[0] + area[2]) / 2.0);
+        let first = (area[1] + area[3]) / 2.0 + size * (0.35 - 0.5 * LINE * (lines.len() - 1) as f64);
+        let is_whole = !lines.iter().any(|line| line.ends_with('…'));
+        let title = if is_whole { String::new() } else { format!("<title>{}</title>", escape(text)) };
+        for (i, line) in lines.iter().enumerate() {
+            let y = number(first + LINE * size * i as f64);
+            let line = if class == "length" { typeset(line) } else { escape(line) };
+            self.svg +=
+                &format!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\" text-anchor=\"middle\">{title}{line}</text>\n");
+        }
         self.take(area);
     }
 
@@ -125,6 +173,31 @@ mod tests {
         assert_eq!(typeset("m1"), format!("m{}", low("1")));
         assert_eq!(typeset("l_centre/2"), format!("l{}/2", low("centre")));
         assert_eq!(typeset("omega"), "ω");
+    }
+
+    #[test]
+    fn invariant_lines_of_a_text_are_short_and_hold_its_signs_in_order() {
+        assert_eq!(lines("l/2"), ["l/2"]);
+        assert_eq!(lines("wheel_base/2 - axle_offset + toe"), ["wheel_base/2 ", "- axle_offset + toe"]);
+        assert_eq!(lines("stiffness*(length_at_rest - l)"), ["stiffness*", "(length_at_rest - l)"]);
+        let name = "x".repeat(50);
+        let long = format!("sqrt({name}^2 + {})", (0..30).map(|i| format!("l{i}*b")).collect::<Vec<_>>().join(" - "));
+        for text in [&*name, &long, "", "+ ", "a ", &"b/".repeat(60), &"ä*".repeat(15)] {
+            let lines = lines(text);
+            assert!((1..=MOST_LINES).contains(&lines.len()), "{lines:?}");
+            assert!(lines.iter().all(|line| line.trim_end().chars().count() <= WIDEST + 1), "{lines:?}");
+            let is_whole = !lines.iter().any(|line| line.contains('…'));
+            assert!(!is_whole || lines.concat() == text, "{text}: {lines:?}");
+        }
+    }
+
+    #[test]
+    fn invariant_text_in_lines_is_no_wider_than_its_longest() {
+        let mut sheet = Sheet::default();
+        sheet.put("wheel_base/2 - axle_offset + toe", "length", 10.0, [0.0; 2], &[[0.0; 2]]);
+        let [left, top, right, bottom] = sheet.bounds();
+        assert!(right - left <= LETTER * 10.0 * WIDEST as f64 + 4.0 && bottom - top > 20.0, "{:?}", sheet.bounds());
+        assert_eq!(sheet.svg.matches("<text").count(), 2);
     }
 
     #[test]

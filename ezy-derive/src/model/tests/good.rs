@@ -1,8 +1,8 @@
 //! Texts without faults.
 
 use super::{EZY_ROLLER, good};
-use crate::model::constant::at_defaults;
-use crate::model::{Component, Expr, Model, StartValue};
+use crate::model::constant::{at_defaults, literal};
+use crate::model::{Component, Expr, InputId, Model, Operator, StartValue};
 use std::f64::consts::PI;
 
 /// A body, parameters and values, and a torque whose value is looked at.
@@ -17,11 +17,15 @@ fn torque(model: &Model) -> &Expr {
     &model.forces[0].arguments.scalars[0]
 }
 
+/// Declared parameters in SI units.
+fn defaults(model: &Model) -> Vec<f64> {
+    model.parameters.iter().map(|parameter| parameter.size.to_si(parameter.default)).collect()
+}
+
 /// The value of a torque with the declared parameters.
 fn value(items: &str, torque_value: &str) -> f64 {
     let model = with_torque(items, torque_value);
-    let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
-    at_defaults(torque(&model), &defaults).expect("the value does not move")
+    at_defaults(torque(&model), &defaults(&model)).expect("the value does not move")
 }
 
 #[test]
@@ -74,7 +78,7 @@ fn analytic_start_takes_vectors_from_expressions() {
         let items = format!("param v: m/s = 2; param a: deg = 30; start more {{ seat {seat}; }}");
         let model = with_torque(&items, "0");
         let start = model.starts.iter().find(|start| start.name == "more").expect("the start");
-        let defaults: Vec<f64> = model.parameters.iter().map(|parameter| parameter.default).collect();
+        let defaults = defaults(&model);
         let value =
             |value: &StartValue| (value.component, value.rate, at_defaults(&value.value, &defaults).expect("a number"));
         start.values.iter().map(value).collect::<Vec<_>>()
@@ -209,7 +213,8 @@ fn analytic_input_keeps_unit_text_and_effect() {
     assert_eq!((u.unit.as_str(), u.default, u.default_text.as_str()), ("N*cm", 6.0, "3*2"));
     assert_eq!((u.documentation.as_str(), u.effect), ("what the rider does", None));
     assert_eq!((f.default, f.effect.map(|id| id.0)), (-1.0, Some(0)));
-    assert_eq!(format!("{:?}", torque(&model)), "Binary(Divide, Input(InputId(0)), Number(100.0))");
+    let Expr::Binary(Operator::Multiply, input, conversion) = torque(&model) else { panic!("{:?}", torque(&model)) };
+    assert!(matches!(**input, Expr::Input(InputId(0))) && literal(conversion) == Some(0.01));
 }
 
 #[test]
@@ -217,14 +222,20 @@ fn analytic_outputs_are_scalars_in_their_units() {
     let items = "output place: mm = (A.x, 2); output angle: deg = 1 * seat.phi; output any = t;
          effect watch { output speed = seat.vx; }";
     let model = with_torque(items, "1");
+    let in_unit = |value: &Expr| match value {
+        Expr::Binary(Operator::Multiply, value, conversion) if matches!(**conversion, Expr::Conversion(_)) => {
+            format!("{value:?} times {}", literal(conversion).unwrap_or(f64::NAN))
+        }
+        value => format!("{value:?}"),
+    };
     let outputs: Vec<String> =
-        model.outputs.iter().map(|o| format!("{}{} [{}] {:?}", o.name, o.suffix, o.unit, o.value)).collect();
+        model.outputs.iter().map(|o| format!("{}{} [{}] {}", o.name, o.suffix, o.unit, in_unit(&o.value))).collect();
     assert_eq!(
         outputs,
         [
-            "place.x [mm] Binary(Multiply, PointPosition(PointId(0), X), Number(1000.0))",
-            "place.y [mm] Binary(Multiply, Number(2.0), Number(1000.0))",
-            "angle [deg] Binary(Divide, Binary(Multiply, Binary(Multiply, Number(1.0), Coordinate(BodyId(0), Phi)), Number(180.0)), Pi)",
+            "place.x [mm] PointPosition(PointId(0), X) times 1000",
+            "place.y [mm] Number(2.0) times 1000",
+            "angle [deg] Binary(Multiply, Number(1.0), Coordinate(BodyId(0), Phi)) times 57.29577951308232",
             "any [] Time",
             "speed [] Velocity(BodyId(0), X)",
         ]

@@ -18,7 +18,7 @@ pub(super) fn sketch(models: Models<'_>, arguments: &SketchArguments) -> Result<
     check_assignments(model, entry, &arguments.start, &[])?;
     let scene = scene_with(model, entry, &arguments.set)?;
     let simulation = Simulation::new(scene.as_ref()).until(arguments.at);
-    let given = arguments.start.iter().fold(simulation, |run, start| run.give(&start.name, start.value));
+    let given = arguments.start.iter().fold(simulation, |run, start| run.start(&start.name, start.value));
     let run = given.run().map_err(refused)?;
     let path = arguments
         .out

@@ -57,7 +57,7 @@ fn set(arguments: &mut MotionArguments, name: &str, value: &str, info: &SceneInf
     let number = || parse_number(value).map_err(wrong);
     let word = |known: Result<(), String>| known.map_err(|message| wrong(format!("`{value}`: {message}")));
     match name {
-        "method" => word(ValueEnum::from_str(value, true).map(|method| arguments.method = method))?,
+        "method" => word(ValueEnum::from_str(value, true).map(|method| arguments.method = Some(method)))?,
         "project" => word(ValueEnum::from_str(value, true).map(|project| arguments.project = project))?,
         "metric" => word(ValueEnum::from_str(value, true).map(|metric| arguments.metric = metric))?,
         "step" => arguments.step = Some(number()?),

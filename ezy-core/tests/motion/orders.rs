@@ -121,7 +121,7 @@ fn invariant_scenes_with_modes_are_not_stepped_by_callers() {
     let scene = sled::Pulled::default();
     let error = Simulation::new(&scene).method(Method::rk4(0.1)).stepper().err().unwrap();
     assert!(error.to_string().contains("limit"), "{error}");
-    let error = Simulation::new(&cart::Pushed::default()).backend(Backend::Generated).give("cart.nope", 1.0).run();
+    let error = Simulation::new(&cart::Pushed::default()).backend(Backend::Generated).start("cart.nope", 1.0).run();
     assert!(error.is_err());
     assert!(System::new(&scene, Backend::Auto).map(|_| ()) != Err(SystemError::NoElimination { scene: "pulled" }));
 }

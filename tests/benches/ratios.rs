@@ -33,7 +33,8 @@ fn main() {
 
 fn accelerations() {
     let scene = ezy_roller::Driven::default();
-    let run = Simulation::new(&scene).until(6.4).every(0.1).run().expect("the driven scene runs");
+    let run =
+        Simulation::new(&scene).method(Method::rk4(1e-3)).until(6.4).every(0.1).run().expect("the driven scene runs");
     let states: Vec<_> =
         run.samples().take(N_STATES).map(|s| (s.t, s.coordinates.to_vec(), s.velocities.to_vec())).collect();
     let mut systems =

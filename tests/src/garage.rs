@@ -97,7 +97,7 @@ pub fn start_at<'s, S: Scene + ?Sized + 's>(
     for body in list(&model["bodies"]) {
         let Some((_, name)) = names.iter().find(|(theirs, _)| body["name"] == *theirs) else { continue };
         for (member, value) in start_values(body) {
-            order = order.give(format!("{name}.{member}"), number(value));
+            order = order.start(format!("{name}.{member}"), number(value));
         }
     }
     order

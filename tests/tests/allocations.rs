@@ -79,7 +79,7 @@ fn invariant_steps_of_a_scene_with_counts_do_not_allocate() {
 fn invariant_stepper_does_not_allocate() {
     let scene = piloted::Pushed::default();
     for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
-        let mut stepper = Simulation::new(&scene).backend(backend).work().stepper().unwrap();
+        let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).backend(backend).work().stepper().unwrap();
         let mut episode = |given: &[(&str, f64)], n: u64| {
             stepper.reset_with(given).unwrap();
             for _ in 0..n {
@@ -109,7 +109,12 @@ fn invariant_controlled_steps_do_not_allocate() {
         let law = |now: &Now<piloted::Pushed>, set: &mut Inputs<piloted::Pushed>| {
             set.torque = now.t - now.bar.omega + now.outputs().wheel.x * 1e-6;
         };
-        let order = Simulation::new(&scene).work().input("pull", table).control(law).until(f64::from(n_steps) * 1e-3);
+        let order = Simulation::new(&scene)
+            .method(Method::rk4(1e-3))
+            .work()
+            .input("pull", table)
+            .control(law)
+            .until(f64::from(n_steps) * 1e-3);
         allocation_counter::measure(|| assert!(order.run().unwrap().outcome.reached_end())).count_total
     };
     assert_eq!(allocations(100), allocations(1000));

@@ -78,7 +78,7 @@ impl<'s> Accuracy<'s> {
 
     /// Holds a start value by its name.
     #[must_use]
-    pub fn give(mut self, name: impl Into<String>, value: f64) -> Self {
+    pub fn start(mut self, name: impl Into<String>, value: f64) -> Self {
         self.given.push((name.into(), value));
         self
     }

@@ -70,7 +70,7 @@ impl<'s> Runs<'s> {
             .metric(variant.metric)
             .without_events();
         let order = self.interrupt.into_iter().fold(order, Simulation::interrupted_by);
-        let order = self.given.iter().fold(order, |order, (name, value)| order.give(name, *value));
+        let order = self.given.iter().fold(order, |order, (name, value)| order.start(name, *value));
         self.inputs.iter().fold(order, |order, (name, value)| order.input(name, *value))
     }
 

@@ -38,7 +38,7 @@ pub(super) fn accuracy(models: Models<'_>, arguments: &AccuracyArguments) -> Res
     if let Some(until_s) = arguments.until {
         order = order.until(until_s);
     }
-    order = arguments.start.iter().fold(order, |order, start| order.give(&start.name, start.value));
+    order = arguments.start.iter().fold(order, |order, start| order.start(&start.name, start.value));
     order = arguments.input.iter().fold(order, |order, input| order.input(&input.name, input.value));
     let directory = arguments
         .out

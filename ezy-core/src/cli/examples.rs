@@ -88,7 +88,7 @@ impl Examples {
         if let Some((scene, input)) = &self.input {
             examples.extend([
                 (format!("run {scene} --input {input}=-0.5"), "an input, held"),
-                (format!("run {scene} --inputs {input}.csv"), "inputs from a table of times and values"),
+                (format!("run {scene} --inputs {input}.csv --step 1e-3"), "inputs from a table of times and values"),
             ]);
         }
         self.lines(&examples)

@@ -13,7 +13,7 @@ use super::arguments::GalleryArguments;
 use super::failure::{Failure, print};
 use super::interruption::Interruption;
 use super::motion::refused;
-use super::motion_arguments::{MethodName, MotionArguments};
+use super::motion_arguments::MotionArguments;
 use super::names::path;
 use super::out_path::check_folder_name;
 use super::selection::{selected, typed};
@@ -25,8 +25,8 @@ pub(super) fn gallery(models: Models<'_>, arguments: &GalleryArguments) -> Resul
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out/gallery"));
     check_folder_name(&directory)?;
     let interruption = Interruption::listen();
-    // every scene as it is declared, by a method that chooses its steps
-    let motion = MotionArguments { method: MethodName::Dop853, ..MotionArguments::default() };
+    // every scene as it is declared
+    let motion = MotionArguments::default();
     let mut items = String::new();
     let mut faults = Vec::new();
     for (model, scenes) in selected(models, arguments.path.as_deref())? {

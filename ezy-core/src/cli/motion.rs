@@ -14,15 +14,15 @@ use super::motion_arguments::{MethodName, MotionArguments};
 const STEP_S: f64 = 1e-3;
 /// Time at which scenes start, s.
 const START_S: f64 = 0.0;
-/// Relative tolerance of a method that chooses its steps, when none is given.
-const RELATIVE_TOLERANCE: f64 = 1e-9;
 
+/// The method that is asked for; a step alone asks for rk4.
 pub(super) fn method(arguments: &MotionArguments) -> Result<Method, Failure> {
     let MotionArguments { method, step, rtol, atol, angle_tol, .. } = arguments;
-    match method {
+    let by_step = || if step.is_some() { MethodName::Rk4 } else { MethodName::default() };
+    match method.unwrap_or_else(by_step) {
         MethodName::Rk4 => match rtol.or(*atol).or(*angle_tol) {
             Some(_) => Err(Failure::wrong_use(
-                "rk4 has a fixed step: give `--step`, or a method with a tolerance, such as `--method dop853`",
+                "rk4 has a fixed step and no tolerance: give `--step` alone, or a method with a tolerance, such as `--method dop853`",
             )),
             None => Ok(Method::rk4(step.unwrap_or(STEP_S))),
         },
@@ -40,7 +40,7 @@ fn tolerance(method: &str, arguments: &MotionArguments) -> Result<Tolerance, Fai
             "{method} chooses the length of its steps: give `--rtol` in place of `--step`"
         )));
     }
-    let relative = arguments.rtol.unwrap_or(RELATIVE_TOLERANCE);
+    let relative = arguments.rtol.unwrap_or(Tolerance::DEFAULT);
     let absolute = arguments.atol.unwrap_or(relative);
     Ok(Tolerance { angle: arguments.angle_tol, ..Tolerance::new(relative, absolute) })
 }
@@ -96,7 +96,7 @@ pub(super) fn simulation<'s>(
         simulation = simulation.max_steps(steps);
     }
     for assignment in &arguments.start {
-        simulation = simulation.give(&assignment.name, assignment.value);
+        simulation = simulation.start(&assignment.name, assignment.value);
     }
     if arguments.project_start {
         simulation = simulation.project_start();

@@ -14,10 +14,10 @@ pub(super) struct MotionArguments {
     /// End of the run in seconds [default: what the scene says]
     #[arg(long, value_name = "S", value_parser = parse_number, allow_negative_numbers = true)]
     pub until: Option<f64>,
-    /// Integration method
-    #[arg(long, value_enum, ignore_case = true, default_value_t)]
-    pub method: MethodName,
-    /// Step in seconds, of a method with a fixed step [default: 1e-3]
+    /// Integration method [default: dop853, or rk4 with --step]
+    #[arg(long, value_enum, ignore_case = true)]
+    pub method: Option<MethodName>,
+    /// Step in seconds, of a method with a fixed step [default of rk4: 1e-3]
     #[arg(long, value_name = "H", value_parser = parse_number, allow_negative_numbers = true)]
     pub step: Option<f64>,
     /// Relative tolerance, of a method that chooses its steps [default: 1e-9]
@@ -62,8 +62,8 @@ pub(super) struct MotionArguments {
     pub input: Vec<Assignment>,
     /// Read inputs from a CSV file with a column t and one for each input
     ///
-    /// Straight lines join the rows; two rows at one time are a jump. Columns may carry their unit: `torque [N*m]`. Of a
-    /// file that --out wrote, each value holds until the next row.
+    /// Straight lines join the rows; two rows at one time are a jump. They are read in fixed steps, so give --step. Columns
+    /// may carry their unit: `torque [N*m]`. Of a file that --out wrote, each value holds until the next row.
     #[arg(long, value_name = "FILE.csv")]
     pub inputs: Option<PathBuf>,
 }
@@ -71,9 +71,9 @@ pub(super) struct MotionArguments {
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 pub(super) enum MethodName {
     /// Classical Runge-Kutta method of order 4 with a fixed step
-    #[default]
     Rk4,
     /// Method of Dormand and Prince of order 8 with steps that keep to a tolerance
+    #[default]
     Dop853,
     /// Taylor's method with order and steps that keep to a tolerance
     Taylor,

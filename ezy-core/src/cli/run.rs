@@ -1,7 +1,7 @@
 //! The command `run`.
 
 use crate::integrate::Method;
-use crate::model::Scene;
+use crate::model::{Name, Scene};
 use crate::scalar::{legible, rounded};
 use crate::simulate::{Outcome, Run, SetupError};
 
@@ -56,16 +56,16 @@ pub(super) fn run(models: Models<'_>, arguments: &RunArguments) -> Result<(), Fa
     let interruption = Interruption::listen();
     let done = simulate(arguments, scene.as_ref(), method, interruption);
     if let (Err(Failure::Stopped(outcome)), true) = (&done, arguments.json) {
-        print_json(&run_json(&scene.info(), method, None, outcome))?;
+        print_json(&run_json(&scene.info(), method, None, &[], outcome))?;
     }
-    let (run, written) = done?;
+    let (run, free, written) = done?;
     // it chooses its steps, which a table may not let it
     let radau_runs = arguments.motion.inputs.is_none() && has_jacobians(scene.as_ref());
     if arguments.json {
-        print_json(&run_json(&scene.info(), method, Some(&run), &run.outcome.to_string()))?;
+        print_json(&run_json(&scene.info(), method, Some(&run), &free, &run.outcome.to_string()))?;
         print_error(&remarks(&run, method, radau_runs));
     } else {
-        print(&run_text(&run, method, radau_runs))?;
+        print(&run_text(&run, &free, method, radau_runs))?;
     }
     let stopped = (!run.outcome.reached_end()).then(|| format!("the run {}", run.outcome));
     match (stopped, written) {
@@ -83,8 +83,8 @@ fn has_jacobians(scene: &dyn Scene) -> bool {
     scene.jacobian_places().is_some() && scene.modes().iter().all(|mode| mode.jacobian_places().is_some())
 }
 
-/// The run, and whether its file is complete.
-type Simulated = (Run, Result<(), String>);
+/// The run, the start values that were free, and whether its file is complete.
+type Simulated = (Run, Vec<Name>, Result<(), String>);
 
 fn simulate(
     arguments: &RunArguments,
@@ -109,13 +109,15 @@ fn simulate(
     if let Some(out) = &mut out {
         let default_every = || (until_s > 0.0).then_some(until_s / N_ROWS);
         if !arguments.at.is_empty() {
-            simulation = simulation.sample_at(arguments.at.iter().copied());
+            simulation = simulation.at(arguments.at.iter().copied());
         } else if let Some(every) = arguments.every.or_else(default_every) {
             simulation = simulation.every(every);
         }
         simulation = simulation.stream_to(out);
     }
+    // a start that cannot be assembled is refused by the run
+    let free = simulation.free_start_values().unwrap_or_default();
     let run = simulation.run().map_err(refused)?;
     let written = out.map_or(Ok(()), |out| out.complete(run.error_estimate.as_ref()));
-    Ok((run, written))
+    Ok((run, free, written))
 }

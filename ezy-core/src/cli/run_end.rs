@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::dynamics::{MotionError, MovedValue};
 use crate::integrate::{Method, Tolerance};
-use crate::model::SceneInfo;
+use crate::model::{Name, SceneInfo};
 use crate::record::Sample;
 use crate::report::table::{Table, fixed};
 use crate::scalar::{legible, legible_time, rounded};
@@ -15,8 +15,8 @@ use crate::simulate::{
 use super::run_error::{error_json, error_remark, error_text};
 use super::run_monitors::{monitors_json, monitors_text};
 
-/// The end as JSON. A run that could not start has the same keys with `null`.
-pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outcome: &str) -> Value {
+/// The end as JSON. A run that could not start has the same keys with `null`. `free`: start values that were free.
+pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free: &[Name], outcome: &str) -> Value {
     // a stop that holds is a row more
     let info = run.map_or(info, |run| run.info());
     let last = run.map(Run::last);
@@ -83,6 +83,9 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, outc
         let of = |MovedValue { name, unit, given, got }: &MovedValue| json!({ "name": name, "unit": unit, "given": given, "got": got });
         end["gave_way"] = moved.iter().map(of).collect();
     }
+    if !free.is_empty() {
+        end["free_at_start"] = json!(free);
+    }
     end
 }
 
@@ -93,12 +96,13 @@ fn interval_json(RankDeficientInterval { from_s, to_s, loss }: &RankDeficientInt
     })
 }
 
-/// The end as text.
-pub(super) fn run_text(run: &Run, method: Method, radau_runs: bool) -> String {
+/// The end as text. `free`: start values that were free.
+pub(super) fn run_text(run: &Run, free: &[Name], method: Method, radau_runs: bool) -> String {
     let (info, last, cost) = (run.info(), run.last(), run.cost);
     let mut text =
         format!("{}/{}: {} at t = {} s\n\n", info.model, info.name, outcome_words(&run.outcome), legible_time(last.t));
     text += &moved_text(&run.moved);
+    text += &free_text(free);
     text += &motion_table(&last).to_string();
     text += &left_out(info.n_coordinates(), "coordinates");
     if info.n_rows() > 0 {
@@ -155,6 +159,16 @@ fn moved_text(moved: &[MovedValue]) -> String {
         table.push([&**name, &fixed(*given, 12), &fixed(*got, 12), *unit]);
     }
     format!("{table}{}\n", left_out(moved.len(), "start values"))
+}
+
+/// The start values that nobody gave and no constraint determined; nothing where there are none.
+fn free_text(free: &[Name]) -> String {
+    if free.is_empty() {
+        return String::new();
+    }
+    let more = if free.len() > MAX_NAMES { format!(" and {} more", free.len() - MAX_NAMES) } else { String::new() };
+    let names = &free[..free.len().min(MAX_NAMES)];
+    format!("free at the start, so assembled from 0: {}{more}\n\n", names.join(", "))
 }
 
 /// Remarks on a run. `radau_runs`: whether radau can run the scene.
@@ -253,6 +267,9 @@ fn outcome_words(outcome: &Outcome) -> String {
 
 /// Coordinates and constraints that the text lists; further ones are counted.
 const MAX_LINES: usize = 60;
+
+/// Names in a line that lists them; further ones are counted.
+const MAX_NAMES: usize = 12;
 
 /// The line that counts what a table leaves out.
 fn left_out(n: usize, what: &str) -> String {

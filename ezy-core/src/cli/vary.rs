@@ -91,7 +91,7 @@ fn set(arguments: &mut MotionArguments, name: &str, value: &str, info: &SceneInf
     let word = |known: Result<(), String>| known.map_err(|message| wrong(format!("`{value}`: {message}")));
     match name {
         "method" => {
-            let known = ValueEnum::from_str(value, true).map(|method| arguments.method = method);
+            let known = ValueEnum::from_str(value, true).map(|method| arguments.method = Some(method));
             let lead = leads::method(value).map_or(String::new(), |ours| format!("; {ours} comes nearest to it"));
             word(known.map_err(|message| message + &lead))?;
         }

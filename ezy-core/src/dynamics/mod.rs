@@ -14,6 +14,7 @@ mod error;
 mod euclidean;
 mod factors;
 mod free_correction;
+mod free_values;
 mod geometry;
 mod integrated_inputs;
 mod moved;

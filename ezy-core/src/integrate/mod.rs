@@ -105,8 +105,8 @@ impl Method {
 }
 
 impl Default for Method {
-    /// RK4 at 1 ms: 1e-10 over a minute for motions that take a second to turn.
+    /// DOP853 at [`Tolerance::DEFAULT`]: it keeps a tolerance, whatever the time scale of the motion.
     fn default() -> Self {
-        Self::rk4(1e-3)
+        Self::dop853(Tolerance::DEFAULT)
     }
 }

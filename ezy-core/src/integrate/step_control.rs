@@ -27,6 +27,8 @@ pub struct Tolerance {
 impl Tolerance {
     /// The smallest relative tolerance: below it an error estimate is rounding.
     pub const SMALLEST_RELATIVE: f64 = 1e-15;
+    /// The relative tolerance when none is given, and then the absolute one: nine digits a step, which costs few steps at order 8.
+    pub const DEFAULT: f64 = 1e-9;
 
     /// Relative and absolute tolerance, the same for angles.
     pub const fn new(relative: f64, absolute: f64) -> Self {

@@ -4,6 +4,27 @@ use super::{UnknownName, Wanted, column_index};
 use crate::model::SceneInfo;
 
 /// The motion at one time: a view into the record.
+///
+/// Slices are in the order of [`SceneInfo`]; [`Sample::get`] reads a number by its name.
+///
+/// ```
+/// # use ezy_core::prelude::*;
+/// model! {
+///     pub model Throw {
+///         body ball { mass: 1, inertia: 1 }
+///         gravity (0, -10);
+///         output height: cm = ball.y;
+///         start up { ball at (0, 0) velocity (3, 12); }
+///         scene flight { start up; until 2 s; }
+///     }
+/// }
+/// let run = Simulation::new(&throw::Flight::default()).outputs().every(0.5).run()?;
+/// for sample in run.samples() {
+///     println!("{} s: {} cm, {} m/s", sample.t, sample.get("output.height")?, sample.get("ball.vy")?);
+/// }
+/// assert!((run.last().get("output.height")? - 400.0).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Sample<'r> {
     /// Names and sizes.
@@ -20,9 +41,9 @@ pub struct Sample<'r> {
     pub accelerations: &'r [f64],
     /// λ, `n_c`; the reaction on the bodies is −Gᵀ λ.
     pub multipliers: &'r [f64],
-    /// Inputs that hold from here on, `n_i`.
+    /// Inputs that hold from here on, `n_i`; by name: `get("input.torque")`.
     pub inputs: &'r [f64],
-    /// Outputs, `n_o`; empty unless wanted.
+    /// Outputs, `n_o`; empty unless wanted ([`Simulation::outputs`](crate::simulate::Simulation::outputs)). By name: `get("output.speed")`.
     pub outputs: &'r [f64],
     /// Work of each effect since the start, J, `n_e`; empty unless wanted.
     pub work: &'r [f64],

@@ -14,7 +14,7 @@ use super::{Run, SetupError, Simulation, Stepper, estimated_run};
 use crate::dynamics::{StartError, System};
 use crate::integrate::{Clock, Method, Tolerance};
 use crate::memory;
-use crate::model::{Scene, SceneInfo, Start};
+use crate::model::{Name, Scene, SceneInfo, Start};
 use crate::record::{Recorder, input_index};
 
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
@@ -52,7 +52,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// Runs; `others` are the other modes of the scene.
     fn run_in_modes(mut self, others: &[&'s S]) -> Result<Run, SetupError> {
         let mut system = System::new(self.scene, self.settings.backend)?;
-        let start = self.start(&system)?;
+        let start = self.settings.start_values(&system)?;
         let control = self.take_control(start.t, &mut system)?;
         let schedule = self.schedule(start.t, control.is_idle())?;
         let limits = self.settings.limits.checked()?;
@@ -75,6 +75,18 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         RunLoop::new(stepper, modes, control, plan, watch, self.hooks.recorder, self.hooks.on_progress)?.run()
     }
 
+    /// Names of the start values that nobody gave and that the constraints leave free: the assembly begins with 0, and changes them as
+    /// little as it can. Velocities are named where one is given that is not 0; otherwise the scene starts at rest.
+    ///
+    /// # Errors
+    /// [`SetupError`] when the start cannot be assembled.
+    pub fn free_start_values(&self) -> Result<Vec<Name>, SetupError> {
+        match &self.scene.modes()[..] {
+            [] => self.settings.free_start_values(self.scene),
+            [first, ..] => self.settings.free_start_values(&**first),
+        }
+    }
+
     /// Hands the scene over to be stepped by the caller; end, limits, recording and progress are left to the caller, too.
     ///
     /// # Errors
@@ -82,7 +94,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     pub fn stepper(mut self) -> Result<Stepper<'s, S>, SetupError> {
         SetupError::refuse_modes(&self.scene.info())?;
         let mut system = System::new(self.scene, self.settings.backend)?;
-        let start = self.start(&system)?;
+        let start = self.settings.start_values(&system)?;
         let step_s = self.fixed_step()?;
         let control = self.take_control(start.t, &mut system)?;
         let state = system.consistent_start(&start)?;
@@ -102,18 +114,6 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
             self.settings.metric,
             self.settings.wanted.work,
         )
-    }
-
-    /// The start of the scene with what is given in its place.
-    fn start(&self, system: &System<'_, S>) -> Result<Start, SetupError> {
-        let mut start = system.scene_start();
-        for (name, value) in &self.settings.given {
-            give(system.info(), &mut start, name, *value)?;
-        }
-        if self.settings.start_gives_way {
-            start.give_way();
-        }
-        Ok(start)
     }
 
     /// Tables and control law of the run; constant inputs are set at once. Of two settings of one input the later one counts.
@@ -185,6 +185,34 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
                 Ok(Schedule::Clock(Clock::new(start_s, until_s, step_s)))
             }
         }
+    }
+}
+
+impl Settings {
+    /// The start of the scene with what is given in its place.
+    fn start_values<S: Scene + ?Sized>(&self, system: &System<'_, S>) -> Result<Start, SetupError> {
+        let mut start = system.scene_start();
+        for (name, value) in &self.given {
+            give(system.info(), &mut start, name, *value)?;
+        }
+        if self.start_gives_way {
+            start.give_way();
+        }
+        Ok(start)
+    }
+
+    fn free_start_values<S: Scene + ?Sized>(&self, scene: &S) -> Result<Vec<Name>, SetupError> {
+        let mut system = System::new(scene, self.backend)?;
+        let start = self.start_values(&system)?;
+        for (name, table) in &self.inputs {
+            let i = input_index(system.info(), name)?;
+            if let Some(value) = table.constant() {
+                system.inputs_mut()[i] = value;
+            }
+        }
+        system.begin_inputs(start.t);
+        let state = system.consistent_start(&start)?;
+        Ok(system.free_values(&start, &state))
     }
 }
 

@@ -39,7 +39,8 @@ pub enum SetupError {
     },
     /// Inputs that change and steppers need steps of a known length.
     #[error(
-        "inputs are set from step to step, but {method} chooses the length of its steps; use a method with a fixed step, such as rk4"
+        "control laws, input tables and steppers hold inputs over a fixed step, but {method} chooses its steps; ask for a fixed one: \
+         `--method rk4 --step 1e-3`, `.method(Method::rk4(1e-3))`"
     )]
     NeedsFixedStep {
         /// Name of the method.

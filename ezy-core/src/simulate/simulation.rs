@@ -59,7 +59,8 @@ pub(super) struct Hooks<'s> {
 }
 
 impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
-    /// The scene with its own end, RK4 at 1 ms, both projections, keeping the start and the end.
+    /// The scene with its own end, DOP853 at 1e-9 ([`Method::default`]), both projections, keeping the start and the end: two samples, and
+    /// more by [`Simulation::every`] or [`Simulation::at`].
     pub fn new(scene: &'s S) -> Self {
         let settings = Settings {
             method: Method::default(),
@@ -81,7 +82,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         Self { scene, settings, hooks: Hooks::default() }
     }
 
-    /// Integration method and its step.
+    /// Integration method, and its tolerance or step. Control laws, input tables and steppers need a fixed step: `Method::rk4(1e-3)`.
     #[must_use]
     pub fn method(mut self, method: Method) -> Self {
         self.settings.method = method;
@@ -95,7 +96,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self
     }
 
-    /// Keeps a sample every `every_s` seconds, besides the start and the end. It replaces [`Simulation::sample_at`].
+    /// Keeps a sample every `every_s` seconds, besides the start and the end. It replaces [`Simulation::at`].
     ///
     /// Recording never changes the motion. A sample that falls on a step is the state of that step; one in between
     /// is interpolated ([`crate::integrate::interpolate`]), and its accelerations and multipliers are solved for at
@@ -120,13 +121,13 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     ///     }
     /// }
     ///
-    /// let run = Simulation::new(&throw::Flight::default()).sample_at([1.5, 0.25]).run()?;
+    /// let run = Simulation::new(&throw::Flight::default()).at([1.5, 0.25]).run()?;
     /// let times: Vec<f64> = run.samples().map(|sample| sample.t).collect();
     /// assert_eq!(times, [0.0, 0.25, 1.5, 2.0]);
     /// # Ok::<(), ezy_core::simulate::SetupError>(())
     /// ```
     #[must_use]
-    pub fn sample_at(mut self, times_s: impl IntoIterator<Item = f64>) -> Self {
+    pub fn at(mut self, times_s: impl IntoIterator<Item = f64>) -> Self {
         self.settings.sample_times = SampleTimes::At(times_s.into_iter().collect());
         self
     }
@@ -155,7 +156,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// Holds a start value, by the name of a coordinate (`seat.x`) or velocity (`seat.vx`), in place of the scene's
     /// own; what neither gives is assembled from the constraints.
     #[must_use]
-    pub fn give(mut self, name: impl Into<String>, value: f64) -> Self {
+    pub fn start(mut self, name: impl Into<String>, value: f64) -> Self {
         self.settings.given.push((name.into(), value));
         self
     }
@@ -172,7 +173,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self
     }
 
-    /// Sets an input: a number, or an [`InputTable`] that is read in the middle of each step and held over it. Of two
+    /// Sets an input: a number, or an [`InputTable`] that is read in the middle of each fixed step and held over it. Of two
     /// settings of one input the later counts.
     #[must_use]
     pub fn input(mut self, name: impl Into<String>, value: impl Into<InputTable>) -> Self {
@@ -182,7 +183,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
 
     /// Calls `law` at the start of every step with what there is now and the inputs to set, both by the names of the model file. What
     /// it leaves in the inputs is held over the step. It may keep a state of its own, and has the last word after
-    /// [`Simulation::input`]. A wrong name is a compile error.
+    /// [`Simulation::input`]. A wrong name is a compile error. The method must have a fixed step.
     ///
     /// ```
     /// # use ezy_core::prelude::*;
@@ -200,6 +201,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// let scene = cart::Pushed::default();
     /// let mut integral = 0.0;
     /// let run = Simulation::new(&scene)
+    ///     .method(Method::rk4(1e-3)) // the sampling time of the controller
     ///     .control(|now, set| {
     ///         let error = 1.0 - now.cart.x;
     ///         integral += error * 1e-3;
@@ -212,7 +214,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// fn brake(now: &Now<cart::Pushed>, set: &mut Inputs<cart::Pushed>) {
     ///     set.push = if now.outputs().ahead > 50.0 { -20.0 * now.cart.vx } else { 1.0 };
     /// }
-    /// let run = Simulation::new(&scene).control(brake).run()?;
+    /// let run = Simulation::new(&scene).method(Method::rk4(1e-3)).control(brake).run()?;
     /// assert!(run.last().get("cart.vx")?.abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -333,7 +335,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         self
     }
 
-    /// Also hands every sample to `recorder`, as it is made.
+    /// Also hands every sample to `recorder`, as it is made. Samples are those of [`Simulation::every`] or [`Simulation::at`]: without
+    /// them a recorder gets two, the start and the end.
     #[must_use]
     pub fn record_to(mut self, recorder: &'s mut dyn Recorder) -> Self {
         self.hooks.recorder = Some(recorder);
@@ -341,7 +344,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 
     /// Hands every sample to `recorder`, as it is made, and keeps only the first and the last: memory does not grow with the
-    /// number of samples.
+    /// number of samples. Without [`Simulation::every`] or [`Simulation::at`] a recorder gets two, the start and the end.
     #[must_use]
     pub fn stream_to(mut self, recorder: &'s mut dyn Recorder) -> Self {
         self.settings.streamed = true;

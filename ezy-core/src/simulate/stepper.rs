@@ -120,7 +120,7 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
         self.begin();
     }
 
-    /// Moves to the start of the simulation with these values, by the names of [`Simulation::give`](super::Simulation::give).
+    /// Moves to the start of the simulation with these values, by the names of [`Simulation::start`](super::Simulation::start).
     ///
     /// # Errors
     /// [`SetupError`] when a name is not known or the rows cannot be met; the state is then what it was.

@@ -129,7 +129,7 @@ fn fd_derivatives_of_a_pendulum_follow_its_hinge() {
     let end = |phi: f64, omega: f64, l: f64| {
         let scene = pendulum::Swing { l };
         let order = simulation(&scene).method(Method::rk4(2e-3)).until(0.8).without_events();
-        let run = order.give("bob.phi", phi).give("bob.omega", omega).run().unwrap();
+        let run = order.start("bob.phi", phi).start("bob.omega", omega).run().unwrap();
         [run.last().coordinates, run.last().velocities].concat()
     };
     // differences of the fourth part of ε^(1/3): truncation h² and rounding ε/h are 1e-9

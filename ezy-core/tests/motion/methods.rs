@@ -150,7 +150,7 @@ fn invariant_stiffness_is_told_by_the_method_that_suffers_from_it() {
 #[test]
 fn analytic_radau_leaves_a_layer_behind() {
     let scene = driven::Shaken { k: 1e4, c: 1e3 };
-    let run = simulation(&scene).method(Method::radau(1e-8)).give("block.vx", 1.0).run().unwrap();
+    let run = simulation(&scene).method(Method::radau(1e-8)).start("block.vx", 1.0).run().unwrap();
     let last = run.last();
     let [x, v] = exact(&scene, last.t);
     assert!(

@@ -122,7 +122,7 @@ fn invariant_scenes_with_modes_are_not_stepped_by_callers() {
     let scene = sled::Pulled::default();
     let error = simulation(&scene).method(Method::rk4(0.1)).stepper().err().unwrap();
     assert!(error.to_string().contains("limit"), "{error}");
-    let error = simulation(&cart::Pushed::default()).backend(Backend::Generated).give("cart.nope", 1.0).run();
+    let error = simulation(&cart::Pushed::default()).backend(Backend::Generated).start("cart.nope", 1.0).run();
     assert!(error.is_err());
     assert!(system_of(&scene, Backend::Auto).map(|_| ()) != Err(SystemError::NoElimination { scene: "pulled" }));
 }

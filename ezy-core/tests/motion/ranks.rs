@@ -235,9 +235,9 @@ fn analytic_parallelogram_leaves_its_level_position() {
     let order = |method, rates: [f64; 2]| {
         let mut order = simulation(&scene).method(method).until(0.3).project_start();
         for (name, rate) in ["left", "right"].into_iter().zip(rates) {
-            order = order.give(format!("{name}.phi"), 0.0).give(format!("{name}.omega"), rate);
+            order = order.start(format!("{name}.phi"), 0.0).start(format!("{name}.omega"), rate);
         }
-        order.give("bar.omega", 0.0).run()
+        order.start("bar.omega", 0.0).run()
     };
     for method in [Method::rk4(1e-3), Method::dop853(1e-9), Method::taylor(1e-9)] {
         let run = order(method, [-3.0; 2]).unwrap();

@@ -57,7 +57,7 @@ fn analytic_feedback_is_asked_once_a_step() {
         set.push = -4.0 * now.cart.vx;
     };
     let run =
-        Simulation::new(&scene).method(Method::rk4(0.1)).until(1.0).give("cart.vx", 1.0).control(law).run().unwrap();
+        Simulation::new(&scene).method(Method::rk4(0.1)).until(1.0).start("cart.vx", 1.0).control(law).run().unwrap();
     let v = run.last().velocities[0];
     assert!((v - 0.8_f64.powi(10)).abs() <= ROUNDING, "{v}");
     // at the beginning of each step, and not at the end of the run

@@ -76,7 +76,7 @@ fn cross_parallelogram_turns_over_and_records_what_it_passes() {
     let scene = parallelogram::Falls::default();
     let turning = |method| {
         let order = simulation(&scene).method(method).until(3.0).project_start();
-        order.give("left.omega", 7.0).give("right.omega", 7.0).give("bar.omega", 0.0).run().unwrap()
+        order.start("left.omega", 7.0).start("right.omega", 7.0).start("bar.omega", 0.0).run().unwrap()
     };
     for (method, tolerance, least) in [
         (Method::rk4(1e-3), 1e-10, level.len()),

@@ -323,7 +323,7 @@ fn analytic_strain_of_a_turning_rod_is_its_pivot() {
     assert!((force + 98.1).abs() <= 1e-9, "{strain}");
     let scene = pendulum::Swing::default();
     let order = simulation(&scene).method(Method::rk4(1e-9)).max_steps(1);
-    let run = order.give("bob.phi", FRAC_PI_6).give("bob.omega", 100.0).run().unwrap();
+    let run = order.start("bob.phi", FRAC_PI_6).start("bob.omega", 100.0).run().unwrap();
     let Outcome::Stopped { strain: Some(strain), .. } = run.outcome else { panic!("{}", run.outcome) };
     let StrainSource::Reaction { row, force } = &strain.source else { panic!("{strain}") };
     let expected = 2.0 * strain.acceleration;

@@ -62,7 +62,7 @@ pub fn write(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), Stu
 }
 
 fn sketch(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), StudyError> {
-    let run = Simulation::new(scene).give("bar.phi", SKETCHED_ANGLE).until(0.0).run()?;
+    let run = Simulation::new(scene).start("bar.phi", SKETCHED_ANGLE).until(0.0).run()?;
     let svg = drawing::sketch(scene, &run.last());
     output.write("vehicle.svg", &svg)?;
     page.figure(

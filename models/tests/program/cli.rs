@@ -81,7 +81,7 @@ const COAST_TOLERANCE: f64 = 1e-11;
 
 #[test]
 fn reference_run_coast_ends_where_it_should() {
-    let run = json(&["run", "EZY_Roller/Coast", "--json"]);
+    let run = json(&["run", "EZY_Roller/Coast", "--step", "1e-3", "--json"]);
     let x = run["state"]["seat.x"].as_f64().unwrap();
     assert!((x - COAST_END_X).abs() < COAST_TOLERANCE, "{x}");
 }
@@ -133,7 +133,7 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["run", "ezyroller/coast", "--step", "0"], "give a positive step"),
         (&["run", "ezyroller/coast", "--until", "nan"], "is not a finite number"),
         (&["run", "ezyroller/coast", "--method", "euler"], "[possible values: rk4, dop853, taylor, gauss, radau]"),
-        (&["run", "ezyroller/coast", "--rtol", "1e-9"], "rk4 has a fixed step: give `--step`"),
+        (&["run", "ezyroller/coast", "--step", "1e-3", "--rtol", "1e-9"], "rk4 has a fixed step and no tolerance"),
         (&["run", "ezyroller/coast", "--method", "dop853", "--step", "1e-3"], "give `--rtol` in place of `--step`"),
         (&["run", "ezyroller/coast", "--method", "taylor", "--step", "1e-3"], "taylor chooses the length of its steps"),
         (&["run", "ezyroller/coast", "--method", "dop853", "--rtol", "0"], "give a relative one between"),
@@ -229,7 +229,7 @@ fn invariant_run_of_an_explicit_method_without_end_names_the_implicit_one() {
 
 #[test]
 fn invariant_table_of_a_run_has_no_number_of_three_hundred_digits() {
-    let done = ezy(&["run", "ezyroller/driven", "--set", "m0=1e200", "--until", "1e-300"]);
+    let done = ezy(&["run", "ezyroller/driven", "--set", "m0=1e200", "--until", "1e-300", "--step", "1e-3"]);
     let told = text(&done.stdout) + &text(&done.stderr);
     assert!(told.contains("t = 1e-300 s") && told.lines().all(|line| line.len() < 300), "{told}");
 }
@@ -339,7 +339,7 @@ fn invariant_run_reads_inputs_from_its_own_csv() {
     std::fs::write(&table, "t [s],torque [N*m]\n0,0\n0.5,1\n0.5,-1\n1,0\n").unwrap();
     let run = |inputs: &Path, out: &Path| {
         let [inputs, out] = [inputs, out].map(|path| path.to_str().unwrap());
-        let scene = ["run", "ezyroller/ridden", "--until", "1", "--every", "1e-3"];
+        let scene = ["run", "ezyroller/ridden", "--until", "1", "--step", "1e-3", "--every", "1e-3"];
         output(&[&scene[..], &["--inputs", inputs, "--out", out]].concat());
         std::fs::read_to_string(out).unwrap()
     };
@@ -363,13 +363,16 @@ fn invariant_run_reads_inputs_from_its_own_csv() {
 fn invariant_wrong_inputs_exit_with_2_and_say_what_to_do() {
     let table = directory("wrong_inputs").join("table.csv");
     std::fs::write(&table, "t,torqe\n0,1\n").unwrap();
-    let table = table.to_str().unwrap();
-    let cases: [(&[&str], &str); 5] = [
+    let held = table.with_file_name("held.csv");
+    std::fs::write(&held, "t,torque\n0,1\n1,2\n").unwrap();
+    let [table, held] = [&table, &held].map(|path| path.to_str().unwrap());
+    let cases: [(&[&str], &str); 6] = [
         (&["run", "ezyroller/ridden", "--input", "torqe=1"], "did you mean `torque`?"),
         (&["run", "ezyroller/coast", "--input", "torque=1"], "run one that does: ezyroller/ridden"),
         (&["run", "ezyroller/ridden", "--input", "torque=1", "--input", "torque=2"], "is given twice"),
         (&["run", "ezyroller/ridden", "--inputs", "/no/such/file.csv"], "/no/such/file.csv"),
         (&["run", "ezyroller/ridden", "--inputs", table], "did you mean `torque`?"),
+        (&["run", "ezyroller/ridden", "--inputs", held], "ask for a fixed one: `--method rk4 --step 1e-3`"),
     ];
     for (arguments, message) in cases {
         assert_wrong_use(arguments, message);
@@ -551,7 +554,7 @@ fn invariant_tolerance_of_angles_is_used_and_told() {
     let run = with(&["--method", "dop853", "--angle-tol", "1e-13"]);
     assert!(text(&run.stderr).contains("more than the tolerance of angles, 1.0e-13 rad"), "{}", text(&run.stderr));
     let refused = [
-        (&["--angle-tol", "1e-8"][..], "rk4 has a fixed step"),
+        (&["--step", "1e-3", "--angle-tol", "1e-8"][..], "rk4 has a fixed step"),
         (&["--method", "taylor", "--angle-tol", "0"], "the tolerance of angles is 0e0 rad; give a positive one"),
     ];
     for (options, message) in refused {

@@ -179,7 +179,7 @@ fn invariant_arguments_that_are_no_text_are_wrong_use() {
     for command in ["run", "show", "check", "accuracy"] {
         assert_eq!(judge(&[OsString::from(command), with("")]), 2, "{command}");
     }
-    assert_ne!(judge(&[of(&RUN), vec![with("--inputs=")]].concat()), 0);
+    assert_ne!(judge(&[of(&RUN), of(&["--step", "1e-3"]), vec![with("--inputs=")]].concat()), 0);
 }
 
 #[test]
@@ -218,7 +218,7 @@ fn invariant_hostile_tables_of_inputs_are_refused_or_give_numbers() {
             bytes
         };
         std::fs::write(&file, bytes).expect("the file can be written");
-        let arguments = [of(&RUN), vec!["--inputs".into(), file.clone().into()]].concat();
+        let arguments = [of(&RUN), of(&["--step", "1e-3"]), vec!["--inputs".into(), file.clone().into()]].concat();
         refused += usize::from(judge(&arguments) == 2);
     }
     assert!(refused > N_FILES / 4, "most of these are no tables: {refused}");

@@ -10,6 +10,7 @@ mod new;
 mod pictures;
 mod plots;
 mod run;
+mod scenes;
 mod show;
 #[cfg(unix)]
 mod signals;

@@ -82,7 +82,8 @@ fn invariant_every_model_has_an_animation_with_a_transform_for_each_part() {
 #[test]
 fn invariant_run_that_stops_early_gives_a_page_with_the_reason() {
     let file = directory("stopped").join("stopped.html");
-    let done = ezy(&["animate", "ezyroller/driven", "--max-steps", "100", "--out", file.to_str().unwrap()]);
+    let steps = ["--step", "1e-3", "--max-steps", "100"];
+    let done = ezy(&[&["animate", "ezyroller/driven", "--out", file.to_str().unwrap()], &steps[..]].concat());
     assert_eq!(done.status.code(), Some(1));
     assert!(text(&done.stderr).contains("the run stopped at t = 0.1 s"), "{}", text(&done.stderr));
     let page = std::fs::read_to_string(&file).unwrap();
@@ -141,7 +142,7 @@ fn invariant_wrong_arguments_of_pictures_exit_with_2() {
     assert_wrong_use(&["sketch", "ezyroller/driven", "--at", "-1"], "-1");
     assert_wrong_use(&["animate", "ezyroller/drivne"], "driven");
     assert_wrong_use(&["animate", "ezyroller/driven", "--every", "0"], "positive interval");
-    assert_wrong_use(&["animate", "ezyroller/driven", "--rtol", "1e-6"], "rk4 has a fixed step");
+    assert_wrong_use(&["animate", "ezyroller/driven", "--step", "1e-3", "--rtol", "1e-6"], "rk4 has a fixed step");
     assert_wrong_use(&["animate", "ezyroller/driven", "--out", "a.apng"], ".html, .svg or .gif");
     assert_wrong_use(&["animate", "ezyroller/driven", "--width", "300"], "--out FILE.gif");
     assert_wrong_use(&["animate", "ezyroller/driven", "--format", "png"], "--frames");

@@ -25,3 +25,20 @@ fn invariant_start_values_that_are_held_are_not_mentioned() {
     assert!(!text(&ezy(&as_declared).stdout).contains("gave way"));
     assert!(!text(&ezy(&[&as_declared[..], &["--json"]].concat()).stdout).contains("gave_way"));
 }
+
+/// Nobody says how the trucks and the rotor turn.
+#[test]
+fn invariant_start_values_that_nobody_gave_are_a_line_and_a_list() {
+    let stroked = ["run", "snakeboard/stroked", "--until", "0"];
+    let said = text(&ezy(&stroked).stdout);
+    let line = "\n\nfree at the start, so assembled from 0: rotor.omega, front.omega, back.omega\n\ncoordinate ";
+    assert!(said.contains(line), "{said}");
+    let free = |given: &[&str]| -> serde_json::Value {
+        let done = ezy(&[&stroked[..], &["--json"], given].concat());
+        serde_json::from_slice::<serde_json::Value>(&done.stdout).expect("JSON")["free_at_start"].clone()
+    };
+    assert_eq!(free(&[]), serde_json::json!(["rotor.omega", "front.omega", "back.omega"]));
+    assert_eq!(free(&["--start", "front.omega=0.1"]), serde_json::json!(["rotor.omega", "back.omega"]));
+    let all = ["--start", "rotor.omega=0", "--start", "front.omega=0", "--start", "back.omega=0"];
+    assert!(free(&all).is_null());
+}

@@ -176,7 +176,7 @@ impl Case {
         let order = order.max_steps(MOST_STEPS).project_start();
         // energy tells that a fixed step is too long, and takes works as the command line does
         let order = if method.tolerance().is_none() { order.work() } else { order };
-        self.given.iter().fold(order, |order, (name, value)| order.give(&**name, *value))
+        self.given.iter().fold(order, |order, (name, value)| order.start(&**name, *value))
     }
 
     /// Samples of a run that reached its end.
@@ -194,7 +194,7 @@ impl Case {
         let names = info.coordinates.iter().map(|c| &*c.name).chain(info.coordinates.iter().map(|c| &*c.velocity_name));
         let start = names.zip(start).enumerate();
         let order = start.fold(self.order(scene, Method::dop853(REFERENCE)), |order, (i, (name, value))| {
-            order.give(name, value + MOVED * by(i))
+            order.start(name, value + MOVED * by(i))
         });
         order.run().ok().and_then(|run| motion(&run).ok())
     }

@@ -60,7 +60,7 @@ pub fn check(scene: &dyn Scene, order: &Order) -> Result<Verdict, String> {
         .work()
         .outputs();
     for (name, value) in &order.given {
-        simulation = simulation.give(name, *value);
+        simulation = simulation.start(name, *value);
     }
     for (name, value) in &order.inputs {
         simulation = simulation.input(name, *value);

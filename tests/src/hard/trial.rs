@@ -129,7 +129,7 @@ impl<'a> Trial<'a> {
 
     fn order(&self, method: Method) -> Simulation<'_, dyn Scene + 'a> {
         let order = Simulation::new(self.scene).method(method);
-        self.given.iter().fold(order, |order, (name, value)| order.give(name.clone(), *value))
+        self.given.iter().fold(order, |order, (name, value)| order.start(name.clone(), *value))
     }
 
     fn run(&self, by: Program, until_s: f64, every_s: Option<f64>) -> Result<Run, SetupError> {

@@ -78,7 +78,7 @@ pub fn order<'s>(member: &Member, scene: &'s (dyn Scene + 's)) -> Simulation<'s,
     let Swing { angle, rate } = member.start;
     (0..member.cranks.n()).fold(Simulation::new(scene), |order, k| {
         let name = member.cranks.name(k);
-        order.give(format!("{name}.phi"), angle).give(format!("{name}.omega"), rate)
+        order.start(format!("{name}.phi"), angle).start(format!("{name}.omega"), rate)
     })
 }
 

@@ -144,5 +144,5 @@ fn invariant_orders_that_cannot_be_carried_out_are_refused() {
     let refused = |order: Accuracy<'_>| order.measure(|_, _| ()).unwrap_err();
     assert!(matches!(refused(Accuracy::new(&scene).until(0.0)), AccuracyError::NoTime { .. }));
     assert!(matches!(refused(Accuracy::new(&scene).budget(0.0)), AccuracyError::Budget { .. }));
-    assert!(matches!(refused(Accuracy::new(&scene).give("seat.z", 0.0)), AccuracyError::Setup(_)));
+    assert!(matches!(refused(Accuracy::new(&scene).start("seat.z", 0.0)), AccuracyError::Setup(_)));
 }

@@ -136,8 +136,8 @@ fn analytic_pantograph_is_not_folded_in_silence() {
 fn invariant_folded_pantograph_is_refused_with_both_modes_when_all_give_way() {
     let scene = pantograph::Drawing::default();
     let order = |inner: f64, outer: f64| {
-        let order = Simulation::new(&scene).until(0.0).project_start().give("arm.phi", FRAC_PI_3);
-        order.give("pen.phi", -FRAC_PI_3).give("inner.phi", inner).give("outer.phi", outer).run()
+        let order = Simulation::new(&scene).until(0.0).project_start().start("arm.phi", FRAC_PI_3);
+        order.start("pen.phi", -FRAC_PI_3).start("inner.phi", inner).start("outer.phi", outer).run()
     };
     let mut n_refused = 0;
     for [inner, outer] in guesses() {
@@ -172,8 +172,12 @@ fn invariant_mode_that_was_reached_runs_when_it_is_asked_for() {
 /// Guesses are for a crank that is upright; it is held a right angle and a radian away.
 #[test]
 fn analytic_near_values_that_move_by_radians_are_told() {
-    let run =
-        Simulation::new(&uneven_four_bar()).until(0.0).give("crank.phi", -1.0).give("crank.omega", 0.0).run().unwrap();
+    let run = Simulation::new(&uneven_four_bar())
+        .until(0.0)
+        .start("crank.phi", -1.0)
+        .start("crank.omega", 0.0)
+        .run()
+        .unwrap();
     let [[coupler, rocker], _] = two_bars([(-1.0_f64).cos(), (-1.0_f64).sin()], [1.3, 0.0], [1.4, 1.2]);
     let told: Vec<(&str, &str, f64)> = run.moved.iter().map(|value| (&*value.name, value.unit, value.given)).collect();
     assert_eq!(told, [("coupler.phi", "rad", 0.0), ("rocker.phi", "rad", FRAC_PI_2)]);
@@ -187,7 +191,7 @@ fn analytic_near_values_that_move_by_radians_are_told() {
 #[test]
 fn analytic_projected_velocities_are_told() {
     let scene = four_bar::Turning::default();
-    let order = Simulation::new(&scene).until(0.0).give("crank.omega", -1.0).give("rocker.omega", -0.5);
+    let order = Simulation::new(&scene).until(0.0).start("crank.omega", -1.0).start("rocker.omega", -0.5);
     let run = order.project_start().run().unwrap();
     let told: Vec<(&str, &str, f64)> = run.moved.iter().map(|value| (&*value.name, value.unit, value.given)).collect();
     assert_eq!(told, [("crank.omega", "rad/s", -1.0), ("rocker.omega", "rad/s", -0.5)]);

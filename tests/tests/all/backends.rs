@@ -7,7 +7,7 @@ use ezy_core::prelude::*;
 const SAME_MOTION: f64 = 1e-12;
 
 fn end(case: &Case, backend: Backend) -> Vec<f64> {
-    let run = Simulation::new(&*case.scene).backend(backend).until(1.0).run().unwrap();
+    let run = Simulation::new(&*case.scene).method(Method::rk4(1e-3)).backend(backend).until(1.0).run().unwrap();
     assert!(run.outcome.reached_end(), "{}: {}", case.route, run.outcome);
     run.last().numbers().collect()
 }

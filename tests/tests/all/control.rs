@@ -20,7 +20,7 @@ fn bits(sample: Sample<'_>) -> Vec<u64> {
 #[test]
 fn invariant_number_table_and_law_of_one_value_give_the_same_bits() {
     let scene = piloted::Ridden::default();
-    let order = || Simulation::new(&scene).work().outputs();
+    let order = || Simulation::new(&scene).method(Method::rk4(1e-3)).work().outputs();
     let declared = bits(order().run().unwrap().last());
     assert_eq!(bits(order().input("torque", 50.0).run().unwrap().last()), declared);
     let table = InputTable::new(vec![0.0, 1.0], vec![50.0, 50.0]).unwrap();
@@ -33,7 +33,7 @@ fn invariant_number_table_and_law_of_one_value_give_the_same_bits() {
 fn invariant_later_setting_of_an_input_counts() {
     let scene = piloted::Ridden::default();
     let table = || InputTable::new(vec![0.0, 1.0], vec![10.0, 20.0]).unwrap();
-    let order = || Simulation::new(&scene).until(0.1);
+    let order = || Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.1);
     let end = |order: Simulation<'_, piloted::Ridden>| bits(order.run().unwrap().last());
     assert_eq!(end(order().input("torque", table()).input("torque", 3.0)), end(order().input("torque", 3.0)));
     assert_eq!(end(order().input("torque", 3.0).input("torque", table())), end(order().input("torque", table())));
@@ -43,8 +43,8 @@ fn invariant_later_setting_of_an_input_counts() {
 fn cross_input_and_parameter_of_one_value_end_alike() {
     let by_input = piloted::Ridden::default();
     let by_parameter = piloted::Driven { torque: -30.0 };
-    let by_input = Simulation::new(&by_input).work().input("torque", -30.0).run().unwrap();
-    let by_parameter = Simulation::new(&by_parameter).work().run().unwrap();
+    let by_input = Simulation::new(&by_input).method(Method::rk4(1e-3)).work().input("torque", -30.0).run().unwrap();
+    let by_parameter = Simulation::new(&by_parameter).method(Method::rk4(1e-3)).work().run().unwrap();
     let error = distance(by_input.last().coordinates, by_parameter.last().coordinates);
     assert!(error <= ALIKE, "{error:.1e}");
     assert!((by_input.last().energy.work - by_parameter.last().energy.work).abs() <= ALIKE);
@@ -58,7 +58,7 @@ fn invariant_law_is_called_once_a_step_and_held() {
         times.push(now.t);
         set.torque = 100.0 * now.t;
     };
-    let run = Simulation::new(&scene).until(0.01).every(5e-4).control(law).run().unwrap();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.01).every(5e-4).control(law).run().unwrap();
     let expected: Vec<f64> = (0..10).map(|n| f64::from(n) * STEP).collect();
     assert!(distance(&times, &expected) <= ALIKE, "{times:?}");
     // the input of a sample is the one that holds from there on; the last step's at the end
@@ -72,10 +72,11 @@ fn invariant_recording_never_changes_a_controlled_motion() {
     let scene = piloted::Ridden::default();
     let end = |every: Option<f64>| {
         let mut sum = 0.0;
-        let order = Simulation::new(&scene).work().outputs().until(1.0).control(move |now, set| {
-            sum += now.bar.omega;
-            set.torque = 50.0 - sum;
-        });
+        let order =
+            Simulation::new(&scene).method(Method::rk4(1e-3)).work().outputs().until(1.0).control(move |now, set| {
+                sum += now.bar.omega;
+                set.torque = 50.0 - sum;
+            });
         let order = if let Some(every) = every { order.every(every) } else { order };
         bits(order.run().unwrap().last())
     };
@@ -89,8 +90,8 @@ fn invariant_motion_is_the_same_without_work_and_outputs() {
     let scene = piloted::Pushed::default();
     let law = |now: &Now<piloted::Pushed>, set: &mut Inputs<piloted::Pushed>| (set.torque, set.pull) = (now.t, now.t);
     let motion = |s: Sample<'_>| bits(s)[..25].to_vec();
-    let bare = Simulation::new(&scene).control(law).run().unwrap();
-    let full = Simulation::new(&scene).work().outputs().control(law).run().unwrap();
+    let bare = Simulation::new(&scene).method(Method::rk4(1e-3)).control(law).run().unwrap();
+    let full = Simulation::new(&scene).method(Method::rk4(1e-3)).work().outputs().control(law).run().unwrap();
     assert_eq!(motion(bare.last()), motion(full.last()));
     let message = |name: &str| bare.last().get(name).unwrap_err().to_string();
     assert_eq!(message("balance"), "column `balance` was not recorded; call `.work()` on the simulation");
@@ -156,6 +157,7 @@ fn invariant_inputs_that_are_no_numbers_are_named() {
     let error = Simulation::new(&scene).input("torqe", 1.0).run().unwrap_err().to_string();
     assert!(error.starts_with("input `torqe` is not known (did you mean `torque`?)"), "{error}");
     let run = Simulation::new(&scene)
+        .method(Method::rk4(1e-3))
         .outputs()
         .control(|now, set| set.torque = if now.t < 0.5 { 1.0 } else { f64::INFINITY })
         .run()
@@ -183,7 +185,7 @@ fn invariant_file_of_a_run_gives_its_inputs_back() {
     let scene = piloted::Ridden::default();
     let mut file = Vec::new();
     let mut writer = CsvWriter::new(&mut file);
-    let order = Simulation::new(&scene).every(0.1).outputs();
+    let order = Simulation::new(&scene).method(Method::rk4(1e-3)).every(0.1).outputs();
     order.control(|now, set| set.torque = 100.0 * now.t.sin()).record_to(&mut writer).run().unwrap();
     drop(writer);
     let read = read_inputs(&file[..], &scene.info()).unwrap();

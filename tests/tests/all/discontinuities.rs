@@ -151,7 +151,7 @@ fn cross_steps_over_several_discontinuities_end_at_the_first() {
         let order = Simulation::new(&scene).method(method).until(0.02).project_start().max_steps(MOST_STEPS);
         let given =
             [("rear.vx", 6.374_253_553_551_820_6e-3), ("rear.vy", 1.0), ("rear.omega", 1.486_840_858_291_516e-2)];
-        let run = given.iter().fold(order, |order, given| order.give(given.0, given.1)).run().unwrap();
+        let run = given.iter().fold(order, |order, given| order.start(given.0, given.1)).run().unwrap();
         assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
         (run.last().coordinates.to_vec(), run.cost.steps)
     };

@@ -120,7 +120,7 @@ fn cross_dop853_steps_do_not_pass_over_a_friction_layer() {
     };
     let end = |method: Method| {
         let order = Simulation::new(&scene).method(method).until(0.06).project_start();
-        let run = order.give("seat.vy", -0.851_538_923_310_488_2).run().unwrap();
+        let run = order.start("seat.vy", -0.851_538_923_310_488_2).run().unwrap();
         [run.last().coordinates, run.last().velocities].concat()
     };
     let reference = end(Method::taylor(1e-12));

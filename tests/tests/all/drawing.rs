@@ -1,5 +1,6 @@
 //! What a picture shows of a scene is where its equations have it: every scene of every model, at a moved state.
 
+use ezy_core::integrate::Method;
 use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::report::drawing::{Drawing, Elements, Placed, sketch};
 use ezy_core::simulate::Simulation;
@@ -14,7 +15,12 @@ fn each(mut check: impl FnMut(&str, &dyn Scene, &SceneInfo, f64, &[f64], &[f64])
         for entry in model.scenes {
             let scene = (entry.new)();
             let info = scene.info();
-            let run = Simulation::new(scene.as_ref()).until(0.01 * info.until_s).max_steps(200).run().unwrap();
+            let run = Simulation::new(scene.as_ref())
+                .method(Method::rk4(1e-3))
+                .until(0.01 * info.until_s)
+                .max_steps(200)
+                .run()
+                .unwrap();
             let last = run.last();
             check(
                 &format!("{}/{}", model.name, entry.name),
@@ -104,7 +110,7 @@ fn cross_skates_of_a_picture_point_along_their_rows() {
 fn cross_force_of_a_tyre_is_the_applied_force() {
     let scene = ezy_models::single_track_car::MODEL.scenes[0];
     let scene = (scene.new)();
-    let run = Simulation::new(scene.as_ref()).until(0.5).run().unwrap();
+    let run = Simulation::new(scene.as_ref()).method(Method::rk4(1e-3)).until(0.5).run().unwrap();
     let last = run.last();
     let (elements, at) = placed(scene.as_ref(), last.t, last.coordinates, last.velocities);
     let mut force = vec![0.0; last.coordinates.len()];

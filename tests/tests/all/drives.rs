@@ -57,7 +57,7 @@ fn invariant_driven_rows_are_one_group() {
 #[test]
 fn cross_generated_drive_and_the_one_by_hand() {
     let (generated, hand) = (motor::Level::default(), Crank::default());
-    let run = |scene: &dyn Scene| Simulation::new(scene).work().every(0.1).run().unwrap();
+    let run = |scene: &dyn Scene| Simulation::new(scene).method(Method::rk4(1e-3)).work().every(0.1).run().unwrap();
     let (generated, hand) = (run(&generated), run(&hand));
     for (a, b) in generated.samples().zip(hand.samples()) {
         assert!(distance(a.coordinates, b.coordinates) <= ROUNDING, "at {} s", a.t);
@@ -69,7 +69,7 @@ fn cross_generated_drive_and_the_one_by_hand() {
 #[test]
 fn analytic_work_of_a_drive_is_the_energy_it_gives() {
     let scene = motor::Upright::default();
-    let run = Simulation::new(&scene).work().outputs().every(0.1).run().unwrap();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).work().outputs().every(0.1).run().unwrap();
     // about the pin
     let inertia = 0.4 + 2.0 * 0.3 * 0.3;
     let kinetic = |t: f64| 0.5 * inertia * crank::rate(t) * crank::rate(t);
@@ -86,7 +86,7 @@ fn analytic_work_of_a_drive_is_the_energy_it_gives() {
 #[test]
 fn invariant_energy_balances_with_driven_velocity_rows() {
     let scene = sledge::Run::default();
-    let run = Simulation::new(&scene).work().every(0.1).run().unwrap();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).work().every(0.1).run().unwrap();
     let most = run.samples().map(|s| s.work[1].abs()).fold(0.0, f64::max);
     assert!(most > 0.5, "pulling does work: {most} J");
     for s in run.samples() {

@@ -35,7 +35,7 @@ fn difference<const L: usize>(scenes: &[Roller; L], method: Method, until_s: f64
     let mut worst: f64 = 0.0;
     for (lane, scene) in scenes.iter().enumerate() {
         let run =
-            Simulation::new(scene).method(method).give("bar.phi", starts[lane].q[5]).until(until_s).run().unwrap();
+            Simulation::new(scene).method(method).start("bar.phi", starts[lane].q[5]).until(until_s).run().unwrap();
         let (alone, together) = (run.last(), ensemble.state(lane));
         let pairs = alone.coordinates.iter().zip(&together.q).chain(alone.velocities.iter().zip(&together.v));
         worst = pairs.fold(worst, |worst, (x, y)| worst.max((x - y).abs()));

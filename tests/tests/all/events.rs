@@ -44,7 +44,7 @@ fn run(scene: &dyn Scene, method: Method) -> Run {
 fn analytic_start_just_before_an_event_is_told_from_rounding() {
     for (before, expected) in [(1e-12, 1), (4e-10, 2)] {
         let scene = wheel::Turn::default();
-        let order = Simulation::new(&scene).method(Method::rk4(0.05)).give("wheel.phi", std::f64::consts::PI - before);
+        let order = Simulation::new(&scene).method(Method::rk4(0.05)).start("wheel.phi", std::f64::consts::PI - before);
         let found = named(&order.run().unwrap());
         assert_eq!(found.len(), expected, "{before:e} rad: {found:?}");
     }

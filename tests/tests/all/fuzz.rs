@@ -57,7 +57,7 @@ fn regress_start_with_an_inertia_whose_square_vanishes_is_refused() {
     let mut scene = tractor_trailers::Locked::default();
     set(&mut scene, &[("front", -6.2279801943842365e-279), ("rear", -0.4), ("m_steer", 0.4), ("i_steer", 5e-324)]);
     set(&mut scene, &[("m_second", 2.843710921014777), ("delta_rate", 0.004555580813629171), ("nu", -1.0)]);
-    let order = Simulation::new(&scene).give("first.vy", 1.0).give("second.omega", -1.0).until(0.0);
+    let order = Simulation::new(&scene).start("first.vy", 1.0).start("second.omega", -1.0).until(0.0);
     assert!(matches!(order.run(), Err(SetupError::Start(_))));
 }
 

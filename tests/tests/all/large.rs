@@ -114,8 +114,8 @@ fn invariant_consistent_start_of_a_long_chain_is_not_touched() {
 fn analytic_held_rods_of_a_long_chain_carry_the_rest_along() {
     // every angle is held, so that the centres follow by themselves; a held speed of the last rod moves it alone
     let scene = chain::Swing { n: 200 };
-    let run = Simulation::new(&scene).until(0.0).give("rod[199].omega", 2.0);
-    let run = (0..199).fold(run, |run, i| run.give(format!("rod[{i}].omega"), 0.0)).run().unwrap();
+    let run = Simulation::new(&scene).until(0.0).start("rod[199].omega", 2.0);
+    let run = (0..199).fold(run, |run, i| run.start(format!("rod[{i}].omega"), 0.0)).run().unwrap();
     let (sin, cos) = (0.1_f64 * 199.0).sin_cos();
     let first = run.first();
     let [x, y] = ["rod[199].vx", "rod[199].vy"].map(|name| first.get(name).unwrap());
@@ -128,7 +128,7 @@ fn invariant_rest_of_a_long_chain_follows_a_rod_that_is_given() {
     let (sin, cos) = 0.5_f64.sin_cos();
     let given = [("rod[0].x", 0.5 * cos), ("rod[0].y", 0.5 * sin), ("rod[0].phi", 0.5)];
     let scene = chain::Swing { n: 60 };
-    let run = given.iter().fold(Simulation::new(&scene).until(0.0), |run, (name, value)| run.give(*name, *value));
+    let run = given.iter().fold(Simulation::new(&scene).until(0.0), |run, (name, value)| run.start(*name, *value));
     let run = run.run().unwrap();
     assert!(given.iter().all(|(name, value)| run.first().get(name).unwrap() == *value));
     assert!(run.first().position_residual <= POSITION, "{:.1e}", run.first().position_residual);
@@ -137,7 +137,7 @@ fn invariant_rest_of_a_long_chain_follows_a_rod_that_is_given() {
 #[test]
 fn invariant_start_that_cannot_be_met_is_refused_at_any_length() {
     let scene = chain::Swing { n: 500 };
-    let refused = Simulation::new(&scene).until(0.0).give("rod[499].x", 1e4).run();
+    let refused = Simulation::new(&scene).until(0.0).start("rod[499].x", 1e4).run();
     let message = refused.err().map(|error| error.to_string()).unwrap_or_default();
     assert!(message.contains("contradicts the constraints") && message.contains("more"), "{message}");
     assert!(message.len() < 5_000, "{} bytes", message.len());

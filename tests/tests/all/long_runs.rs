@@ -15,7 +15,7 @@ fn invariant_rotor_keeps_its_hinge_at_a_million_radians() {
     let scene = pendulum::Swing { l: 0.05, i: 0.01, ..Default::default() };
     for method in [Method::rk4(1e-6), Method::dop853(1e-12), Method::taylor(1e-12)] {
         let order = Simulation::new(&scene).method(method).until(2e-3);
-        let run = order.give("bob.phi", FAR_ROUND).give("bob.omega", 1e4).run().unwrap();
+        let run = order.start("bob.phi", FAR_ROUND).start("bob.omega", 1e4).run().unwrap();
         let gap = run.monitors.position_residual.unwrap();
         assert!(run.outcome.reached_end() && gap.value <= GAP, "{method:?}: {gap:?}, {}", run.outcome);
     }

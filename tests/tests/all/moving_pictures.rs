@@ -47,7 +47,7 @@ fn view(svg: &str) -> [f64; 3] {
 #[test]
 fn cross_body_of_a_moving_picture_is_where_the_run_has_it() {
     let scene = Swing::default();
-    let run = Simulation::new(&scene).until(1.4).every(0.2).run().unwrap();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(1.4).every(0.2).run().unwrap();
     let elements = Elements::new(&scene);
     let placed: Vec<Placed> = run.samples().map(|sample| elements.at_sample(&scene, &sample)).collect();
     let drawing = Drawing::new(&scene, elements, &placed[0], &placed, None);
@@ -82,7 +82,7 @@ fn cross_body_of_a_moving_picture_is_where_the_run_has_it() {
 #[test]
 fn invariant_arc_of_a_torque_is_in_the_sketch_alone() {
     let scene = Driven::default();
-    let run = Simulation::new(&scene).until(0.4).every(0.2).run().unwrap();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.4).every(0.2).run().unwrap();
     let elements = Elements::new(&scene);
     let placed: Vec<Placed> = run.samples().map(|sample| elements.at_sample(&scene, &sample)).collect();
     let drawing = Drawing::new(&scene, elements, &placed[0], &placed, None);
@@ -95,7 +95,7 @@ fn invariant_arc_of_a_torque_is_in_the_sketch_alone() {
 #[test]
 fn invariant_frame_as_pixels_is_the_frame_of_the_moving_picture() {
     let scene = Swing::default();
-    let run = Simulation::new(&scene).until(0.4).every(0.2).run().unwrap();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.4).every(0.2).run().unwrap();
     let elements = Elements::new(&scene);
     let placed: Vec<Placed> = run.samples().map(|sample| elements.at_sample(&scene, &sample)).collect();
     let drawing = Drawing::new(&scene, elements, &placed[0], &placed, None);

@@ -133,11 +133,16 @@ fn cross_samples_of_every_method_have_the_names_of_their_columns() {
 fn invariant_scene_without_inputs_can_be_watched() {
     let scene = piloted::Coast::default();
     let mut speeds = Vec::new();
-    let watched = Simulation::new(&scene).until(0.01).control(|now, _| speeds.push(now.outputs().speed)).run().unwrap();
-    let plain = Simulation::new(&scene).until(0.01).run().unwrap();
+    let watched = Simulation::new(&scene)
+        .method(Method::rk4(1e-3))
+        .until(0.01)
+        .control(|now, _| speeds.push(now.outputs().speed))
+        .run()
+        .unwrap();
+    let plain = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.01).run().unwrap();
     assert_eq!(all(&watched), all(&plain));
     assert_eq!(speeds.len(), 10);
-    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
     assert_eq!(stepper.now().outputs().speed, speeds[0]);
 }
 
@@ -151,7 +156,7 @@ fn invariant_outputs_of_a_law_are_those_of_the_inputs_that_held() {
         // in W, of a torque in N·cm
         powers.push((now.outputs().power, held * 0.01 * rate));
     };
-    Simulation::new(&scene).until(0.01).control(law).run().unwrap();
+    Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.01).control(law).run().unwrap();
     assert!(powers.len() == 10 && powers[0].0 != 0.0);
     assert!(powers.iter().all(|(seen, expected)| is_near(*seen, *expected)), "{powers:?}");
 }
@@ -202,7 +207,7 @@ fn cross_arrays_have_the_names_of_their_columns() {
 #[should_panic(expected = "no body has the index [4]: the array has [4] bodies")]
 fn invariant_body_that_is_not_there_is_named() {
     let scene = rope::Swing::default();
-    Simulation::new(&scene).stepper().unwrap().now().link.at(4);
+    Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap().now().link.at(4);
 }
 
 #[test]

@@ -60,7 +60,7 @@ fn cross_backends_over_ten_powers_of_mass() {
     for Case { route, mut scene } in coast() {
         set(&mut *scene, &[("m2", 46e-10), ("i2", 10e-12)]);
         let ends = [Backend::Generated, Backend::Dense, Backend::Sparse].map(|backend| {
-            let run = Simulation::new(&*scene).backend(backend).until(0.5).run().unwrap();
+            let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).backend(backend).until(0.5).run().unwrap();
             assert!(run.outcome.reached_end(), "{route} {backend:?}: {}", run.outcome);
             run.last().coordinates.to_vec()
         });

@@ -14,7 +14,7 @@ const METRICS: [Metric; 2] = [Metric::Mass, Metric::Euclidean];
 
 /// A consistent state in motion, and the same with every coordinate and velocity disturbed by about `size`.
 fn disturbed(scene: &dyn Scene, size: f64) -> (f64, Vec<f64>, Vec<f64>) {
-    let run = Simulation::new(scene).until(0.7).run().unwrap();
+    let run = Simulation::new(scene).method(Method::rk4(1e-3)).until(0.7).run().unwrap();
     let s = run.last();
     let off = |x: &[f64], phase: f64| {
         x.iter().enumerate().map(|(i, x)| x + size * (1.7 * i as f64 + phase).sin()).collect::<Vec<_>>()

@@ -170,7 +170,7 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
 fn fast<'s, S: Scene>(scene: &'s S, method: Method) -> Simulation<'s, S> {
     let start = [("cart.vx", 20.0), ("cart.omega", 8.0), ("caster.phi", 1.2)];
     let order = Simulation::new(scene).method(method).until(0.5).project_start();
-    start.iter().fold(order, |order, (name, value)| order.give(*name, *value))
+    start.iter().fold(order, |order, (name, value)| order.start(*name, *value))
 }
 
 /// Samples in a step, and ends of steps.
@@ -423,7 +423,7 @@ fn cross_radau_steps_do_not_pass_over_turns_of_a_torque() {
     for (scene, until_s, given) in cases {
         let samples = |method: Method| {
             let order = Simulation::new(scene).method(method).until(until_s).every(until_s / 32.0).project_start();
-            given.iter().fold(order, |order, given: &(&str, f64)| order.give(given.0, given.1)).run().unwrap()
+            given.iter().fold(order, |order, given: &(&str, f64)| order.start(given.0, given.1)).run().unwrap()
         };
         let reference = samples(Method::dop853(1e-11));
         let of = |sample: Sample<'_>| [sample.coordinates, sample.velocities].concat();

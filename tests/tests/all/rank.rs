@@ -13,11 +13,12 @@ const ROUNDING: f64 = 1e-15;
 /// Both wheels at the hinge, the bar at an angle to the seat.
 fn wheels_at_the_hinge(scene: &dyn Scene, psi: f64, phi: f64, backend: Backend) -> Result<Run, SetupError> {
     Simulation::new(scene)
+        .method(Method::rk4(1e-3))
         .backend(backend)
         .until(0.01)
-        .give("seat.phi", phi)
-        .give("bar.phi", phi + psi)
-        .give("seat.vx", 0.0)
+        .start("seat.phi", phi)
+        .start("bar.phi", phi + psi)
+        .start("seat.vx", 0.0)
         .run()
 }
 

@@ -90,7 +90,7 @@ fn invariant_gap_counts_relative_to_the_bars() {
         let scene = scaled(length, 1.0);
         let run = |gap: f64| {
             let (x, y) = (0.5 * length * 1.0_f64.cos() + gap * length, 0.5 * length * 1.0_f64.sin());
-            Simulation::new(&scene).until(0.0).give("crank.x", x).give("crank.y", y).give("crank.phi", 1.0).run()
+            Simulation::new(&scene).until(0.0).start("crank.x", x).start("crank.y", y).start("crank.phi", 1.0).run()
         };
         assert!(run(0.0).is_ok(), "{length} m: {}", run(0.0).err().map_or_else(String::new, |e| e.to_string()));
         assert!(run(1e-7).is_err(), "{length} m");

@@ -50,7 +50,7 @@ fn changed(name: &str, change: f64, until_s: f64) -> Vec<f64> {
         }
     }
     let order = Simulation::new(&scene).method(METHOD).until(until_s);
-    let run = given.into_iter().fold(order, |order, (name, value)| order.give(name, value)).run().unwrap();
+    let run = given.into_iter().fold(order, |order, (name, value)| order.start(name, value)).run().unwrap();
     let last = run.last();
     [last.coordinates, last.velocities].concat()
 }

@@ -7,7 +7,7 @@ use ezy_core::simulate::{SetupError, StopReason};
 
 fn message(change: impl for<'s> Fn(Simulation<'s, dyn Scene + 's>) -> Simulation<'s, dyn Scene + 's>) -> String {
     let case = driven().remove(0);
-    change(Simulation::new(&*case.scene)).run().unwrap_err().to_string()
+    change(Simulation::new(&*case.scene).method(Method::rk4(1e-3))).run().unwrap_err().to_string()
 }
 
 fn message_with(parameter: &str, value: f64) -> String {
@@ -42,7 +42,8 @@ fn invariant_bad_ends_and_intervals_are_refused() {
 /// What is accepted fails later, by a limit that is none.
 fn is_accepted(order: impl for<'s> FnOnce(Simulation<'s, dyn Scene + 's>) -> Simulation<'s, dyn Scene + 's>) -> bool {
     let case = driven().remove(0);
-    let error = order(Simulation::new(&*case.scene)).until(60.0).max_drift(-1.0).run().unwrap_err();
+    let error =
+        order(Simulation::new(&*case.scene).method(Method::rk4(1e-3))).until(60.0).max_drift(-1.0).run().unwrap_err();
     matches!(error, SetupError::Limit { .. })
 }
 
@@ -78,7 +79,7 @@ fn invariant_infinite_inertia_is_named() {
 
 #[test]
 fn invariant_unknown_start_names_come_with_the_nearest() {
-    let error = message(|s| s.give("seat.fi", 1.0));
+    let error = message(|s| s.start("seat.fi", 1.0));
     assert!(error.starts_with("start value `seat.fi` is not known (did you mean `seat."), "{error}");
     assert!(error.contains("known: seat.x, seat.y, seat.phi") && error.contains("bar.omega"), "{error}");
 }
@@ -87,7 +88,7 @@ fn invariant_unknown_start_names_come_with_the_nearest() {
 fn invariant_overflow_stops_with_the_last_good_state() {
     for Case { route, mut scene } in driven() {
         set(&mut *scene, &[("m0", 1e200)]);
-        let run = Simulation::new(&*scene).every(1e-3).run().unwrap();
+        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).every(1e-3).run().unwrap();
         let Outcome::Stopped { t, reason: StopReason::Motion(reason), .. } = &run.outcome else {
             panic!("{route}: {}", run.outcome)
         };
@@ -101,7 +102,7 @@ fn invariant_overflow_stops_with_the_last_good_state() {
 fn invariant_run_stops_before_its_kinetic_energy_overflows() {
     let mut scene = ezy_models::vehicles::single_track_car::single_track_car::Limit::default();
     set(&mut scene, &[("lr", 1.4e6)]);
-    let run = Simulation::new(&scene).until(1.0).run().unwrap();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(1.0).run().unwrap();
     assert!(run.outcome.to_string().contains("is not finite after"), "{}", run.outcome);
     assert!(run.last().energy.kinetic.is_finite());
 }
@@ -110,7 +111,7 @@ fn invariant_run_stops_before_its_kinetic_energy_overflows() {
 fn invariant_progress_rises_to_one() {
     for Case { route, scene } in driven() {
         let mut told = Vec::new();
-        Simulation::new(&*scene).until(1.0).on_progress(|p| told.push(p)).run().unwrap();
+        Simulation::new(&*scene).method(Method::rk4(1e-3)).until(1.0).on_progress(|p| told.push(p)).run().unwrap();
         assert!(told.is_sorted() && told.last() == Some(&1.0) && told.len() == 100, "{route}: {told:?}");
     }
 }
@@ -123,8 +124,8 @@ fn invariant_order_of_a_run_can_be_handed_to_another_thread() {
     assert_send::<Run>();
     for Case { route, scene } in driven() {
         let mut told = 0;
-        let here = Simulation::new(&*scene).until(0.1).run().unwrap();
-        let order = Simulation::new(&*scene).until(0.1).on_progress(|_| told += 1);
+        let here = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(0.1).run().unwrap();
+        let order = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(0.1).on_progress(|_| told += 1);
         let there = std::thread::scope(|threads| threads.spawn(move || order.run()).join()).unwrap().unwrap();
         assert_eq!(here.last().coordinates, there.last().coordinates, "{route}");
         assert!(told > 0, "{route}");

@@ -23,7 +23,7 @@ fn methods() -> Vec<Method> {
 
 fn run(subject: &Subject, method: Method, until_s: f64) -> Run {
     let start = Simulation::new(&*subject.scene).method(method).until(until_s).max_steps(MOST_STEPS);
-    let order = subject.given().into_iter().fold(start, |order, (name, value)| order.give(&name, value));
+    let order = subject.given().into_iter().fold(start, |order, (name, value)| order.start(&name, value));
     let run = order.run().unwrap();
     assert!(run.outcome.reached_end(), "{method:?}: {}", run.outcome);
     run

@@ -19,11 +19,11 @@ fn invariant_start_holds_given_values_to_the_bit() {
         let given = [("seat.x", 0.123456789), ("seat.phi", 0.77), ("bar.phi", -2.1), ("seat.omega", 0.3)];
         let mut order = Simulation::new(&*scene).until(0.0);
         for (name, value) in given {
-            order = order.give(name, value);
+            order = order.start(name, value);
         }
         // the scene's own velocity along x would slip the rear wheel sideways at this heading
         let (s, c) = 0.77_f64.sin_cos();
-        let run = order.give("seat.vx", c - 0.06 * s).give("seat.vy", s + 0.06 * c).run().unwrap();
+        let run = order.start("seat.vx", c - 0.06 * s).start("seat.vy", s + 0.06 * c).run().unwrap();
         for (name, value) in given {
             assert_eq!(run.first().get(name), Ok(value), "{route}: {name}");
         }
@@ -90,7 +90,7 @@ fn invariant_start_assembles_massless_bodies() {
 fn invariant_contradicting_positions_are_named() {
     for Case { route, scene } in coast() {
         // the hinge is at 0.8 m, the bar's centre cannot be a metre away
-        let error = Simulation::new(&*scene).give("bar.x", 1.8).run().unwrap_err();
+        let error = Simulation::new(&*scene).start("bar.x", 1.8).run().unwrap_err();
         let SetupError::Start(StartError::Contradiction { level, rows, residual, held, .. }) = error else {
             panic!("{route}: {error}")
         };
@@ -105,7 +105,7 @@ fn invariant_contradicting_positions_are_named() {
 fn invariant_contradicting_velocities_are_named() {
     for Case { route, scene } in coast() {
         // the rear wheel cannot slide sideways
-        let error = Simulation::new(&*scene).give("seat.vy", 0.5).run().unwrap_err();
+        let error = Simulation::new(&*scene).start("seat.vy", 0.5).run().unwrap_err();
         let SetupError::Start(StartError::Contradiction { level, rows, .. }) = error else {
             panic!("{route}: {error}")
         };
@@ -116,7 +116,7 @@ fn invariant_contradicting_velocities_are_named() {
 #[test]
 fn invariant_start_value_that_is_not_finite_is_named() {
     for Case { route, scene } in coast() {
-        let error = Simulation::new(&*scene).give("bar.vx", f64::NAN).run().unwrap_err().to_string();
+        let error = Simulation::new(&*scene).start("bar.vx", f64::NAN).run().unwrap_err().to_string();
         assert!(error.contains("`bar.vx` is NaN"), "{route}: {error}");
     }
 }
@@ -125,7 +125,7 @@ fn invariant_start_value_that_is_not_finite_is_named() {
 #[test]
 fn invariant_start_value_beyond_a_billion_is_refused_by_name() {
     let start =
-        |x: f64| Simulation::new(&ezy_models::knife_edge::Cycloid::default()).until(0.0).give("blade.omega", x).run();
+        |x: f64| Simulation::new(&ezy_models::knife_edge::Cycloid::default()).until(0.0).start("blade.omega", x).run();
     assert!(start(5e8).is_ok());
     let error = start(5e9).unwrap_err();
     assert!(matches!(&error, SetupError::Start(StartError::TooLarge { name, .. }) if name == "blade.omega"), "{error}");
@@ -177,7 +177,7 @@ fn invariant_start_far_from_the_guess_counts_rounding_there() {
 fn invariant_row_without_a_value_is_named() {
     let mut scene = tethered::Circle::default();
     crate::scenes::set(&mut scene, &[("l", 0.0)]);
-    let error = Simulation::new(&scene).give("bob.x", 0.0).give("bob.y", 0.0).run().unwrap_err().to_string();
+    let error = Simulation::new(&scene).start("bob.x", 0.0).start("bob.y", 0.0).run().unwrap_err().to_string();
     assert!(
         error.starts_with("constraint `R` is not a number at the start: a length or a direction in it is zero"),
         "{error}"
@@ -207,7 +207,7 @@ fn analytic_near_values_choose_the_assembly_and_give_way() {
 #[test]
 fn analytic_near_values_give_way_to_what_is_given() {
     let scene = ezy_models::pendulum::Swing::default();
-    let run = Simulation::new(&scene).give("bob.x", 0.5).until(0.0).run().unwrap();
+    let run = Simulation::new(&scene).start("bob.x", 0.5).until(0.0).run().unwrap();
     let angle = run.last().get("bob.phi").unwrap();
     assert!((angle.cos() - 0.5).abs() <= 1e-12, "{angle} rad");
 }

@@ -114,7 +114,7 @@ fn analytic_massless_coordinates_follow_at_no_cost() {
 #[test]
 fn invariant_order_that_projects_its_start_runs() {
     let scene = four_bar::Turning::default();
-    let order = || Simulation::new(&scene).until(0.0).give("crank.omega", -1.0).give("rocker.omega", -0.5);
+    let order = || Simulation::new(&scene).until(0.0).start("crank.omega", -1.0).start("rocker.omega", -0.5);
     assert!(order().run().is_err());
     let run = order().project_start().run().unwrap();
     let rate = |name: &str| run.first().get(name).unwrap();
@@ -125,7 +125,7 @@ fn invariant_order_that_projects_its_start_runs() {
 #[test]
 fn invariant_given_values_that_fit_are_held_by_a_projected_start() {
     let scene = four_bar::Turning::default();
-    let run = Simulation::new(&scene).until(0.0).give("crank.omega", -0.7).project_start().run().unwrap();
+    let run = Simulation::new(&scene).until(0.0).start("crank.omega", -0.7).project_start().run().unwrap();
     assert_eq!(run.first().get("crank.omega"), Ok(-0.7));
 }
 

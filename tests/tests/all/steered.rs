@@ -208,7 +208,7 @@ fn invariant_tables_of_values_and_starts_elsewhere_are_refused() {
     assert!(matches!(error, SetupError::IntegratedInput { name: "angle", input: "angle" }));
     assert!(error.to_string().contains("`angle_acceleration`"), "{error}");
     assert!(steered(&scene).input("angle", 0.3).run().is_err(), "the start gives the arm an angle of 0.2");
-    let run = steered(&scene).input("angle", 0.3).give("arm.phi", 0.3).until(0.1).run().unwrap();
+    let run = steered(&scene).input("angle", 0.3).start("arm.phi", 0.3).until(0.1).run().unwrap();
     assert!((run.last().get("arm.phi").unwrap() - 0.3).abs() <= METHOD);
 }
 

@@ -35,7 +35,7 @@ fn cross_stepper_gives_the_numbers_of_a_run() {
 #[test]
 fn invariant_stepper_repeats_to_the_bit() {
     let scene = piloted::Ridden::default();
-    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
     let mut episode = |given: &[(&str, f64)]| {
         stepper.reset_with(given).unwrap();
         stepper.set().torque = -20.0;
@@ -51,7 +51,7 @@ fn invariant_stepper_repeats_to_the_bit() {
 #[test]
 fn invariant_reset_brings_start_inputs_and_time_back() {
     let scene = piloted::Ridden::default();
-    let mut stepper = Simulation::new(&scene).work().stepper().unwrap();
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).work().stepper().unwrap();
     let (state, a) = (stepper.state().clone(), stepper.accelerations().unwrap().to_vec());
     stepper.set().torque = 7.0;
     stepper.step(10).unwrap();
@@ -64,7 +64,7 @@ fn invariant_reset_brings_start_inputs_and_time_back() {
 #[test]
 fn invariant_reset_to_an_impossible_start_leaves_the_state() {
     let scene = piloted::Ridden::default();
-    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
     stepper.step(5).unwrap();
     let before = stepper.state().clone();
     assert!(stepper.reset_with(&[("seat.vy", 3.0)]).unwrap_err().to_string().contains("contradicts"));
@@ -76,8 +76,8 @@ fn invariant_reset_to_an_impossible_start_leaves_the_state() {
 #[test]
 fn invariant_stepper_without_inputs_is_a_run() {
     let scene = ezy_roller::Driven::default();
-    let run = Simulation::new(&scene).until(0.1).every(STEP).run().unwrap();
-    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    let run = Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.1).every(STEP).run().unwrap();
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
     stepper.step(99).unwrap();
     let s = run.sample(99).unwrap();
     assert_eq!((s.coordinates, s.velocities), (&stepper.state().q[..], &stepper.state().v[..]));
@@ -87,13 +87,15 @@ fn invariant_stepper_without_inputs_is_a_run() {
 fn invariant_steppers_on_threads_give_the_same_bits() {
     let scene = piloted::Ridden::default();
     let episode = || {
-        let mut stepper = Simulation::new(&scene).control(|now, set| set.torque = now.t).stepper().unwrap();
+        let mut stepper =
+            Simulation::new(&scene).method(Method::rk4(1e-3)).control(|now, set| set.torque = now.t).stepper().unwrap();
         stepper.step(200).unwrap();
         stepper.state().clone()
     };
     let alone = episode();
     std::thread::scope(|scope| {
-        let mut stepper = Simulation::new(&scene).control(|now, set| set.torque = now.t).stepper().unwrap();
+        let mut stepper =
+            Simulation::new(&scene).method(Method::rk4(1e-3)).control(|now, set| set.torque = now.t).stepper().unwrap();
         let others = [scope.spawn(episode), scope.spawn(episode)];
         // one that is made here and stepped there
         let moved = scope.spawn(move || stepper.step(200).map(|()| stepper.state().clone()).unwrap());
@@ -105,7 +107,7 @@ fn invariant_steppers_on_threads_give_the_same_bits() {
 #[test]
 fn invariant_number_of_the_order_is_where_inputs_start() {
     let scene = piloted::Ridden::default();
-    let mut stepper = Simulation::new(&scene).input("torque", 5.0).stepper().unwrap();
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).input("torque", 5.0).stepper().unwrap();
     assert_eq!(stepper.inputs(), [5.0]);
     stepper.set().torque = 8.0;
     stepper.step(3).unwrap();

@@ -22,8 +22,8 @@ fn analytic_coast_straight_stays_uniform() {
             let run = Simulation::new(&*scene)
                 .method(Method::rk4(1e-3))
                 .until(horizon)
-                .give("seat.vx", SPEED)
-                .give("bar.phi", psi)
+                .start("seat.vx", SPEED)
+                .start("bar.phi", psi)
                 .run()
                 .unwrap();
             let (first, last) = (run.first(), run.last());
@@ -43,7 +43,7 @@ fn analytic_driven_locked_stays_at_rest() {
     for Case { route, mut scene } in driven() {
         // a + b = c + d = L, folded: both wheels at one point
         set(&mut *scene, &[("c", 0.4), ("d", 0.4)]);
-        let run = Simulation::new(&*scene).until(10.0).every(0.5).run().unwrap();
+        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(10.0).every(0.5).run().unwrap();
         assert!(run.outcome.reached_end(), "{route}: {}", run.outcome);
         for s in run.samples() {
             let moved = distance(s.coordinates, run.first().coordinates);

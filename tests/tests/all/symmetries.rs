@@ -15,12 +15,12 @@ const STEP: f64 = 1e-3;
 fn placed(scene: &dyn Scene, x: f64, y: f64, phi: f64) -> Run {
     Simulation::new(scene)
         .method(Method::rk4(STEP))
-        .give("seat.x", x)
-        .give("seat.y", y)
-        .give("seat.phi", phi)
-        .give("bar.phi", phi + 0.5 * PI)
-        .give("seat.vx", phi.cos())
-        .give("seat.vy", phi.sin())
+        .start("seat.x", x)
+        .start("seat.y", y)
+        .start("seat.phi", phi)
+        .start("bar.phi", phi + 0.5 * PI)
+        .start("seat.vx", phi.cos())
+        .start("seat.vy", phi.sin())
         .run()
         .unwrap()
 }
@@ -42,8 +42,9 @@ fn invariant_coast_under_rigid_motions() {
 fn invariant_driven_under_reflection() {
     for (Case { route, scene }, Case { scene: mut mirrored, .. }) in driven().into_iter().zip(driven()) {
         set(&mut *mirrored, &[("m0", -2.0)]);
-        let plain = Simulation::new(&*scene).until(5.0).run().unwrap();
-        let mirror = Simulation::new(&*mirrored).until(5.0).give("bar.phi", -PI).run().unwrap();
+        let plain = Simulation::new(&*scene).method(Method::rk4(1e-3)).until(5.0).run().unwrap();
+        let mirror =
+            Simulation::new(&*mirrored).method(Method::rk4(1e-3)).until(5.0).start("bar.phi", -PI).run().unwrap();
         let q = plain.last().coordinates;
         let expected = [q[0], -q[1], -q[2], q[3], -q[4], -q[5]];
         let error = distance(&expected, mirror.last().coordinates);
@@ -56,7 +57,7 @@ fn invariant_driven_under_scaling_of_masses() {
     for (Case { route, scene }, Case { scene: mut heavy, .. }) in driven().into_iter().zip(driven()) {
         let k = 7.0;
         set(&mut *heavy, &[("m1", 46.0 * k), ("i1", 10.0 * k), ("m2", k), ("i2", 0.005 * k), ("m0", 2.0 * k)]);
-        let run = |scene: &dyn Scene| Simulation::new(scene).until(5.0).run().unwrap();
+        let run = |scene: &dyn Scene| Simulation::new(scene).method(Method::rk4(1e-3)).until(5.0).run().unwrap();
         let error = distance(run(&*scene).last().coordinates, run(&*heavy).last().coordinates);
         assert!(error <= SAME_STEPS, "{route}: {error:.1e}");
     }
@@ -67,7 +68,7 @@ fn invariant_coast_under_scaling_of_time() {
     for Case { route, scene } in coast() {
         let k = 4.0;
         let slow = Simulation::new(&*scene).method(Method::rk4(STEP)).run().unwrap();
-        let fast = Simulation::new(&*scene).method(Method::rk4(STEP / k)).until(1.0 / k).give("seat.vx", k);
+        let fast = Simulation::new(&*scene).method(Method::rk4(STEP / k)).until(1.0 / k).start("seat.vx", k);
         let error = distance(slow.last().coordinates, fast.run().unwrap().last().coordinates);
         assert!(error <= SAME_STEPS, "{route}: {error:.1e}");
     }
@@ -80,7 +81,7 @@ fn invariant_coast_under_reversal_of_time() {
         let mut back = Simulation::new(&*scene).method(Method::rk4(STEP));
         for (i, c) in scene.info().coordinates.iter().enumerate() {
             back =
-                back.give(&*c.name, there.last().coordinates[i]).give(&*c.velocity_name, -there.last().velocities[i]);
+                back.start(&*c.name, there.last().coordinates[i]).start(&*c.velocity_name, -there.last().velocities[i]);
         }
         let back = back.run().unwrap();
         let error = distance(there.first().coordinates, back.last().coordinates);
@@ -92,8 +93,8 @@ fn invariant_coast_under_reversal_of_time() {
 fn invariant_coast_under_turning_the_axes_of_the_bar() {
     for (Case { route, scene }, Case { scene: mut turned, .. }) in coast().into_iter().zip(coast()) {
         set(&mut *turned, &[("c", -0.1), ("d", -0.1)]);
-        let plain = Simulation::new(&*scene).run().unwrap();
-        let turned = Simulation::new(&*turned).give("bar.phi", 1.5 * PI).run().unwrap();
+        let plain = Simulation::new(&*scene).method(Method::rk4(1e-3)).run().unwrap();
+        let turned = Simulation::new(&*turned).method(Method::rk4(1e-3)).start("bar.phi", 1.5 * PI).run().unwrap();
         let mut expected = plain.last().coordinates.to_vec();
         expected[5] += PI;
         let error = distance(&expected, turned.last().coordinates);

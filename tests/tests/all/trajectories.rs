@@ -72,11 +72,11 @@ fn reference_near_singular_at_all_samples() {
             .method(Method::rk4(5e-5))
             .until(0.5)
             .every(0.05)
-            .give("seat.x", 0.0)
-            .give("bar.phi", 0.05)
-            .give("seat.vx", -1.0)
-            .give("seat.vy", 0.2 * 0.02)
-            .give("seat.omega", 0.02)
+            .start("seat.x", 0.0)
+            .start("bar.phi", 0.05)
+            .start("seat.vx", -1.0)
+            .start("seat.vy", 0.2 * 0.02)
+            .start("seat.omega", 0.02)
             .run()
             .unwrap();
         assert_eq!(run.samples().len(), reference.len());

@@ -56,7 +56,7 @@ fn cross_projected_loops_of_unequal_masses_keep_to_the_tolerance() {
 /// The start of the scene with a number moved.
 fn moved<'s>(order: Simulation<'s, four_bar::Turning>, name: &str) -> Simulation<'s, four_bar::Turning> {
     let start = if name == "crank.phi" { FRAC_PI_2 } else { -1.0 };
-    order.give(name, start + MOVED)
+    order.start(name, start + MOVED)
 }
 
 /// Coordinates and velocities along a run.

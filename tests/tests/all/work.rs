@@ -26,7 +26,7 @@ fn order_work_equals_kinetic_energy_to_fourth_order() {
 #[test]
 fn invariant_work_of_effects_adds_up() {
     for Case { route, scene } in driven() {
-        let run = Simulation::new(&*scene).work().until(5.0).every(1.0).run().unwrap();
+        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).work().until(5.0).every(1.0).run().unwrap();
         assert_eq!(run.first().energy.work, 0.0, "{route}");
         for s in run.samples() {
             assert_eq!(s.work.iter().sum::<f64>(), s.energy.work, "{route}");
@@ -38,7 +38,7 @@ fn invariant_work_of_effects_adds_up() {
 #[test]
 fn invariant_coast_has_no_effects_and_no_work() {
     for Case { route, scene } in coast() {
-        let run = Simulation::new(&*scene).work().run().unwrap();
+        let run = Simulation::new(&*scene).method(Method::rk4(1e-3)).work().run().unwrap();
         assert!(run.last().work.is_empty(), "{route}");
         assert_eq!(run.last().energy.work, 0.0, "{route}");
     }
@@ -74,7 +74,7 @@ fn invariant_work_takes_a_power_at_every_stage() {
 #[test]
 fn invariant_stepper_that_is_not_looked_at_evaluates_neither() {
     let scene = Crank::default();
-    let mut stepper = Simulation::new(&scene).stepper().unwrap();
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
     stepper.step(N_STEPS).unwrap();
     assert_eq!([scene.powers.load(Relaxed), scene.outputs.load(Relaxed)], [0, 0]);
     stepper.outputs();

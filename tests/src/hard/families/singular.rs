@@ -109,7 +109,7 @@ fn stretched(how: How) -> Findings {
     let scene = n_four_bar::Fall { n: 3, ..Default::default() };
     let by = how.by(1e-4);
     let order = Simulation::new(&scene).method(by.method).until(0.05).project_start();
-    let begun = match order.give("crank[1].phi", -1.6).run() {
+    let begun = match order.start("crank[1].phi", -1.6).run() {
         Err(SetupError::Motion(MotionError::SingularPosition { .. })) => 0.0,
         _ => 1.0,
     };

@@ -63,7 +63,8 @@ fn velocities() -> Findings {
             .map(|(body, k)| of(body, k))
             .fold(0.0, worse)
     });
-    let held = subject.given().into_iter().fold(Simulation::new(scene), |order, (name, value)| order.give(name, value));
+    let held =
+        subject.given().into_iter().fold(Simulation::new(scene), |order, (name, value)| order.start(name, value));
     let refused = matches!(held.until(0.0).run(), Err(SetupError::Start(StartError::Contradiction { .. })));
     let checks = vec![
         Check::new("velocities, m/s, rad/s", PROJECTED, error),

@@ -49,7 +49,7 @@ fn analytic_fast_rotor_off_its_centre() {
     let down = -std::f64::consts::FRAC_PI_2;
     let order = || {
         let order = Simulation::new(&scene).method(Method::rk4(1e-6));
-        order.give("bob.phi", down).give("bob.omega", number(&body["omega"]))
+        order.start("bob.phi", down).start("bob.omega", number(&body["omega"]))
     };
     at_times(order, 1e-3, table.iter().map(|row| row[0]), |i, s| {
         let [t, angle, ..] = table[i][..] else { panic!("five columns") };

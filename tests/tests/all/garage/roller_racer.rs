@@ -65,7 +65,7 @@ const ROLLING_OUT: f64 = 1e-10;
 fn analytic_racer_rolls_out_straight() {
     let scene = roller_racer::RollingOut { resistance: 1.0, ..Default::default() };
     let order = Simulation::new(&scene).method(Method::rk4(1e-3)).until(1.1).every(0.1);
-    let run = order.give("seat.omega", 0.0).give("handle.phi", 0.0).run().unwrap();
+    let run = order.start("seat.omega", 0.0).start("handle.phi", 0.0).run().unwrap();
     // (m1 + m2) v' = −2 f v/√(v² + u²): the sum √(v² + u²) + u ln(v/(u + √(v² + u²))) falls steadily
     let u = scene.knee;
     let sum = |v: f64| v.hypot(u) + u * (v / (u + v.hypot(u))).ln();

@@ -42,7 +42,7 @@ fn reference_equal_lengths_pass_their_dead_points() {
     scene.i2 = 1.0 / 12.0 + (scene.l_centre - 0.5_f64).powi(2) + 2.0 * (1.0 - scene.l_centre).powi(2);
     let order = || {
         let order = start_at(Simulation::new(&scene).method(Method::rk4(1e-4)), &case["model"], &[("crank", "crank")]);
-        order.give("rod.phi", number(&bodies[1]["angle"])).give("rod.omega", number(&bodies[1]["omega"]))
+        order.start("rod.phi", number(&bodies[1]["angle"])).start("rod.omega", number(&bodies[1]["omega"]))
     };
     let states = case["states"].as_array().unwrap();
     at_times(order, 0.05, states.iter().map(|s| number(&s["t"])), |i, s| {

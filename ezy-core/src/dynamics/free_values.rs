@@ -1,0 +1,81 @@
+//! Start values that neither the given ones nor the constraints determine.
+
+use super::tolerances::start::{DETERMINED, GOLDEN_RATIO};
+use super::{State, System};
+use crate::model::coordinate::is_angle;
+use crate::model::{Name, Scene, Start};
+
+impl<S: Scene + ?Sized> System<'_, S> {
+    /// Names of the values of `start` that are not given and that the constraints leave free at `state`, coordinates first; velocities
+    /// where one is given that is not 0.
+    ///
+    /// # Cost
+    /// That of a pass of [`System::consistent_start`] at each level.
+    pub(crate) fn free_values(&mut self, start: &Start, state: &State) -> Vec<Name> {
+        let (n_h, n_c) = (self.info.n_position_rows, self.info.n_rows());
+        let positions = self.free_places(state, n_h, &start.q_given);
+        let moves = start.v_given.iter().zip(&start.v).any(|(given, v)| *given && *v != 0.0);
+        let velocities = if moves { self.free_places(state, n_c, &start.v_given) } else { Vec::new() };
+        let coordinates = &self.info.coordinates;
+        let positions = positions.iter().map(|&i| coordinates[i].name.clone());
+        positions.chain(velocities.iter().map(|&i| coordinates[i].velocity_name.clone())).collect()
+    }
+
+    /// Places that are not `given` and not determined by the first `n_rows` rows: a change of all that is not given, which the rows are
+    /// then satisfied with again, leaves something of itself in these.
+    fn free_places(&mut self, state: &State, n_rows: usize, given: &[bool]) -> Vec<usize> {
+        let length = self.geometry.length;
+        let unit = |i: usize| if is_angle(i) { 1.0 } else { length };
+        // between half a unit and one, of no pattern that rows could have
+        let amount = |i: usize| 0.5 + 0.5 * ((i + 1) as f64 * GOLDEN_RATIO).fract();
+        let change = |i: usize| if given[i] { 0.0 } else { amount(i) * unit(i) };
+        self.scene.velocity_jacobian(&self.fixed, state.t, &state.q, &mut self.buffers.jacobian);
+        let mut residual = vec![0.0; n_rows];
+        for (k, row, column) in self.info.jacobian.entries().filter(|entry| entry.1 < n_rows) {
+            residual[row] += self.buffers.jacobian[k] * change(column);
+        }
+        let back = self.free_tangent(state.t, &state.q, &residual, given);
+        (0..given.len()).filter(|&i| !given[i] && (change(i) + back[i]).abs() > DETERMINED * unit(i)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linalg::Backend;
+
+    crate::model! {
+        /// A trolley on a rail with a rod that hangs from it, and a stone that nobody placed.
+        pub model Loose {
+            body trolley { mass: 3, inertia: 1 }
+            body rod { mass: 1, inertia: 1/12 }
+            body stone { mass: 2, inertia: 1 }
+            slider rail: ground(0, 0) ~ trolley(0, 0) along ground(1, 0);
+            hinge pin: trolley(0, 0) ~ rod(0, 1/2);
+            start placed { trolley at (1, _); rod angle 0.3; stone angle 0; at rest; }
+            start pushed { trolley at (1, _) velocity (2, _); rod angle 0.3; stone at (0, 0) angle 0; }
+            scene hangs { start placed; until 1 s; }
+            scene rolls { start pushed; until 1 s; }
+        }
+    }
+
+    fn free(scene: &dyn Scene) -> Vec<Name> {
+        let mut system = System::new(scene, Backend::Auto).unwrap();
+        let start = system.scene_start();
+        let state = system.consistent_start(&start).unwrap();
+        system.free_values(&start, &state)
+    }
+
+    /// The rail and the pin place the rod; nothing places the stone.
+    #[test]
+    fn analytic_what_constraints_determine_is_not_free() {
+        assert_eq!(free(&loose::Hangs::default()), ["stone.x", "stone.y"]);
+    }
+
+    /// The rod may turn at any rate, and its centre moves with it; the stone was never said to be at rest.
+    #[test]
+    fn analytic_free_velocities_are_named_where_the_scene_moves() {
+        let expected = ["rod.vx", "rod.vy", "rod.omega", "stone.vx", "stone.vy", "stone.omega"];
+        assert_eq!(free(&loose::Rolls::default()), expected);
+    }
+}

@@ -17,6 +17,8 @@ pub(crate) struct EightStates {
     pub a: Vec<Eight>,
     /// Multipliers, `n_c`.
     pub lambda: Vec<Eight>,
+    /// The smallest pivot of the eliminations of all eight; infinite where they were not eliminated.
+    pub smallest_pivot: f64,
     /// What kernels read as `c`.
     fixed: Vec<Eight>,
     one: OneState,
@@ -44,6 +46,7 @@ impl EightStates {
             v: zeros(n_q),
             a: zeros(n_q),
             lambda: zeros(n_c),
+            smallest_pivot: f64::INFINITY,
             fixed: Vec::new(),
             one: OneState { q: zero(n_q), v: zero(n_q), a: zero(n_q), lambda: zero(n_c) },
         }
@@ -81,6 +84,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
         {
             return Ok(());
         }
+        states.smallest_pivot = f64::INFINITY;
         for lane in 0..states.t.0.len() {
             states.one(lane);
             let OneState { q, v, a, lambda } = &mut states.one;
@@ -92,9 +96,11 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     fn eliminate_eight(&mut self, scene: &dyn EquationsInLanes, states: &mut EightStates) -> bool {
-        let EightStates { t, q, v, a, lambda, fixed, .. } = states;
+        let EightStates { t, q, v, a, lambda, smallest_pivot, fixed, .. } = states;
         let pivots = scene.accelerations_in_lanes(fixed, t, q, v, a, lambda);
         self.counters.evaluations += t.0.len() as u64;
-        self.eliminated(pivots).is_some()
+        let smallest = self.eliminated(pivots);
+        *smallest_pivot = smallest.unwrap_or(f64::INFINITY);
+        smallest.is_some()
     }
 }

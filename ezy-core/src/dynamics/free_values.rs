@@ -1,6 +1,6 @@
 //! Start values that neither the given ones nor the constraints determine.
 
-use super::tolerances::start::{DETERMINED, GOLDEN_RATIO};
+use super::tolerances::start::{GOLDEN_RATIO, RANK_TOLERANCE};
 use super::{State, System};
 use crate::model::coordinate::is_angle;
 use crate::model::{Name, Scene, Start};
@@ -35,7 +35,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
             residual[row] += self.buffers.jacobian[k] * change(column);
         }
         let back = self.free_tangent(state.t, &state.q, &residual, given);
-        (0..given.len()).filter(|&i| !given[i] && (change(i) + back[i]).abs() > DETERMINED * unit(i)).collect()
+        (0..given.len()).filter(|&i| !given[i] && (change(i) + back[i]).abs() > RANK_TOLERANCE * unit(i)).collect()
     }
 }
 

@@ -124,11 +124,6 @@ pub(crate) mod start {
     /// Test: `analytic_last_digits_of_a_guess_are_not_told`.
     pub(crate) const LAST_DIGITS: f64 = 1e-6;
 
-    /// Constraints determine a value when they leave no more of a change of it: rounding and damping leave a thousandth of this.
-    /// Unit: rad, share of the longest lever.
-    /// Test: `analytic_what_constraints_determine_is_not_free`.
-    pub(crate) const DETERMINED: f64 = 1e-8;
-
     /// Its multiples without their whole parts fill an interval evenly.
     /// Unit: 1.
     /// Test: `analytic_moved_guesses_fill_the_neighbourhood`.

@@ -42,6 +42,11 @@ impl Collocation {
         self.rejected
     }
 
+    /// The smallest pivot within the last step; infinite where accelerations were not eliminated.
+    pub(super) fn smallest_pivot(&self) -> f64 {
+        self.method.smallest_pivot()
+    }
+
     /// The next step starts at the end of the last one.
     pub(super) fn accept(&mut self) {
         self.method.accept();

@@ -40,7 +40,7 @@ pub enum SetupError {
     /// Inputs that change and steppers need steps of a known length.
     #[error(
         "control laws, input tables and steppers hold inputs over a fixed step, but {method} chooses its steps; ask for a fixed one: \
-         `--method rk4 --step 1e-3`, `.method(Method::rk4(1e-3))`"
+         `--method rk4 --step 0.001`, `.method(Method::rk4(0.001))`"
     )]
     NeedsFixedStep {
         /// Name of the method.

@@ -110,6 +110,14 @@ impl<'s> Integrator<'s> {
         }
     }
 
+    /// The smallest pivot within the last step, of a method whose steps are long enough to pass a singular position between their ends.
+    pub(super) fn smallest_pivot_within(&self) -> f64 {
+        match self {
+            Self::Gauss(collocation) => collocation.smallest_pivot(),
+            _ => f64::INFINITY,
+        }
+    }
+
     /// The length of the next try, s, where the projection changed the velocities of the last step, to `v`, by more than the tolerance
     /// explains. An explicit method takes steps so short that it does not.
     pub(super) fn shorter_for_constraints(&mut self, v: &[f64]) -> Option<f64> {

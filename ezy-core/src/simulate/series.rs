@@ -1,7 +1,9 @@
 //! Taylor's method with its step control.
 
 use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::steps::{DEFECT_OF_ROUNDING, LARGEST_DEFECT, RESOLVED, SERIES_CORRECTION, SHORTEST_OF_SERIES};
+use super::tolerances::steps::{
+    CORRECTION_OF_ROUNDING, DEFECT_OF_ROUNDING, LARGEST_DEFECT, SERIES_CORRECTION, SHORTEST_OF_SERIES,
+};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Node, Taylor, Tolerance};
 use crate::model::Scene;
@@ -23,19 +25,11 @@ struct Corrections {
     found: Vec<f64>,
     /// Steps are this part of what coefficients choose.
     part: f64,
-    /// The correction of a whole step, in tolerances.
-    of_whole: f64,
-    /// Corrections that are allowed, in tolerances: more where shorter steps do not make them smaller, since they are rounding.
-    allowed: f64,
 }
 
 impl Corrections {
     fn new(n_q: usize) -> Self {
-        Self { found: vec![0.0; n_q], part: 1.0, of_whole: 0.0, allowed: SERIES_CORRECTION }
-    }
-
-    fn restart(&mut self) {
-        (self.part, self.of_whole, self.allowed) = (1.0, 0.0, SERIES_CORRECTION);
+        Self { found: vec![0.0; n_q], part: 1.0 }
     }
 
     /// Takes note of the projected velocities at the end of a step of a method of this order.
@@ -43,12 +37,8 @@ impl Corrections {
         let n_q = projected.len();
         let of = |(i, (found, v)): (usize, (&f64, &f64))| (v - found).abs() / tolerance.of(n_q + i, n_q, v.abs());
         let correction = self.found.iter().zip(projected).enumerate().map(of).fold(0.0, f64::max);
-        if self.part == 1.0 {
-            self.of_whole = correction;
-        } else if self.part == SHORTEST_OF_SERIES && correction > RESOLVED * self.of_whole {
-            self.allowed = self.allowed.max(correction / RESOLVED);
-        }
-        let factor = (self.allowed / correction).powf(1.0 / order as f64);
+        let allowed = SERIES_CORRECTION.max(CORRECTION_OF_ROUNDING / tolerance.relative);
+        let factor = (allowed / correction).powf(1.0 / order as f64);
         self.part = (self.part * factor).clamp(SHORTEST_OF_SERIES, 1.0);
     }
 }
@@ -63,7 +53,7 @@ impl<'s> AlongSeries<'s> {
     pub(super) fn restart(&mut self) {
         self.taylor.restart();
         self.at_most_s = f64::INFINITY;
-        self.corrections.restart();
+        self.corrections.part = 1.0;
     }
 
     /// Steps taken again.
@@ -122,6 +112,27 @@ mod tests {
             start high { stone at (0, 5) angle 0; at rest; }
             scene falls { start high; until 1 s; }
         }
+    }
+
+    /// Corrections go with the power 10 of the length: 2^5 times what is allowed is made smaller by the root of a half.
+    #[test]
+    fn analytic_corrections_shorten_steps_of_a_series() {
+        // velocities of 1 m/s are tolerated to 2e-9 m/s
+        let tolerance = Tolerance::new(1e-9, 1e-9);
+        let mut corrections = Corrections { found: vec![0.0, 1.0, 1.0], part: 1.0 };
+        let mut part = |in_allowed: f64| {
+            corrections.note(&[0.0, 1.0, 1.0 + 2e-9 * SERIES_CORRECTION * in_allowed], tolerance, 10);
+            corrections.part
+        };
+        let close = |x: f64, y: f64| assert!((x - y).abs() <= 1e-6, "{x} {y}");
+        assert_eq!([part(0.0), part(0.9)], [1.0; 2]);
+        close(part(2.0_f64.powi(5)), 0.5_f64.sqrt());
+        close(part(1.0), 0.5_f64.sqrt());
+        close(part(2.0_f64.powi(-2)), 0.5_f64.powf(0.3));
+        assert_eq!(part(2.0_f64.powi(9)), 0.5);
+        // at 1e-13 ten tolerances are rounding
+        corrections.note(&[0.0, 1.0, 1.0 + 2e-13], Tolerance::new(1e-13, 1e-13), 10);
+        assert!((corrections.part / (0.5 * 10.0_f64.powf(0.1)) - 1.0).abs() <= 1e-3, "{}", corrections.part);
     }
 
     /// Accelerations at the end that are no numbers are not those of a series. A step is halved for them as long as half of it changes the time.

@@ -183,6 +183,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             let State { t, .. } = self.now.state;
             let made = self.next.state.t - t;
             let shorter = match &outcome {
+                Ok(()) if self.passes_singular_position() => QUARTERED * made,
                 Ok(()) if self.ends_near_singular_position() => SHORTENED * made,
                 Ok(()) => match self.integrator.shorter_for_constraints(&self.next.state.v) {
                     Some(shorter) => shorter,
@@ -211,6 +212,11 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
         let (now, next) = (&self.now.state, &self.next.state);
         let is_short = next.t < t_next && next.t - now.t < CREEPING * self.usual_s;
         self.crosses && is_short && self.system.is_nearly_singular(now.t, &now.q)
+    }
+
+    /// Whether a singular position may lie between the ends of the step, where steps of another kind pass it on the right branch.
+    fn passes_singular_position(&self) -> bool {
+        self.crosses && self.integrator.smallest_pivot_within() < TOO_NEAR * self.now.end.smallest_pivot
     }
 
     /// Whether rows that were independent at the start of the step nearly depend on each other at its end.

@@ -62,6 +62,11 @@ pub(crate) mod steps {
     /// Test: `cross_taylor_keeps_to_the_tolerance_over_short_levers`.
     pub(crate) const SERIES_CORRECTION: f64 = 0.25;
 
+    /// What of such a change may be rounding: positions are projected to 1e-12 of their size.
+    /// Unit: share of a velocity.
+    /// Test: `analytic_level_cranks_by_taylor_are_a_pendulum_or_refused`.
+    pub(crate) const CORRECTION_OF_ROUNDING: f64 = 1e-12;
+
     /// Steps along a series become at most this part as long for such a change. At order 6 it leaves 1/64 of an error of the step.
     /// Unit: 1.
     /// Test: `analytic_corrections_shorten_steps_of_a_series`.

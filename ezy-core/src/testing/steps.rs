@@ -26,7 +26,7 @@ const ANY: Tolerance = Tolerance::new(1.0, 1.0);
 const CONVERGED: Tolerance = Tolerance::new(1e-10, 1e-10);
 
 /// The same of sweeps, whose changes are compared with the tolerance itself.
-const TO_ROUNDING: Tolerance = Tolerance::new(1e-14, 1e-14);
+const TO_ROUNDING: Tolerance = Tolerance::new(1e-15, 1e-15);
 
 enum Method<'s> {
     Rk4(Box<Rk4>),

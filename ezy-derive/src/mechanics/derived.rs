@@ -3,6 +3,7 @@
 use super::elements::{Element, elements};
 use super::jacobians::Jacobians;
 use super::kernels::{Entries, Kernels, Quantity};
+use super::lets::write_lets;
 use super::programs;
 use super::scene::Equations;
 use super::series::Series;
@@ -84,7 +85,7 @@ impl<'m> Derived<'m> {
         let series = series.map(|series| kernels.extend(programs::series(vec![series])));
         let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
         kernels.extend(solutions.into_iter().flat_map(programs::solutions));
-        equations.symbols.write_lets(model, scene, &mut equations.algebra);
+        write_lets(model, scene, &mut equations.algebra, &mut equations.symbols);
         let form = Form::Straight(Box::new(Straight { equations, elimination, jacobians }));
         Self { scene: scene.clone(), form, kernels, series, constants, elements: Vec::new(), modes: Vec::new() }
     }
@@ -100,7 +101,7 @@ impl<'m> Derived<'m> {
         }
         let series = series.map(|series| kernels.extend(programs::series(series)));
         let Templates { algebra, symbols, .. } = &mut templates;
-        symbols.write_lets(model, scene, algebra);
+        write_lets(model, scene, algebra, symbols);
         let elements = elements(model, scene, algebra, symbols);
         kernels.insert(Quantity::Elements, programs::elements(algebra, &elements, true, &mut constants));
         let form = Form::Counted(Box::new(Counted { templates, jacobians }));

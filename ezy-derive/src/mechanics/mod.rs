@@ -16,6 +16,7 @@ mod forces;
 pub mod jacobians;
 pub mod kernels;
 mod kinematics;
+mod lets;
 mod programs;
 mod rows;
 pub mod scene;

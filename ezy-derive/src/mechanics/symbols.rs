@@ -1,12 +1,11 @@
 //! The symbols of a scene: time, coordinates, velocities, and values named on the way.
 
-use super::expression::Writer;
 use crate::model::whole::{Whole, WholeNames};
-use crate::model::{BodyId, Component, Coordinate, InputId, Model, Scene};
-use crate::symbolic::coefficient::{Coefficient, CoefficientId, CoefficientNode};
+use crate::model::{BodyId, Component, Coordinate, InputId, Model};
+use crate::symbolic::coefficient::{Coefficient, CoefficientId};
 use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::spelling;
-use crate::symbolic::{Algebra, SumId, Symbol};
+use crate::symbolic::{SumId, Symbol};
 
 /// Symbols in fixed places: time, then `n_q` coordinates, `n_q` velocities, the inputs, then what a kernel names.
 #[derive(Debug)]
@@ -60,20 +59,8 @@ impl Symbols {
         Self { coordinates, velocities, inputs, parameters, lets: Vec::new(), named: Vec::new() }
     }
 
-    /// Writes the `let` values of the model and of the scene's effects, last: what is derived does not depend on them.
-    pub fn write_lets(&mut self, model: &Model, scene: &Scene, algebra: &mut Algebra) {
-        let mut writer = Writer::new(model, algebra, self);
-        let of_scene = model.lets.iter().filter(|value| scene.calls_for(value.effect));
-        let lets = of_scene.map(|named| {
-            let value = writer.write(&named.value);
-            let coefficient = writer.algebra.as_coefficient(value).filter(|k| {
-                use CoefficientNode::{Add, Call, Div, Mul};
-                // a number is no quantity of its own, and a parameter has its name
-                matches!(writer.algebra.coefficients.node(k.id), Add(..) | Mul(..) | Div(..) | Call(..))
-            });
-            Let { name: spelling::name(&named.name), value, coefficient }
-        });
-        self.lets = lets.collect();
+    pub fn name_lets(&mut self, lets: Vec<Let>) {
+        self.lets = lets;
     }
 
     pub fn lets(&self) -> &[Let] {

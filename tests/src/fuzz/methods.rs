@@ -27,7 +27,7 @@ const ABOVE_REFERENCE: f64 = 10.0;
 const CROSSING: f64 = 1e-9;
 
 /// What an error may be, in tolerances times amplification, since steps add up; for RK4, in differences to half the step.
-const MARGIN: f64 = 100.0;
+pub const MARGIN: f64 = 100.0;
 
 /// Share of a scene's time that is run, as powers of ten: up to three times of it.
 const SHARES: [f64; 2] = [-2.0, 0.477];

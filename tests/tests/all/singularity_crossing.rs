@@ -93,6 +93,18 @@ fn cross_parallelogram_stays_one_through_its_flat_positions() {
     }
 }
 
+/// A step of gauss is as long as the time between two flat positions: one that passes a flat position between its ends may end on the
+/// other branch.
+#[test]
+fn cross_long_steps_of_gauss_do_not_change_the_branch() {
+    let scene = four_bar::Turning::default();
+    let turning = |method| Simulation::new(&scene).method(method).until(60.0).run().unwrap();
+    for tolerance in [1e-6, 1e-7, 1e-8, 1e-9] {
+        let coupler = turning(Method::gauss(tolerance)).last().get("coupler.phi").unwrap();
+        assert!(coupler.abs() <= FLOOR, "{coupler} at {tolerance:e}");
+    }
+}
+
 #[test]
 fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
     let (rod, scene) = (equivalent::Turn::default(), four_bar::Turning::default());

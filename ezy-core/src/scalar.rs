@@ -29,6 +29,9 @@ pub(crate) use plain::{legible, legible_time, rounded};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+/// Its multiples without their whole parts fill an interval evenly.
+pub(crate) const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
+
 /// A number that a kernel can compute with: `f64`, or several `f64` that travel together.
 ///
 /// Functions mean what those of `f64` mean, in the precision of the number.

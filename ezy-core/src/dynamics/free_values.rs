@@ -1,9 +1,10 @@
 //! Start values that neither the given ones nor the constraints determine.
 
-use super::tolerances::start::{GOLDEN_RATIO, RANK_TOLERANCE};
+use super::tolerances::start::RANK_TOLERANCE;
 use super::{State, System};
 use crate::model::coordinate::is_angle;
 use crate::model::{Name, Scene, Start};
+use crate::scalar::GOLDEN_RATIO;
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Names of the values of `start` that are not given and that the constraints leave free at `state`, coordinates first; velocities

@@ -4,8 +4,7 @@ use super::tolerances::singular_position::{BESIDE, LEAVES, SHORTEST};
 use super::{Metric, MotionError, Rows, Solved, State, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED};
 use crate::model::Scene;
-
-const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
+use crate::scalar::GOLDEN_RATIO;
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// Whether a motion can begin at a state with accelerations `a`, where rows may be redundant: what is redundant there has to remain

@@ -2,10 +2,11 @@
 
 use super::moved::MovedValue;
 use super::tolerances::geometry::LARGEST_VALUE;
-use super::tolerances::start::{GOLDEN_RATIO, LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
+use super::tolerances::start::{LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
 use crate::model::coordinate::is_angle;
 use crate::model::{Name, Scene, Start};
+use crate::scalar::GOLDEN_RATIO;
 
 /// What a place leaves of the position constraints.
 struct Residual {

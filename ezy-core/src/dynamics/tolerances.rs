@@ -124,11 +124,6 @@ pub(crate) mod start {
     /// Test: `analytic_last_digits_of_a_guess_are_not_told`.
     pub(crate) const LAST_DIGITS: f64 = 1e-6;
 
-    /// Its multiples without their whole parts fill an interval evenly.
-    /// Unit: 1.
-    /// Test: `analytic_moved_guesses_fill_the_neighbourhood`.
-    pub(crate) const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
-
     /// Coordinates beyond which corrections come from a sparse factorisation instead of singular values.
     /// Unit: coordinates.
     /// Test: `analytic_massless_coordinates_follow_at_no_cost`.

@@ -14,11 +14,9 @@ use crate::dynamics::State;
 use crate::integrate::{Method, Tolerance};
 use crate::model::{Scene, Start};
 use crate::record::{Sample, Wanted};
+use crate::scalar::GOLDEN_RATIO;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, ScopedJoinHandle};
-
-/// Its multiples without their whole parts fill an interval evenly.
-const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 
 /// Runs, and estimates the error.
 pub(super) fn run<S: Scene + ?Sized>(simulation: Simulation<'_, S>) -> Result<Run, SetupError> {

@@ -372,7 +372,7 @@ fn invariant_wrong_inputs_exit_with_2_and_say_what_to_do() {
         (&["run", "ezyroller/ridden", "--input", "torque=1", "--input", "torque=2"], "is given twice"),
         (&["run", "ezyroller/ridden", "--inputs", "/no/such/file.csv"], "/no/such/file.csv"),
         (&["run", "ezyroller/ridden", "--inputs", table], "did you mean `torque`?"),
-        (&["run", "ezyroller/ridden", "--inputs", held], "ask for a fixed one: `--method rk4 --step 1e-3`"),
+        (&["run", "ezyroller/ridden", "--inputs", held], "ask for a fixed one: `--method rk4 --step 0.001`"),
     ];
     for (arguments, message) in cases {
         assert_wrong_use(arguments, message);

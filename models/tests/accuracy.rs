@@ -46,7 +46,10 @@ fn invariant_accuracy_writes_page_figures_and_numbers_and_says_what_to_use() {
     assert!(csv.lines().any(|row| row.starts_with("dop853,1e-9,both,mass,measured,")));
 
     let page = text(&read("index.html"));
-    assert!(page.contains(sentence) && page.matches("<svg").count() == 8, "the page holds sentences and figures");
+    assert!(
+        page.contains(&escape(&typeset(sentence))) && page.matches("<svg").count() == 8,
+        "the page holds sentences and figures"
+    );
     for elsewhere in ["http:", "https:", "<script", "<img", "<link", "NaN"] {
         assert!(!page.contains(elsewhere), "{elsewhere}");
     }

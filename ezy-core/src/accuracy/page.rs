@@ -2,6 +2,7 @@
 
 use super::measured::WorkPrecision;
 use crate::report::page::{Page, Picture, escape};
+use crate::report::typeset::typeset;
 
 /// The figures; `None` where there is nothing to draw.
 pub(super) struct Pictures {
@@ -110,7 +111,8 @@ impl WorkPrecision {
 }
 
 fn list<T: ToString>(page: &mut Page, items: &[T]) {
-    let items: String = items.iter().map(|item| format!("<li>{}</li>\n", escape(&item.to_string()))).collect();
+    let items: String =
+        items.iter().map(|item| format!("<li>{}</li>\n", escape(&typeset(&item.to_string())))).collect();
     page.html(&format!("<ul>\n{items}</ul>"));
 }
 

@@ -5,3 +5,4 @@ pub mod drawing;
 pub mod figure;
 pub mod page;
 pub mod table;
+pub mod typeset;

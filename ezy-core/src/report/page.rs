@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::typeset::typeset;
+
 /// A page that is built from top to bottom.
 #[derive(Debug, Clone)]
 pub struct Page {
@@ -29,7 +31,7 @@ impl From<&str> for Picture {
 /// Readable on a screen and on paper; wide equations and tables scroll inside their own box.
 const STYLE: &str = "\
 :root { color-scheme: light dark; --ink: #1a1a1a; --paper: #fff; --head: #002d62; --link: #00509e; --soft: #444; --line: #ccc; }
-@media (prefers-color-scheme: dark) {
+@media screen and (prefers-color-scheme: dark) {
   :root { --ink: #e4e4e4; --paper: #191919; --head: #9cc4f5; --link: #8ab8f0; --soft: #b8b8b8; --line: #4a4a4a; }
   /* white becomes the paper of the page, hues stay; sketches take the colours of the page */
   figure svg:not(.ezy) { filter: invert(.902) hue-rotate(180deg); }
@@ -41,10 +43,18 @@ nav ol { columns: 20rem 2; padding-left: 1.6rem; }
 nav li { break-inside: avoid; }
 a { color: var(--link); }
 figure { margin: 1.4rem 0; break-inside: avoid; }
-figure svg { max-width: 100%; height: auto; }
+figure svg { width: 100%; height: auto; max-height: 40rem; }
 figure svg.narrow { display: none; }
 figcaption, caption { color: var(--soft); font-size: .95em; text-align: left; }
 figcaption a { overflow-wrap: anywhere; }
+/* a shadow at the side where more is hidden; what is at the end covers it */
+.scroll, main > table {
+  --shadow: color-mix(in srgb, var(--ink) 25%, transparent);
+  background: linear-gradient(90deg, var(--paper) 50%, transparent) 0 0 / 2rem 100% no-repeat local,
+    linear-gradient(270deg, var(--paper) 50%, transparent) 100% 0 / 2rem 100% no-repeat local,
+    linear-gradient(90deg, var(--shadow), transparent) 0 0 / .5rem 100% no-repeat,
+    linear-gradient(270deg, var(--shadow), transparent) 100% 0 / .5rem 100% no-repeat;
+}
 .scroll { overflow-x: auto; }
 math { font-family: \"STIX Two Math\", \"Cambria Math\", \"Latin Modern Math\", \"TeX Gyre Termes Math\", \"Libertinus Math\", \"DejaVu Math TeX Gyre\", math; }
 math[display=block] { margin: .9rem 0; }
@@ -54,13 +64,21 @@ th, td { padding: .25rem .8rem; border-bottom: 1px solid var(--line); text-align
 .compact { font-size: .85em; }
 .compact td { white-space: nowrap; padding: .1rem .5rem; }
 pre { overflow-x: auto; }
-@media (max-width: 40rem) {
+@media screen and (max-width: 40rem) {
   body { margin: 1rem auto; }
-  main > table { display: block; overflow-x: auto; }
+  .scroll > math { font-size: .85em; }
   th, td { padding: .2rem .4rem; }
-  main > table td:not(.number) { min-width: 5.5rem; }
-  .claims td { min-width: 10rem; }
-  .claims td:first-child { min-width: 0; }
+  /* tables of numbers scroll, their captions do not */
+  main > table:not(.words) { display: block; overflow-x: auto; }
+  main > table:not(.words) caption { display: block; position: sticky; left: 0; }
+  main > table:not(.words) td { white-space: nowrap; }
+  /* of a table with sentences each row is a box: short cells beside each other, sentences below */
+  .words, .words caption, .words thead, .words tbody { display: block; }
+  .words tr { display: grid; grid-template-columns: repeat(var(--short), minmax(min-content, 1fr)); column-gap: .4rem; padding: .4rem 0; border-bottom: 1px solid var(--line); }
+  .words th, .words td { border: 0; padding: 0; text-align: left; grid-row: 1; overflow-wrap: break-word; }
+  .words .sentence { grid-column: 1 / -1; grid-row: auto; }
+  .words td.sentence::before { content: attr(data-head) \": \"; color: var(--soft); }
+  .words th.sentence { display: none; }
   figure svg.wide { display: none; }
   figure svg.narrow { display: inline; }
 }
@@ -73,10 +91,9 @@ pre { overflow-x: auto; }
   tr, main > table, .scroll > math { break-inside: avoid; }
   thead { display: table-header-group; }
   .scroll { overflow: visible; }
+  .scroll, main > table { background: none; }
   .compact { font-size: .7em; }
-  figure svg { max-height: 8cm; width: auto; filter: none; }
-  figure svg.wide { display: inline; }
-  figure svg.narrow { display: none; }
+  figure svg { max-height: 8cm; }
   th, td { padding: .1rem .4rem; }
 }
 ";
@@ -106,9 +123,9 @@ impl Page {
         self.html(&format!("<h3>{}</h3>", escape(heading)))
     }
 
-    /// A paragraph of plain text.
+    /// A paragraph of plain text, with its numbers as people write them.
     pub fn paragraph(&mut self, text: &str) -> &mut Self {
-        self.html(&format!("<p>{}</p>", escape(text)))
+        self.html(&format!("<p>{}</p>", escape(&typeset(text))))
     }
 
     /// A `<math>` element, in a box of its own that scrolls when it is wide.
@@ -134,7 +151,7 @@ impl Page {
         };
         let links = files.iter().map(|file| format!("<a href=\"{file}\">{file}</a>")).collect::<Vec<_>>().join(", ");
         let links = if links.is_empty() { links } else { format!(" ({links})") };
-        let caption = format!("Figure {}. {}{links}", self.n_figures, escape(caption));
+        let caption = format!("Figure {}. {}{links}", self.n_figures, escape(&typeset(caption)));
         self.html(&format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>"))
     }
 

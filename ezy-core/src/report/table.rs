@@ -3,6 +3,10 @@
 use std::fmt;
 
 use super::page::escape;
+use super::typeset::typeset;
+
+/// Letters of a cell that is read as a sentence.
+const SENTENCE: usize = 28;
 
 /// A table with a head. Columns that hold numbers in most of their cells are flushed right.
 ///
@@ -36,18 +40,37 @@ impl Table {
         self.rows.push(cells.into_iter().map(Into::into).collect());
     }
 
-    /// The table as one HTML element, with its head marked as such; `caption` says what it holds.
+    /// The table as one HTML element, with its head marked as such; `caption` says what it holds. Numbers are as people write them.
+    /// Columns of sentences are marked, so that a narrow page can put them below the others.
     pub fn html(&self, caption: &str) -> String {
-        let class = |i: usize| if self.is_numeric(i) { " class=\"number\"" } else { "" };
+        let has_sentences: Vec<bool> = (0..self.head.len()).map(|i| self.has_sentences(i)).collect();
+        let n_short = has_sentences.iter().filter(|has| !**has).count();
+        let attributes = |i: usize| match self.head.get(i) {
+            Some(head) if has_sentences[i] => format!(" class=\"sentence\" data-head=\"{}\"", escape(head)),
+            _ if self.is_numeric(i) => " class=\"number\"".to_owned(),
+            _ => String::new(),
+        };
         let row = |tag: &str, cells: &[String]| -> String {
             let name = tag.split(' ').next().unwrap_or(tag);
-            let cell = |(i, cell): (usize, &String)| format!("<{tag}{}>{}</{name}>", class(i), escape(cell));
+            let cell =
+                |(i, cell): (usize, &String)| format!("<{tag}{}>{}</{name}>", attributes(i), escape(&typeset(cell)));
             format!("<tr>{}</tr>\n", cells.iter().enumerate().map(cell).collect::<String>())
         };
         let head = row("th scope=\"col\"", &self.head);
         let body: String = self.rows.iter().map(|cells| row("td", cells)).collect();
-        let caption = escape(caption);
-        format!("<table>\n<caption>{caption}</caption>\n<thead>{head}</thead>\n<tbody>\n{body}</tbody>\n</table>\n")
+        let caption = escape(&typeset(caption));
+        let words = if n_short < self.head.len() {
+            format!(" class=\"words\" style=\"--short: {}\"", n_short.max(1))
+        } else {
+            String::new()
+        };
+        format!(
+            "<table{words}>\n<caption>{caption}</caption>\n<thead>{head}</thead>\n<tbody>\n{body}</tbody>\n</table>\n"
+        )
+    }
+
+    fn has_sentences(&self, column: usize) -> bool {
+        self.rows.iter().any(|row| row.get(column).is_some_and(|cell| cell.chars().count() > SENTENCE))
     }
 
     fn is_numeric(&self, column: usize) -> bool {

@@ -34,7 +34,7 @@ pub fn write(page: &mut Page, found: &Findings<'_>, driven: &Driven) -> Result<(
     for row in conclusions(found).into_iter().chain(method(found)).chain(slips(found, driven)?) {
         table.push(row);
     }
-    page.html(&format!("<div class=\"scroll claims\">{}</div>", table.html("Claims and findings")));
+    page.html(&format!("<div class=\"claims\">{}</div>", table.html("Claims and findings")));
     page.paragraph(UNUSED);
     Ok(())
 }

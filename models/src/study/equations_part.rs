@@ -105,10 +105,10 @@ fn symbol(name: &str) -> String {
 }
 
 fn parameters(info: &SceneInfo) -> Table {
-    let mut table = Table::new(["symbol", "name", "value", "unit", "what it is", "belongs to"]);
+    let mut table = Table::new(["symbol", "name", "value", "unit", "belongs to", "what it is"]);
     for p in info.parameters {
         let (value, unit) = (p.default_text.replace("pi", "π"), typeset_unit(p.unit));
-        table.push([&symbol(p.name), p.name, &value, &unit, p.documentation.trim(), p.effect.unwrap_or("model")]);
+        table.push([&symbol(p.name), p.name, &value, &unit, p.effect.unwrap_or("model"), p.documentation.trim()]);
     }
     table
 }

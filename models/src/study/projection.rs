@@ -70,7 +70,8 @@ impl Projections {
         );
         page.equation(&position_step()).equation(&velocity_step());
         page.html(&self.table().html(
-            "Largest residuals after the coasting start was put off by 1 to 3 mm, mrad, mm/s and mrad/s in each coordinate and velocity",
+            "Largest residuals after the coasting start was put off by 1 to 3 mm, mrad, mm/s and mrad/s in each coordinate and velocity, and the \
+             kinetic energy that the velocity projection adds",
         ));
         page.paragraph(&format!(
             "The unweighted projection of the report (M replaced by the unit matrix, positions along the hinge rows only) meets the \
@@ -81,13 +82,8 @@ impl Projections {
     }
 
     fn table(&self) -> Table {
-        let mut table = Table::new([
-            "state",
-            "passes",
-            "positions |C| [m]",
-            "velocities [m/s]",
-            "kinetic energy added by the velocity projection [J]",
-        ]);
+        let mut table =
+            Table::new(["state", "passes", "positions |C| [m]", "velocities [m/s]", "kinetic energy added [J]"]);
         table.push([
             "disturbed",
             "",

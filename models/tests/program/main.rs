@@ -20,6 +20,7 @@ mod words;
 
 use run::{assert_wrong_use, directory, ezy, text};
 use serde_json::Value;
+use std::path::Path;
 
 /// Standard output of a command that succeeds.
 fn output(arguments: &[&str]) -> String {
@@ -31,4 +32,14 @@ fn output(arguments: &[&str]) -> String {
 /// The same, of a command that prints JSON.
 fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&output(arguments)).expect("output is JSON")
+}
+
+/// A file of the repository is as it is made now; with `UPDATE_GOLDEN=1` it is written anew.
+fn assert_current(file: &Path, made: &str) {
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        std::fs::create_dir_all(file.parent().expect("a file is in a folder")).unwrap();
+        std::fs::write(file, made).unwrap();
+    }
+    let kept = std::fs::read_to_string(file).unwrap_or_default().replace("\r\n", "\n");
+    assert!(kept == made, "{} is not what is made now: UPDATE_GOLDEN=1 renews it", file.display());
 }

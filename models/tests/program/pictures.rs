@@ -1,10 +1,16 @@
 //! Sketches and animations: what the program writes, and how it refuses.
 
-use crate::{assert_wrong_use, directory, ezy, output, text};
+use crate::{assert_current, assert_wrong_use, directory, ezy, output, text};
 use ezy_core::prelude::*;
 use ezy_models::ezy_roller::Driven;
 use ezy_models::registry::MODELS;
 use serde_json::Value;
+use std::path::Path;
+
+/// A README loads at once, also on a telephone.
+const LARGEST_PICTURE: usize = 300_000;
+/// Seconds that a visitor looks.
+const GLANCE_S: f64 = 5.0;
 
 /// The numbers of a page.
 fn data(page: &str) -> Value {
@@ -149,4 +155,33 @@ fn invariant_wrong_arguments_of_pictures_exit_with_2() {
     assert_wrong_use(&["animate", "ezyroller/driven", "--out", "a.gif", "--width", "5"], "50..=4000");
     let folder = directory("taken");
     assert_wrong_use(&["sketch", "ezyroller/driven", "--out", folder.to_str().unwrap()], "--out");
+}
+
+#[test]
+fn regress_readme_opens_with_the_roller_as_its_command_draws_it() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let read = |name: &str| std::fs::read_to_string(root.join(name)).unwrap();
+    let kept = "docs/ezyroller.svg";
+    let readme = read("README.md");
+    let mut paragraphs = readme.split("\n\n");
+    assert_eq!(paragraphs.next(), Some("# EZY"));
+    let picture = paragraphs.next().unwrap_or_default();
+    assert!(picture.starts_with("![") && picture.ends_with(&format!("]({kept})")), "{picture}");
+    let pages = read("docs/pages/README.md");
+    let command = pages.lines().find(|line| line.ends_with(kept)).expect("the command that writes the picture");
+    let file = directory("readme").join("roller.svg");
+    let mut words: Vec<&str> = command.split(' ').skip(1).collect();
+    *words.last_mut().unwrap() = file.to_str().unwrap();
+    output(&words);
+    let made = std::fs::read_to_string(&file).unwrap();
+    assert!(made.len() <= LARGEST_PICTURE, "{} bytes", made.len());
+    assert_current(&root.join(kept), &made);
+    // at first sight: it drives as far as it is long, and its bar swings
+    let scene = Driven { m0: 5.0, ..Driven::default() };
+    let run = Simulation::new(&scene).until(GLANCE_S).every(0.05).run().unwrap();
+    let at = |name: &str| run.last().get(name).unwrap() - run.first().get(name).unwrap();
+    assert!(at("seat.x").hypot(at("seat.y")) > scene.a + scene.b);
+    let opening = run.samples().map(|s| s.get("bar.phi").unwrap() - s.get("seat.phi").unwrap() - std::f64::consts::PI);
+    let (low, high) = opening.fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    assert!(high - low > 0.5, "{low} {high}");
 }

@@ -129,9 +129,6 @@ impl<'a> Film<'a> {
 
     /// The path of the first body, so that it is seen to move.
     pub(super) fn trace(&self) -> String {
-        if !self.follows {
-            return String::new();
-        }
         let points = self.frames.iter().map(|frame| self.drawing.pixels(frame.centre(0)));
         let points: Vec<String> = points.map(|[x, y]| format!("{} {}", number(x), number(y))).collect();
         format!("<path class=\"extension\" d=\"M{}\"/>\n", points.join("L"))

@@ -1,5 +1,7 @@
 //! Where an axis has ticks, and what stands at them.
 
+use crate::report::typeset::power_of_ten;
+
 /// The ticks of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ticks {
@@ -119,17 +121,6 @@ fn exponent(value: f64) -> i32 {
 /// A number with a proper minus sign; what rounds to zero has none.
 fn decimal(value: f64, decimals: usize) -> String {
     crate::report::table::fixed(value, decimals).replace('-', "−")
-}
-
-fn power_of_ten(power: i32) -> String {
-    let raised = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => char::from_u32(u32::from(digit) - u32::from('0') + u32::from('⁰')).unwrap_or(digit),
-    };
-    format!("10{}", power.to_string().chars().map(raised).collect::<String>())
 }
 
 #[cfg(test)]

@@ -171,3 +171,18 @@ fn analytic_law_without_a_derivative_at_rest_of_a_bound_vehicle() {
         }
     }
 }
+
+/// A Taylor series needs every derivative: the message says which law has none, and what to do.
+#[test]
+fn analytic_law_without_a_series_is_named() {
+    let scene = pushed::Braked::default();
+    let run = simulation(&scene).method(Method::taylor(1e-9)).run().unwrap();
+    let Outcome::Stopped { reason, .. } = run.outcome else { panic!("{:?}", run.outcome) };
+    let message = reason.to_string();
+    for part in ["the force on front.x has no derivative with respect to front.v", "`sqrt(", "use dop853", "norm(v)"] {
+        assert!(message.contains(part), "`{part}` is not in: {message}");
+    }
+    // after the start there is one
+    let moving = simulation(&scene).method(Method::taylor(1e-9)).start("front.vx", 0.1).start("drone.vx", 0.1);
+    assert!(matches!(moving.run().unwrap().outcome, Outcome::ReachedEnd));
+}

@@ -1,7 +1,7 @@
 //! Errors of a model text, collected so that a user sees all errors of a stage at once.
 //!
 //! The wording of every message is in the catalogue below this module: [`syntax`], [`names`], [`values`], [`rules`],
-//! [`repeats`], [`scenes`], [`equations`].
+//! [`repeats`], [`scenes`], [`equations`]; words of other languages: [`elsewhere`].
 
 /// Functions that make a message: name, place of the message and what it speaks of; then the fault, the help, and what to
 /// say at a second place.
@@ -17,6 +17,7 @@ macro_rules! messages {
     };
 }
 
+pub mod elsewhere;
 pub mod equations;
 pub mod names;
 pub mod nearest;

@@ -21,6 +21,29 @@ pub enum Function {
     Pow,
 }
 
+/// Names of the functions of the model language: those of scalars, and those that are written out.
+pub const FUNCTIONS: [&str; 19] = [
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan2",
+    "sqrt",
+    "exp",
+    "ln",
+    "tanh",
+    "abs",
+    "min",
+    "max",
+    "sign",
+    "dot",
+    "cross",
+    "norm",
+    "slip_angle",
+    "smooth_step",
+];
+
 /// Where emitted code finds a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Path {

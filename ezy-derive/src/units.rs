@@ -25,7 +25,7 @@ const OTHERWISE: [(&str, &str); 13] = [
 ];
 
 /// Units of another size, and how much they are.
-const OF_OTHER_SIZE: [(&str, &str, &str); 11] = [
+const OF_OTHER_SIZE: [(&str, &str, &str); 17] = [
     ("rpm", "deg/s", "6"),
     ("rps", "deg/s", "360"),
     ("rev", "deg", "360"),
@@ -37,6 +37,12 @@ const OF_OTHER_SIZE: [(&str, &str, &str); 11] = [
     ("mHz", "Hz", "0.001"),
     ("MHz", "kHz", "1000"),
     ("mph", "m/s", "0.44704"),
+    ("inch", "mm", "25.4"),
+    ("ft", "m", "0.3048"),
+    ("mile", "km", "1.609344"),
+    ("lb", "kg", "0.45359237"),
+    ("lbf", "N", "4.4482216152605"),
+    ("hp", "W", "745.7"),
 ];
 
 /// How units are written in full, plurals included: their beginnings.

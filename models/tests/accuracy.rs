@@ -4,6 +4,8 @@
 mod run;
 
 use ezy_core::accuracy::{Accuracy, PointResult, WorkPrecision};
+use ezy_core::report::page::escape;
+use ezy_core::report::typeset::typeset;
 use ezy_models::ezy_roller::Coast;
 use run::{assert_wrong_use, directory, text};
 use serde_json::Value;

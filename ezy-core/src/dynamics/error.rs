@@ -164,6 +164,23 @@ pub enum MotionError {
         /// What no step could do.
         cause: Box<MotionError>,
     },
+    /// No step leads on from where a law has no derivative.
+    #[error(
+        "the force on {force_on} has no derivative with respect to {by} at t = {t} s{}. A Taylor series needs one, and other methods do \
+         not: use dop853, or smooth the law, as `sqrt(dot(v, v) + u^2)` with a small u does for `norm(v)`", by_terms(.terms), t = legible_time(*.t)
+    )]
+    NoDerivative {
+        /// Time of the last good state, s.
+        t: f64,
+        /// Name of the coordinate that the force acts on.
+        force_on: Name,
+        /// Name of the coordinate or velocity.
+        by: Name,
+        /// Calls in the force, one of which has no derivative; none where they are not known.
+        terms: Vec<String>,
+        /// What no step could do.
+        cause: Box<MotionError>,
+    },
     /// In lanes and with derivatives only the generated elimination solves, and a pivot of it vanishes.
     #[error(
         "the pivot of constraint `{row}` vanishes at t = {t} s in the generated elimination, which alone solves in lanes \
@@ -379,6 +396,12 @@ pub enum StartError {
         /// The near values of the bodies that are on the other side, the one that moved farthest first.
         values: Vec<MovedValue>,
     },
+}
+
+/// Which calls have no derivative; a norm is printed as a root.
+fn by_terms(terms: &[String]) -> String {
+    let quoted: Vec<String> = terms.iter().map(|term| format!("`{term}`")).collect();
+    if quoted.is_empty() { String::new() } else { format!(", because of {}", quoted.join(" or ")) }
 }
 
 pub(super) fn rows_or_unknown(names: &[Name]) -> String {

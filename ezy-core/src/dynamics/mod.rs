@@ -18,6 +18,7 @@ mod free_values;
 mod geometry;
 mod integrated_inputs;
 mod moved;
+mod no_derivative;
 mod on_rows;
 mod projection;
 mod rank;

@@ -118,8 +118,11 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             let length = self.next.state.t - self.now.state.t;
             self.usual_s = length.max(self.usual_s - FADING * length);
         }
-        let State { t, q, .. } = &self.now.state;
-        outcome.map_err(|error| self.system.locked_up(*t, q, error))?;
+        let Snapshot { state: State { t, q, v, .. }, a, lambda, .. } = &self.now;
+        outcome.map_err(|error| {
+            let error = self.system.locked_up(*t, q, error);
+            self.system.without_derivative((*t, q, v), (a, lambda), error)
+        })?;
         check_angles(self.system.info(), self.tolerance, &self.next.state)
     }
 

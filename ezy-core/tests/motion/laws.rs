@@ -106,3 +106,83 @@ fn analytic_work_of_a_force_is_the_energy_that_it_gives() {
         );
     }
 }
+
+model! {
+    /// A ball that is pushed to a speed of 1 m/s, from rest.
+    pub model Pushed {
+        param f: N = 20000;
+        body front { mass: 1000, inertia: 1 }
+        body drone { mass: 2, inertia: 1 }
+        effect drive { force at front(0, 0) along front(1, 0): f * (1 - norm(front.v) / (1 m/s)); }
+        effect rotor { force at drone(0, 0): (3 - 2 * norm(drone.v) * drone.vx, 4 - 2 * norm(drone.v) * drone.vy); }
+        effect brake { force at front(0, 0): -100 * front.v; }
+        start rest { front at (0, 0) angle 0; drone at (0, 1) angle 0; at rest; }
+        scene runs { start rest; until 1 s; with drive, rotor; }
+        scene braked { start rest; until 1 s; with drive, rotor, brake; }
+    }
+}
+
+/// `norm(v)` has no derivative at rest, and the motion needs none: v = 1 − exp(−f t/m), and √(5/2) tanh(√(5/2) t) along (3, 4)/5.
+#[test]
+fn analytic_law_without_a_derivative_at_rest() {
+    let scene = pushed::Runs::default();
+    for (method, bound) in [
+        (Method::rk4(1e-3), 1e-8),
+        (Method::dop853(1e-10), 1e-8),
+        (Method::gauss(1e-9), 1e-8),
+        (Method::radau(1e-9), 1e-7),
+    ] {
+        let run = simulation(&scene).method(method).every(0.1).run().unwrap();
+        assert!(matches!(run.outcome, Outcome::ReachedEnd), "{method:?}: {:?}", run.outcome);
+        for sample in run.samples() {
+            let (t, speed) = (sample.t, 2.5_f64.sqrt());
+            let exact = [1.0 - (-20.0 * t).exp(), 0.6 * speed * (speed * t).tanh(), 0.8 * speed * (speed * t).tanh()];
+            let found = [sample.velocities[0], sample.velocities[3], sample.velocities[4]];
+            let error = found.iter().zip(exact).map(|(v, exact)| (v - exact).abs()).fold(0.0, f64::max);
+            assert!(error <= bound, "{method:?} at {t}: {error:.1e}");
+        }
+    }
+}
+
+model! {
+    /// A vehicle and its trailer, driven as [`Pushed`] from rest: bound by rows, and straight ahead.
+    pub model Towed {
+        param f: N = 20000;
+        body front { mass: 800, inertia: 900 }
+        body rear { mass: 200, inertia: 50 }
+        hinge hitch: front(-2, 0) ~ rear(1, 0);
+        skate axle: at front(-1, 0) along front(1, 0);
+        skate wheels: at rear(0, 0) along rear(1, 0);
+        effect drive { force at front(0, 0) along front(1, 0): f * (1 - norm(front.v) / (1 m/s)); }
+        start rest { front at (0, 0) angle 0; rear at (-3, 0) angle 0; at rest; }
+        scene runs { start rest; until 1 s; with drive; }
+    }
+}
+
+#[test]
+fn analytic_law_without_a_derivative_at_rest_of_a_bound_vehicle() {
+    let scene = towed::Runs::default();
+    for (method, bound) in [(Method::dop853(1e-10), 1e-8), (Method::radau(1e-9), 1e-7)] {
+        let run = simulation(&scene).method(method).every(0.1).run().unwrap();
+        assert!(matches!(run.outcome, Outcome::ReachedEnd), "{method:?}: {:?}", run.outcome);
+        for sample in run.samples() {
+            let error = (sample.velocities[0] - 1.0 + (-20.0 * sample.t).exp()).abs();
+            assert!(error <= bound, "{method:?} at {}: {error:.1e}", sample.t);
+        }
+    }
+}
+
+/// A Taylor series needs every derivative: the message says which law has none, and what to do.
+#[test]
+fn analytic_law_without_a_series_is_named() {
+    let scene = pushed::Braked::default();
+    let run = simulation(&scene).method(Method::taylor(1e-9)).run().unwrap();
+    let Outcome::Stopped { reason, .. } = run.outcome else { panic!("{:?}", run.outcome) };
+    let message = reason.to_string();
+    for part in ["the force on front.x has no derivative with respect to front.v", "`sqrt(", "use dop853", "norm(v)"] {
+        assert!(message.contains(part), "`{part}` is not in: {message}");
+    }
+    // after the start there is one
+    let moving = simulation(&scene).method(Method::taylor(1e-9)).start("front.vx", 0.1).start("drone.vx", 0.1);
+    assert!(matches!(moving.run().unwrap().outcome, Outcome::ReachedEnd));
+}

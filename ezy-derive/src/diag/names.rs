@@ -1,7 +1,9 @@
 //! Messages about names.
 
+use super::elsewhere::{self, meaning, meaning_or_suggestion};
 use super::fault_with_help;
 use super::nearest::{nearest, quoted, suggestion};
+use crate::function::FUNCTIONS;
 use proc_macro2::{Ident, Span};
 
 /// What a name could be, and what those that are declared are called.
@@ -15,10 +17,8 @@ pub const START: Kind = ("start", "declared starts");
 pub const EFFECT: Kind = ("effect", "declared effects");
 
 pub fn unknown(name: &Ident, (what, list): Kind, known: &[&str]) -> syn::Error {
-    let help = match name == "time" && list == VALUE.1 {
-        true => "the time is `t`".to_owned(),
-        false => suggestion(&name.to_string(), known, list),
-    };
+    let table = if [VALUE.1, OWNER.1].contains(&list) { elsewhere::VALUES } else { &[] };
+    let help = meaning_or_suggestion(table, &name.to_string(), known, list);
     fault_with_help(name, format_args!("{what} `{name}` is not declared"), help)
 }
 
@@ -32,10 +32,6 @@ messages! {
         "`{name}` is {what} of effect `{effect}`, and known only there",
         "move this into effect `{effect}`, or the declaration of `{name}` out of it";
 
-    no_members(member: &Ident, owner: &Ident, what: &str):
-        "`{owner}` is {what} and has no members",
-        "only bodies, points and hinges have members, such as `body.x`; remove `.{member}`";
-
     not_a_body(name: &Ident, what: &str):
         "`{name}` is {what}, not a body", "write the name of a body";
 
@@ -45,6 +41,14 @@ messages! {
     declared_twice(name: &Ident, first_what: &str, first: Span):
         "`{name}` is declared twice",
         "write another name; `{name}` is {first_what} already", first: "`{name}` is first declared here";
+}
+
+pub fn no_members(member: &Ident, owner: &Ident, what: &str) -> syn::Error {
+    let help = match meaning(elsewhere::OF_CONSTRAINTS, &member.to_string()) {
+        Some(help) => help.to_owned(),
+        None => format!("only bodies, points and hinges have members, such as `body.x`; remove `.{member}`"),
+    };
+    fault_with_help(member, format_args!("`{owner}` is {what} and has no members"), help)
 }
 
 /// `instead`: the unit that is meant, and how many of these the other one is, unless one.
@@ -57,17 +61,15 @@ pub fn unknown_unit(name: &Ident, instead: Option<(String, Option<&str>)>, units
     fault_with_help(name, format_args!("`{name}` is no known unit"), help)
 }
 
-/// `instead`: the same in functions of the language.
-pub fn unknown_function(name: &Ident, instead: Option<&str>, functions: &[&str]) -> syn::Error {
-    let help = match instead {
-        Some(expression) => format!("write `{expression}`"),
-        None => suggestion(&name.to_string(), functions, "functions"),
-    };
+pub fn unknown_function(name: &Ident) -> syn::Error {
+    let help = meaning_or_suggestion(elsewhere::FUNCTIONS, &name.to_string(), &FUNCTIONS, "functions");
     fault_with_help(name, format_args!("`{name}` is no known function"), help)
 }
 
 pub fn unknown_member(member: &Ident, owner: &Ident, what: &str, members: &[&str]) -> syn::Error {
-    let help = suggestion(&member.to_string(), members, &format!("members of {what}"));
+    let (name, list) = (member.to_string(), format!("members of {what}"));
+    let reaction = meaning(elsewhere::OF_CONSTRAINTS, &name).filter(|_| what.contains("hinge"));
+    let help = reaction.map_or_else(|| meaning_or_suggestion(elsewhere::MEMBERS, &name, members, &list), str::to_owned);
     fault_with_help(member, format_args!("`{owner}` is {what} and has no member `{member}`"), help)
 }
 

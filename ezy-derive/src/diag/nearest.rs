@@ -1,48 +1,10 @@
 //! Suggestions for a name that does not exist.
 
+use super::elsewhere::synonym;
 use std::fmt::Write;
 
 /// Names are listed in a message when there are at most this many: more would bury the message.
 const LISTED_NAMES: usize = 10;
-
-/// Words of other languages and books, with that of this one.
-const SYNONYMS: [(&str, &str); 35] = [
-    ("actuator", "drive"),
-    ("angularvelocity", "omega"),
-    ("bushing", "spring"),
-    ("const", "param"),
-    ("constant", "param"),
-    ("dashpot", "damper"),
-    ("def", "let"),
-    ("distance", "rod"),
-    ("earth", "ground"),
-    ("fixed", "weld"),
-    ("floor", "ground"),
-    ("joint", "hinge"),
-    ("marker", "point"),
-    ("moment", "torque"),
-    ("motor", "drive"),
-    ("parameter", "param"),
-    ("phidot", "omega"),
-    ("pin", "hinge"),
-    ("pinslot", "slot"),
-    ("prismatic", "slider"),
-    ("psi", "phi"),
-    ("revolute", "hinge"),
-    ("rigid", "weld"),
-    ("theta", "phi"),
-    ("thetadot", "omega"),
-    ("tire", "tyre"),
-    ("translational", "slider"),
-    ("var", "let"),
-    ("wall", "ground"),
-    ("wheel", "skate"),
-    ("world", "ground"),
-    ("xdot", "vx"),
-    ("yaw", "phi"),
-    ("yawrate", "omega"),
-    ("ydot", "vy"),
-];
 
 /// The candidate that `name` means in other languages, or the most similar one, if one is similar.
 pub fn nearest<'a>(name: &str, candidates: &[&'a str]) -> Option<&'a str> {
@@ -53,13 +15,9 @@ pub fn nearest<'a>(name: &str, candidates: &[&'a str]) -> Option<&'a str> {
         let shorter = name.chars().count().min(candidate.chars().count());
         edits == 0 || (shorter > 2 && edits <= (shorter / 3).max(1)) || strsim::jaro_winkler(name, candidate) > 0.85
     };
-    let bare = name.to_lowercase().replace('_', "");
-    let meant = SYNONYMS.iter().find(|(other, _)| bare == *other).map(|(_, word)| *word);
-    let exact = candidates.iter().copied().find(|candidate| meant == Some(candidate));
-    if exact.is_some() {
-        return exact;
-    }
-    candidates.iter().copied().filter(|candidate| alike(candidate)).min_by_key(|candidate| distance(candidate))
+    let similar =
+        || candidates.iter().copied().filter(|candidate| alike(candidate)).min_by_key(|candidate| distance(candidate));
+    synonym(name, candidates).or_else(similar)
 }
 
 /// ``did you mean `b`? bodies: `a`, `b` ``, as far as it helps.

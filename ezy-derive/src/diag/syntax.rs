@@ -1,11 +1,14 @@
 //! Messages of the parser.
 
-use super::{Extent, fault, fault_with_help, nearest::suggestion};
+use super::{Extent, elsewhere, fault, fault_with_help};
 use proc_macro2::{Ident, Span};
 
 /// The next token is not what the grammar expects.
 pub fn expected(at: Span, what: &str, found: &str) -> syn::Error {
-    fault(at, format_args!("expected {what}, found {found}"))
+    match elsewhere::sign(what, found) {
+        Some(help) => fault_with_help(at, format_args!("expected {what}, found {found}"), help),
+        None => fault(at, format_args!("expected {what}, found {found}")),
+    }
 }
 
 /// `error` with the way the item is written, unless it has its own help.
@@ -23,10 +26,6 @@ messages! {
     text_after_model(at: Span, found: &str):
         "{found} stands after the model's closing brace",
         "put it inside the braces; each `model!` holds one model";
-
-    /// A word for which the language has another one.
-    other_word(word: &Ident, place: &str, instead: &str):
-        "`{word}` is no word of {place}", "did you mean `{instead}`?";
 
     foreign_attribute(at: Span):
         "a model takes no attribute but documentation", "write `/// …`, or remove the attribute";
@@ -49,9 +48,14 @@ messages! {
         "the number `{digits}{suffix}` has a suffix",
         "write `{digits} {suffix}`, with a blank before the unit";
 
-    no_conditions(at: Span, word: &str):
-        "expressions know no {word}",
-        "write `smooth_step(x, from, to)`, `min`, `max` or `sign`; scenes choose between laws by their effects";
+    function_without_brackets(at: &Ident):
+        "`{at}` is a function", "write its argument in brackets: `{at}(…)`";
+
+    product_without_sign(at: Span, number: &str, factor: &str):
+        "expected an operator, found {factor}", "write `*` between the factors: `{number} * …`";
+
+    member_of_member(at: &Ident, written: &str, instead: &str):
+        "`{written}` has no member `{at}`", "{instead}";
 
     equals_for_value(at: Span):
         "expected a value, found `=`", "leave this `=` out: an equation is `left = right`, and settings have none";
@@ -106,11 +110,31 @@ messages! {
 }
 
 pub fn unknown_word(word: &Ident, place: &str, words: &[&str]) -> syn::Error {
+    let table = match place {
+        "a model" | "an effect" | "a `for`" => elsewhere::ITEMS,
+        "a body" => elsewhere::BODY,
+        "a start" => elsewhere::START,
+        "a scene" => elsewhere::SCENE,
+        _ => &[],
+    };
     fault_with_help(
         word,
         format_args!("`{word}` is no word of {place}"),
-        suggestion(&word.to_string(), words, &format!("words of {place}")),
+        elsewhere::meaning_or_suggestion(table, &word.to_string(), words, &format!("words of {place}")),
     )
+}
+
+/// A setting that a constraint or a force has not, `place`; the message for its `;`, unless the word is known elsewhere.
+pub fn no_setting_behind(word: &Ident, place: &str) -> syn::Error {
+    let text = word.to_string();
+    match elsewhere::meaning(elsewhere::BEHIND, &text) {
+        Some(help) => fault_with_help(word, format_args!("{place} has no `{word}`"), help),
+        None => expected(word.span(), "`;`", &format!("`{word}`")),
+    }
+}
+
+pub fn no_conditions(at: Span, word: &str) -> syn::Error {
+    fault_with_help(at, format_args!("expressions know no {word}"), elsewhere::CHOICES)
 }
 
 /// A word of a model that stands in an effect or a `for`.

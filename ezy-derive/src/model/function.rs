@@ -38,36 +38,6 @@ const WRITTEN_OUT: [(&str, usize, Call); 5] = [
     ("smooth_step", 3, |context, arguments, purpose| context.smooth_step(arguments, purpose)),
 ];
 
-/// Functions of other languages, and what to write.
-const ELSEWHERE: [(&str, &str); 26] = [
-    ("atan", "atan2(y, x)"),
-    ("arctan", "atan2(y, x)"),
-    ("arctan2", "atan2(y, x)"),
-    ("arcsin", "asin(x)"),
-    ("arccos", "acos(x)"),
-    ("cot", "1/tan(x)"),
-    ("sinh", "(exp(x) - exp(-x))/2"),
-    ("cosh", "(exp(x) + exp(-x))/2"),
-    ("asinh", "ln(x + sqrt(x^2 + 1))"),
-    ("acosh", "ln(x + sqrt(x^2 - 1))"),
-    ("atanh", "ln((1 + x)/(1 - x))/2"),
-    ("log", "ln(x)"),
-    ("log2", "ln(x)/ln(2)"),
-    ("log10", "ln(x)/ln(10)"),
-    ("pow", "x^y"),
-    ("sqr", "x^2"),
-    ("square", "x^2"),
-    ("cbrt", "x^(1/3)"),
-    ("hypot", "norm((x, y))"),
-    ("fabs", "abs(x)"),
-    ("sgn", "sign(x)"),
-    ("signum", "sign(x)"),
-    ("step", "smooth_step(x, from, to)"),
-    ("heaviside", "smooth_step(x, from, to)"),
-    ("radians", "x*pi/180"),
-    ("degrees", "x*180/pi"),
-];
-
 /// What a function asks of dimensions, and what it gives.
 #[derive(Debug, Clone, Copy)]
 enum Rule {
@@ -115,12 +85,7 @@ impl Context<'_> {
             Some(symbol @ (Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Let(_))) => {
                 values::called_value(function, symbol.what())
             }
-            _ => {
-                let instead = ELSEWHERE.iter().find(|(other, _)| function == other).map(|(_, instead)| *instead);
-                let functions = SCALAR.iter().map(|(known, _)| known.name());
-                let functions: Vec<&str> = functions.chain(WRITTEN_OUT.iter().map(|(name, ..)| *name)).collect();
-                names::unknown_function(function, instead, &functions)
-            }
+            _ => names::unknown_function(function),
         }
     }
 
@@ -236,5 +201,17 @@ impl Context<'_> {
         let cube = Expr::binary(Operator::Power, s.clone(), Expr::Number(3.0));
         let inner = Expr::Number(6.0) * s.clone() - Expr::Number(15.0);
         Some(Value::scalar(cube * (s * inner + Expr::Number(10.0)), Measure::Plain))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_functions_are_those_of_the_parser() {
+        let scalar = SCALAR.iter().map(|(known, _)| known.name());
+        let all: Vec<&str> = scalar.chain(WRITTEN_OUT.iter().map(|(name, ..)| *name)).collect();
+        assert_eq!(all, crate::function::FUNCTIONS);
     }
 }

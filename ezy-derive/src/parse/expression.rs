@@ -2,14 +2,15 @@
 
 use super::ast::{Expr, Name};
 use super::token::{
-    Bracketed, comma_or_end, end, end_of_pair, expected, found, name, parenthesised, peek_number, peek_word, take,
-    take_one_of,
+    Bracketed, comma_or_end, end, end_of_pair, expected, found, is_rust_keyword, name, parenthesised, peek_number,
+    peek_word, take, take_one_of,
 };
 use super::unit::{self, Misplaced};
-use crate::diag::syntax;
-use crate::function::Operator;
+use crate::diag::elsewhere::{self, meaning};
+use crate::diag::{names, syntax};
+use crate::function::{FUNCTIONS, Operator};
 use crate::units;
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
 use syn::{Lit, Result, Token};
 
@@ -91,8 +92,15 @@ impl Parser {
         if input.peek(syn::token::Paren) {
             return self.in_brackets(input, Self::group);
         }
-        if input.peek(Token![if]) || input.peek(Token![match]) {
-            return Err(syntax::no_conditions(input.span(), &found(input)));
+        if let Some((word, _)) = input.cursor().ident().filter(|(word, _)| is_rust_keyword(&word.to_string())) {
+            let text = word.to_string();
+            if ["if", "match"].contains(&text.as_str()) {
+                return Err(syntax::no_conditions(word.span(), &found(input)));
+            }
+            // functions of other languages whose names Rust reserves, such as `mod`
+            if meaning(elsewhere::FUNCTIONS, &text).is_some() {
+                return Err(names::unknown_function(&word));
+            }
         }
         if input.peek(Token![=]) {
             return Err(syntax::equals_for_value(input.span()));
@@ -105,9 +113,16 @@ impl Parser {
                 Ok(Expr::Call { function, arguments, end: brackets.close })
             });
         }
-        if input.peek(Token![.]) && !input.peek(Token![..]) {
+        if is_function(&owner.word) && owner.indices.is_empty() && begins_value(input) {
+            return Err(syntax::function_without_brackets(&owner.word));
+        }
+        if peek_dot(input) {
             input.parse::<Token![.]>()?;
             let member = name(input, "the name of a member")?;
+            if peek_dot(input) {
+                input.parse::<Token![.]>()?;
+                return Err(member_of_member(&owner.word, &member, &name(input, "the name of a member")?));
+            }
             return Ok(Expr::Member { owner: Box::new(owner), member });
         }
         Ok(if owner.indices.is_empty() { Expr::Name(owner.word) } else { Expr::Indexed(Box::new(owner)) })
@@ -200,6 +215,9 @@ impl Parser {
         if self.before_unit {
             return Ok(Expr::Number { value, span });
         }
+        if let Some(factor) = factor(input) {
+            return Err(syntax::product_without_sign(input.span(), digits, &factor));
+        }
         if let Some((unit, end)) = unit::of_number(input)? {
             return Ok(Expr::Quantity { value, unit, start: span, end });
         }
@@ -209,6 +227,42 @@ impl Parser {
             None => Ok(Expr::Number { value, span }),
         }
     }
+}
+
+fn is_function(name: &Ident) -> bool {
+    FUNCTIONS.iter().any(|function| name == function)
+}
+
+/// Whether a name or a number follows.
+fn begins_value(input: ParseStream) -> bool {
+    input.cursor().ident().is_some() || peek_number(input)
+}
+
+fn peek_dot(input: ParseStream) -> bool {
+    input.peek(Token![.]) && !input.peek(Token![..])
+}
+
+/// What follows a number and is meant as a factor of it: the time, a call, a member, or brackets around what is no unit.
+fn factor(input: ParseStream) -> Option<String> {
+    let is_factor = match input.cursor().ident() {
+        Some((name, _)) if name == "t" || is_function(&name) => true,
+        Some((_, behind)) => behind.punct().is_some_and(|(sign, _)| sign.as_char() == '.'),
+        None => input.peek(syn::token::Paren) && unit::of_number(&input.fork()).is_err(),
+    };
+    is_factor.then(|| found(input))
+}
+
+fn member_of_member(owner: &Ident, member: &Ident, second: &Ident) -> syn::Error {
+    let written = format!("{owner}.{member}");
+    let instead = match (member.to_string().as_str(), second.to_string().as_str()) {
+        ("v" | "velocity", "x" | "y") => format!("write `{owner}.v{second}`"),
+        ("r" | "position" | "pos", "x" | "y") => format!("write `{owner}.{second}`"),
+        _ => match meaning(elsewhere::VALUES, &owner.to_string()) {
+            Some(help) => help.to_owned(),
+            None => "a name has one member, such as `seat.vx`".to_owned(),
+        },
+    };
+    syntax::member_of_member(second, &written, &instead)
 }
 
 /// `f64`, `u8`, `usize`

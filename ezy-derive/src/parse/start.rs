@@ -6,6 +6,7 @@ use super::expression::{expression, indexed};
 use super::place::pair;
 use super::repeat::repeated;
 use super::token::{braced, expected, name, peek_number, peek_word, sign, skip_statement, take, take_word, word};
+use crate::diag::elsewhere::{START, meaning};
 use crate::diag::nearest::nearest;
 use crate::diag::syntax;
 use proc_macro2::{Delimiter, Ident};
@@ -23,17 +24,6 @@ const QUANTITIES: [(&str, Quantity); 8] = [
     ("y", Quantity::Y),
     ("vx", Quantity::VelocityX),
     ("vy", Quantity::VelocityY),
-];
-
-/// How the same is called elsewhere, and in expressions.
-const ELSEWHERE: [(&str, &str); 7] = [
-    ("phi", "angle"),
-    ("theta", "angle"),
-    ("omega", "rate"),
-    ("r", "at"),
-    ("position", "at"),
-    ("v", "velocity"),
-    ("speed", "velocity"),
 ];
 
 pub const EXAMPLE: &str = "start folded { seat at (0, 0) angle 0; at rest; }";
@@ -90,11 +80,9 @@ fn is_at_rest(fork: ParseStream) -> bool {
 fn given(input: ParseStream, body: &Name, loops: &[Loop], first: bool) -> Result<Given> {
     let Some((word, _)) = input.cursor().ident() else { return Err(expected(input, "a quantity or `;`")) };
     let Some((_, quantity)) = QUANTITIES.iter().find(|(known, _)| word == known) else {
-        if let Some((_, instead)) = ELSEWHERE.iter().find(|(other, _)| word == other) {
-            return Err(syntax::other_word(&word, "a start", instead));
-        }
         let words: Vec<&str> = QUANTITIES.iter().map(|(known, _)| *known).collect();
-        if !first && nearest(&word.to_string(), &words).is_none() {
+        let text = word.to_string();
+        if !first && meaning(START, &text).is_none() && nearest(&text, &words).is_none() {
             return Err(expected(input, "a quantity or `;`"));
         }
         return Err(syntax::unknown_word(&word, "a start", &words));

@@ -20,6 +20,9 @@ pub fn statement(input: ParseStream, word: &'static Word, keyword: Ident) -> Res
     parts(input, word.form, word, &mut phrases)?;
     if !take::<Token![;]>(input) {
         let ends_with_settings = matches!(word.form.last(), Some(Part::Settings(_)));
+        if let (false, Some((setting, _))) = (ends_with_settings, input.cursor().ident()) {
+            return Err(syntax::no_setting_behind(&setting, &place_of(word)));
+        }
         return Err(expected(input, if ends_with_settings { "`,` or `;`" } else { "`;`" }));
     }
     Ok(ItemKind::Statement(Statement { word, keyword, name, phrases }))

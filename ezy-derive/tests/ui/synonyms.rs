@@ -12,6 +12,13 @@ ezy_core::model! {
         constraint F: arm.theta == arm.y_dot;
         constraint G: arm.theta = arm.y_dot;
         effect push { moment arm: if t < 1 { 2 } else { 0 }; dashpot arm(0, 0) ~ ground(0, 0): damping 1; }
+        contact H: arm.y from 0;
+        rope I: ground(0, 0) ~ arm(0, 0) length 1;
+        state J: m = 0 rate arm.x;
+        output K: N = lambda.E.y;
+        output L: m/s^2 = arm.ax;
+        output M: m/s = der(arm.x);
+        output N: m = arm.x > 0 ? 1 : 2;
         start here { arm at (0, 0) theta 0; }
         spring arm(0, 0) ~ ground(0, 0): stiffness = 40;
         scene runs { start here; until 1 s; with push; }

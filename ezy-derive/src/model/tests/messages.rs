@@ -50,6 +50,12 @@ fn regress_messages_of_starts_and_scenes() {
     check("scenes", |items| format!("{BEFORE}{items}{BEHIND}"));
 }
 
+/// Words, signs and units that other languages and books have.
+#[test]
+fn regress_messages_of_other_languages() {
+    check("elsewhere", |items| format!("{BEFORE}{items}{BEHIND}"));
+}
+
 #[test]
 fn regress_messages_of_counts_and_arrays() {
     check("repeats", |items| {

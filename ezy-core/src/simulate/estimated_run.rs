@@ -5,6 +5,7 @@
 //! motion amplifies errors.
 
 use super::error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};
+use super::monitor::Limits;
 use super::simulation::{Hooks, Settings};
 use super::tolerances::error_estimate::{LOOSER, MOVED, ROUNDING, ROUNDING_OF_RADAU, SMALLEST_MOVE, TIGHTER};
 use super::tolerances::orders::LARGEST_TOLERANCE;
@@ -28,21 +29,21 @@ pub(super) fn run<S: Scene + ?Sized>(simulation: Simulation<'_, S>) -> Result<Ru
     let interrupts: Vec<&AtomicBool> = hooks.interrupts.iter().copied().chain([&ended_early]).collect();
     let of_others = Settings {
         wanted: Wanted::default(),
-        limits: Default::default(),
+        limits: Limits { steps: settings.limits.steps, ..Limits::default() },
         streamed: false,
         estimated: false,
         ..settings.clone()
     };
-    let methods = seconds(settings.method);
+    let (methods, others) = (seconds(settings.method), others(settings.method));
     let other = |method: Method, start_moved_by: f64| {
         let hooks = Hooks { interrupts: interrupts.clone(), ..Hooks::default() };
         finished(
             Simulation { scene, settings: Settings { method, start_moved_by, ..of_others.clone() }, hooks }.run_once(),
         )
     };
-    let first_finished = |run: &dyn Fn(Method) -> Result<Run, String>| {
+    let first_finished = |methods: &[Method], run: &dyn Fn(Method) -> Result<Run, String>| {
         let mut why = String::new();
-        for &method in &methods {
+        for &method in methods {
             match run(method) {
                 Ok(run) => return Ok((method, run)),
                 Err(cause) => why = cause,
@@ -51,8 +52,8 @@ pub(super) fn run<S: Scene + ?Sized>(simulation: Simulation<'_, S>) -> Result<Ru
         Err(why)
     };
     thread::scope(|scope| {
-        let second = scope.spawn(|| first_finished(&|method| other(method, 0.0)));
-        let moved = scope.spawn(|| first_finished(&|method| other(method, length_of_move(method))));
+        let second = scope.spawn(|| first_finished(&methods, &|method| other(method, 0.0)));
+        let moved = scope.spawn(|| first_finished(&methods, &|method| other(method, length_of_move(method))));
         let main = Simulation { scene, settings: Settings { streamed: false, ..settings }, hooks }.run_once();
         let is_complete = main.as_ref().is_ok_and(|run| run.outcome.is_complete());
         ended_early.store(!is_complete, Ordering::Relaxed);
@@ -63,6 +64,11 @@ pub(super) fn run<S: Scene + ?Sized>(simulation: Simulation<'_, S>) -> Result<Ru
             Ok((method, second)) => {
                 let moved = moved.ok().filter(|(by, _)| *by == method);
                 let amplification = moved.map(|(_, moved)| amplification(&second, &moved, length_of_move(method)));
+                // two runs of the same steps have the same errors
+                let same_steps = second.cost.steps == main.cost.steps;
+                let different =
+                    if same_steps { first_finished(&others, &|method| other(method, 0.0)).ok() } else { None };
+                let (method, second) = different.unwrap_or((method, second));
                 Ok(ErrorEstimate { errors: errors(&main, &second), amplification, second: method })
             }
             Err(why) => Err(NoErrorEstimate(format!("the second run {why}"))),
@@ -102,6 +108,14 @@ fn seconds(method: Method) -> Vec<Method> {
     let looser = with(LARGEST_TOLERANCE.min(LOOSER * relative));
     let first = if relative < rounding { other(tighter) } else { same(tighter) };
     vec![first, same(looser)]
+}
+
+/// How a second run is made where the same method takes the same steps, as over a very short time.
+fn others(method: Method) -> Vec<Method> {
+    let Some(tolerance) = method.tolerance() else { return Vec::new() };
+    let tighter = tolerance.with_relative(Tolerance::SMALLEST_RELATIVE.max(TIGHTER * tolerance.relative));
+    let all = [Method::Dop853(tighter), Method::Taylor(tighter), Method::Gauss(tighter)];
+    all.into_iter().filter(|other| other.name() != method.name()).collect()
 }
 
 /// What the start of a third run is moved by, of the sizes of its numbers: large beside the errors of that run, small enough for changes

@@ -21,6 +21,9 @@ model! {
 /// An estimate is within this factor of the error.
 const FACTOR: f64 = 5.0;
 
+/// Errors of a few steps that are rounding: of numbers up to 10.
+const ROUNDING: f64 = 1e-14;
+
 fn estimate(run: &Run) -> &ErrorEstimate {
     run.error_estimate.as_ref().expect("asked for").as_ref().expect("an estimate")
 }
@@ -55,6 +58,51 @@ fn cross_estimates_are_within_a_factor_of_five_of_the_error() {
             }
         }
     }
+}
+
+/// Over a few steps a hundredth of the tolerance may be reached by the same steps: another method then tells the error, which is not 0.
+#[test]
+fn cross_estimates_of_runs_of_a_few_steps_are_not_zero() {
+    let scene = pendulum::Quarter::default();
+    let mut n_same = 0;
+    for until_s in [0.05, 0.1, 0.2, 0.3, 0.4] {
+        let order = |method| Simulation::new(&scene).method(method).until(until_s);
+        let exact = order(Method::dop853(1e-14)).run().unwrap();
+        let off = |run: &Run, level: fn(&Sample<'_>) -> Vec<f64>| {
+            let pairs = level(&run.last()).into_iter().zip(level(&exact.last()));
+            pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+        };
+        for method in [Method::dop853(1e-3), Method::dop853(1e-5), Method::taylor(1e-4), Method::radau(1e-3)] {
+            let run = order(method).estimate_error().run().unwrap();
+            let estimate = estimate(&run);
+            n_same += u32::from(estimate.second.name() != method.name());
+            for (quantity, error) in [
+                ("positions", off(&run, |sample| sample.coordinates.to_vec())),
+                ("velocities", off(&run, |sample| sample.velocities.to_vec())),
+            ] {
+                let told = estimate.errors.iter().filter(|told| told.quantity == quantity);
+                let told = told.fold(0.0, |most: f64, told| most.max(told.at_end));
+                let is_rounding = error <= ROUNDING;
+                assert!(is_rounding || told >= error / FACTOR, "{method:?} to {until_s} s: {told:e} of {error:e}");
+            }
+        }
+    }
+    assert!(n_same >= 2, "{n_same} runs of the same steps");
+}
+
+/// The user's bound on steps is one of the runs beside, too: with ten thousand steps of a tolerance that needs more, there is no estimate.
+#[test]
+fn invariant_bound_on_steps_holds_for_the_runs_beside() {
+    let scene = ezy_roller::Driven::default();
+    let run =
+        |most| Simulation::new(&scene).method(Method::dop853(1e-6)).max_steps(most).estimate_error().run().unwrap();
+    let enough = run(10_000);
+    assert!(enough.error_estimate.as_ref().unwrap().is_ok());
+    // as many as the run itself takes: a hundredth of the tolerance takes more
+    let scarce = run(enough.cost.steps + enough.cost.rejected);
+    assert!(scarce.outcome.reached_end());
+    let second = &scarce.error_estimate.as_ref().unwrap().as_ref().map(|estimate| estimate.second.tolerance());
+    assert!(second.is_err() || second.unwrap().is_some_and(|looser| looser.relative > 1e-6), "{second:?}");
 }
 
 #[test]

@@ -119,6 +119,17 @@ mod tests {
     }
 
     #[test]
+    fn analytic_wheel_that_a_weld_holds_is_a_warning() {
+        let rolls = |joint: &str| messages(&format!("{joint} roll r: at one(0, 0) along one(1, 0) = a * two.omega;"));
+        let found = rolls("weld hub: one(0, b) ~ two(0, 0);");
+        assert!(
+            found.contains("weld `hub` keeps the wheel of `r` from turning") && found.contains("write `hinge hub: …`")
+        );
+        assert!(!rolls("hinge hub: one(0, b) ~ two(0, 0);").contains("hub` keeps"));
+        assert!(!rolls("weld hub: ground(0, b) ~ one(0, 0);").contains("hub` keeps"));
+    }
+
+    #[test]
     fn analytic_rows_of_velocities_that_do_not_integrate_are_silent() {
         for row in [
             "skate r: at one(a, 0) along one(1, 0);",

@@ -58,6 +58,16 @@ pub fn dependent_as_declared(at: &Ident, row: &str, others: &[&str]) -> Warning 
     }
 }
 
+pub fn welded_wheel(at: &Ident, roll: &str) -> Warning {
+    Warning {
+        span: at.span(),
+        name: "a_wheel_that_cannot_turn",
+        text: format!(
+            "weld `{at}` keeps the wheel of `{roll}` from turning against the body that carries it; write `hinge {at}: …`, without an angle, at its hub"
+        ),
+    }
+}
+
 pub fn integrates(at: &Ident, kind: &str, row: &str) -> Warning {
     Warning {
         span: at.span(),

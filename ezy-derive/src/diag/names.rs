@@ -18,7 +18,11 @@ pub const EFFECT: Kind = ("effect", "declared effects");
 
 pub fn unknown(name: &Ident, (what, list): Kind, known: &[&str]) -> syn::Error {
     let table = if [VALUE.1, OWNER.1].contains(&list) { elsewhere::VALUES } else { &[] };
-    let help = meaning_or_suggestion(table, &name.to_string(), known, list);
+    let text = name.to_string();
+    let help = match (meaning(table, &text), nearest(&text, known)) {
+        (Some(meaning), Some(similar)) => format!("{meaning}; or did you mean `{similar}`?"),
+        _ => meaning_or_suggestion(table, &text, known, list),
+    };
     fault_with_help(name, format_args!("{what} `{name}` is not declared"), help)
 }
 

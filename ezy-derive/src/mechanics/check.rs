@@ -16,6 +16,7 @@ mod integrable;
 mod overfixed;
 #[cfg(test)]
 mod tests;
+mod welded;
 
 use basis::{Basis, Row, largest};
 
@@ -34,6 +35,7 @@ pub const LONGEST_SUM: usize = 2000;
 /// In a model with arrays every reference to a member counts as a body of its own, so that only faults are found which
 /// do not depend on the counts.
 pub fn rows(model: &Model, diag: &mut Diagnostics) {
+    welded::wheels(model, diag);
     let mut reported = Vec::new();
     let mut seen: Vec<Vec<RowId>> = Vec::new();
     let mut starts = Vec::new();

@@ -19,6 +19,8 @@ use super::out_path::check_folder_name;
 use super::selection::{selected, typed};
 
 const PAGE: &str = include_str!("gallery/page.html");
+/// Largest sketch, pixels: in the narrowest column, of 302 pixels, its letters of 15 are shown with at least 10.
+const LARGEST: [f64; 2] = [450.0, 500.0];
 
 /// Writes a sketch of each model, a page for each scene and the index.
 pub(super) fn gallery(models: Models<'_>, arguments: &GalleryArguments) -> Result<(), Failure> {
@@ -72,5 +74,5 @@ fn item(model: &ModelInfo, name: &str, links: &str) -> String {
 fn sketch(entry: &SceneEntry) -> Result<String, Failure> {
     let scene = (entry.new)();
     let run = Simulation::new(scene.as_ref()).until(0.0).run().map_err(refused)?;
-    Ok(drawing::sketch(scene.as_ref(), &run.last()))
+    Ok(drawing::sketch_within(scene.as_ref(), &run.last(), LARGEST))
 }

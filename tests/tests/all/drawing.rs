@@ -2,7 +2,7 @@
 
 use ezy_core::integrate::Method;
 use ezy_core::model::{Scene, SceneInfo};
-use ezy_core::report::drawing::{Drawing, Elements, Placed, sketch};
+use ezy_core::report::drawing::{Drawing, Elements, Placed, sketch, sketch_within};
 use ezy_core::simulate::Simulation;
 use ezy_models::registry::MODELS;
 
@@ -137,6 +137,28 @@ fn invariant_every_scene_has_a_sketch_with_a_part_for_each_body() {
         assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n"), "{path}");
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{path}: {svg}");
         assert_eq!(svg.matches("<g ").count(), svg.matches("</g>").count(), "{path}");
+    });
+}
+
+/// Of the gallery.
+const SMALL: [f64; 2] = [450.0, 500.0];
+
+#[test]
+fn invariant_small_sketches_keep_their_letters_and_fit() {
+    each(|path, scene, _, _, _, _| {
+        let run = Simulation::new(scene).until(0.0).run().unwrap();
+        let svg = sketch_within(scene, &run.last(), SMALL);
+        let side = |name: &str| -> f64 {
+            let rest = svg.split_once(&format!(" {name}=\"")).unwrap().1;
+            rest.split('"').next().unwrap().parse().unwrap()
+        };
+        assert!(
+            side("width") <= SMALL[0] && side("height") <= SMALL[1],
+            "{path}: {} x {}",
+            side("width"),
+            side("height")
+        );
+        assert!(svg.contains(".ezy { font: 15px/1") && svg.contains("<text "), "{path}");
     });
 }
 

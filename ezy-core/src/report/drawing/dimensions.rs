@@ -56,6 +56,12 @@ pub(super) fn dimensions(sheet: &mut Sheet, elements: &Elements, at: &Placed, sc
         let best = LANES.iter().copied().min_by(|x, y| crowded(x).total_cmp(&crowded(y)));
         let lane = best.unwrap_or(1.0);
         let ends = moved(lane);
+        let middle = [0, 1].map(|k| (ends[0][k] + ends[1][k]) / 2.0);
+        let side = lane.signum() * 11.0;
+        let offsets = [side, -side].map(|side| [side * across[0], side * across[1]]);
+        if !sheet.put(&dimension.text, "length", LETTERS, middle, &offsets) {
+            continue;
+        }
         let beyond = |p: Vector| [0, 1].map(|k| number(p[k] + lane.signum() * 5.0 * across[k]));
         let extension = |from: Vector, to: Vector| {
             let [x, y] = beyond(to);
@@ -64,10 +70,6 @@ pub(super) fn dimensions(sheet: &mut Sheet, elements: &Elements, at: &Placed, sc
         svg += &format!("<path class=\"extension\" d=\"{}{}\"/>\n", extension(a, ends[0]), extension(b, ends[1]));
         svg += &format!("<path class=\"thin\" d=\"{}\"/>\n", arrow(ends));
         sheet.take_line(ends, ROOM / 2.0);
-        let middle = [0, 1].map(|k| (ends[0][k] + ends[1][k]) / 2.0);
-        let side = lane.signum() * 11.0;
-        let offsets = [side, -side].map(|side| [side * across[0], side * across[1]]);
-        sheet.put(&dimension.text, "length", LETTERS, middle, &offsets);
     }
     svg
 }

@@ -7,8 +7,9 @@ use crate::report::page::escape;
 /// Left, top, right and bottom, pixels.
 pub(super) type Area = [f64; 4];
 
-/// Width of a letter, in sizes of the font.
+/// Width of a letter, in sizes of the font; of lengths, which are in italics and have their indices smaller.
 const LETTER: f64 = 0.56;
+const LETTER_OF_LENGTH: f64 = 0.47;
 /// Distance of lines, in sizes of the font.
 const LINE: f64 = 1.2;
 /// Signs of a line: a longer text would widen the sheet, on which the mechanism then takes a smaller part.
@@ -95,6 +96,7 @@ fn lines(text: &str) -> Vec<String> {
 #[derive(Debug, Default)]
 pub(super) struct Sheet {
     taken: Vec<Area>,
+    texts: Vec<Area>,
     /// Parts of the text that has been put.
     pub svg: String,
 }
@@ -117,18 +119,16 @@ impl Sheet {
 
     /// How much of an area is taken, square pixels.
     pub(super) fn overlap(&self, area: Area) -> f64 {
-        let shared = |other: &Area| {
-            let side = |k: usize| (area[k + 2].min(other[k + 2]) - area[k].max(other[k])).max(0.0);
-            side(0) * side(1)
-        };
-        self.taken.iter().map(shared).sum()
+        self.taken.iter().map(|other| shared(area, *other)).sum()
     }
 
-    /// Puts text where most room is: at one of the offsets of its middle from a point.
-    pub(super) fn put(&mut self, text: &str, class: &str, size: f64, at: Vector, offsets: &[Vector]) {
+    /// Puts text where most room is: at one of the offsets of its middle from a point. False where it would lie on other text at
+    /// each of them: it is then left out, since neither could be read.
+    pub(super) fn put(&mut self, text: &str, class: &str, size: f64, at: Vector, offsets: &[Vector]) -> bool {
         let lines = lines(text);
         let n_signs = lines.iter().map(|line| line.trim_end().chars().count()).max().unwrap_or(0);
-        let (width, height) = (LETTER * size * n_signs as f64, size * (1.0 + LINE * (lines.len() - 1) as f64));
+        let letter = if class == "length" { LETTER_OF_LENGTH } else { LETTER };
+        let (width, height) = (letter * size * n_signs as f64, size * (1.0 + LINE * (lines.len() - 1) as f64));
         // a text of one line is as high as the offsets expect
         let beside = [width / 2.0, (height - size) / 2.0];
         let area = |offset: &Vector| {
@@ -136,9 +136,10 @@ impl Sheet {
             let [x, y] = [0, 1].map(|k| at[k] + offset[k] + side(k));
             [x - width / 2.0 - 2.0, y - height / 2.0 - 1.0, x + width / 2.0 + 2.0, y + height / 2.0 + 1.0]
         };
+        let is_free = |area: &Area| self.texts.iter().all(|text| shared(*area, *text) == 0.0);
         // of equal room the first has it, whatever the rounding
-        let areas = offsets.iter().map(|offset| (self.overlap(area(offset)).round(), area(offset)));
-        let Some((_, area)) = areas.min_by(|a, b| a.0.total_cmp(&b.0)) else { return };
+        let areas = offsets.iter().map(area).filter(is_free).map(|area| (self.overlap(area).round(), area));
+        let Some((_, area)) = areas.min_by(|a, b| a.0.total_cmp(&b.0)) else { return false };
         let x = number((area[0] + area[2]) / 2.0);
         let first = (area[1] + area[3]) / 2.0 + size * (0.35 - 0.5 * LINE * (lines.len() - 1) as f64);
         let is_whole = !lines.iter().any(|line| line.ends_with('…'));
@@ -150,6 +151,8 @@ impl Sheet {
                 &format!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\" text-anchor=\"middle\">{title}{line}</text>\n");
         }
         self.take(area);
+        self.texts.push(area);
+        true
     }
 
     /// The box around all of it.
@@ -158,6 +161,12 @@ impl Sheet {
         let joined = all.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]);
         joined.unwrap_or([0.0, 0.0, 100.0, 100.0])
     }
+}
+
+/// Square pixels that two areas share.
+fn shared(a: Area, b: Area) -> f64 {
+    let side = |k: usize| (a[k + 2].min(b[k + 2]) - a[k].max(b[k])).max(0.0);
+    side(0) * side(1)
 }
 
 #[cfg(test)]
@@ -194,9 +203,18 @@ mod tests {
     #[test]
     fn invariant_text_in_lines_is_no_wider_than_its_longest() {
         let mut sheet = Sheet::default();
-        sheet.put("wheel_base/2 - axle_offset + toe", "length", 10.0, [0.0; 2], &[[0.0; 2]]);
+        sheet.put("wheel_base/2 - axle_offset + toe", "label", 10.0, [0.0; 2], &[[0.0; 2]]);
         let [left, top, right, bottom] = sheet.bounds();
         assert!(right - left <= LETTER * 10.0 * WIDEST as f64 + 4.0 && bottom - top > 20.0, "{:?}", sheet.bounds());
+        assert_eq!(sheet.svg.matches("<text").count(), 2);
+    }
+
+    #[test]
+    fn invariant_text_that_would_lie_on_text_is_left_out() {
+        let mut sheet = Sheet::default();
+        assert!(sheet.put("first", "label", 10.0, [0.0; 2], &[[0.0, 0.0]]));
+        assert!(!sheet.put("second", "label", 10.0, [5.0, 0.0], &[[0.0, 0.0], [8.0, 3.0]]));
+        assert!(sheet.put("third", "label", 10.0, [5.0, 0.0], &[[0.0, 0.0], [0.0, 30.0]]));
         assert_eq!(sheet.svg.matches("<text").count(), 2);
     }
 

@@ -21,7 +21,7 @@ mod symbols;
 pub use elements::{Anchor, Elements, Placed, Vector};
 pub use film::Film;
 pub use parts::{Drawing, Motion, Part};
-pub use sketch::sketch;
+pub use sketch::{sketch, sketch_within};
 
 /// The looks of all parts, for a `style` element. Colours follow `color`.
 pub const STYLE: &str = include_str!("drawing.css");

@@ -11,6 +11,9 @@ use crate::report::page::escape;
 
 /// Larger side of the mechanism on the sheet, pixels.
 const SIDE: f64 = 560.0;
+/// From one size that is tried to the next.
+const SMALLER: f64 = 0.85;
+const N_SIZES: i32 = 12;
 /// Names are written up to so many.
 const MOST_NAMES: usize = 24;
 /// Size of the lettering of names, pixels.
@@ -26,9 +29,28 @@ svg:root { color: #1b1d21; color-scheme: light dark; --paper: #fff; }
 
 /// The scene at a sample of a run, as the text of an SVG file.
 pub fn sketch(scene: &dyn Scene, sample: &Sample<'_>) -> String {
+    sheet(scene, sample, SIDE).0
+}
+
+/// The same on a sheet of at most so many pixels across and down, unless names and lengths alone need more. Letters stay as large as
+/// they are; names for which there is no room are left out.
+pub fn sketch_within(scene: &dyn Scene, sample: &Sample<'_>, [width, height]: [f64; 2]) -> String {
+    let smallest = width.max(height) * SMALLER.powi(N_SIZES);
+    let mut side = width.max(height);
+    loop {
+        let (svg, [w, h]) = sheet(scene, sample, side);
+        if (w <= width && h <= height) || side <= smallest {
+            return svg;
+        }
+        side *= SMALLER;
+    }
+}
+
+/// The text of an SVG file, its width and its height.
+fn sheet(scene: &dyn Scene, sample: &Sample<'_>, side: f64) -> (String, Vector) {
     let elements = Elements::new(scene);
     let at = elements.at_sample(scene, sample);
-    let drawing = Drawing::new(scene, elements, &at, &[], Some(SIDE));
+    let drawing = Drawing::new(scene, elements, &at, &[], Some(side));
     let info = scene.info();
     let parts: String = drawing.parts.iter().map(|part| drawn(&drawing, part, &at)).collect();
     let mut sheet = Sheet::default();
@@ -56,11 +78,12 @@ pub fn sketch(scene: &dyn Scene, sample: &Sample<'_>) -> String {
     let [x, y, w, h] =
         [left - MARGIN, top - MARGIN, right - left + 2.0 * MARGIN, bottom - top + 2.0 * MARGIN].map(f64::round);
     let title = escape(&format!("{}, scene {}, at t = {} s", info.model, info.name, sample.t));
-    format!(
+    let svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ezy\" viewBox=\"{x} {y} {w} {h}\" width=\"{w}\" height=\"{h}\">\n\
          <title>{title}</title>\n<style>\n{OF_A_FILE}{STYLE}</style>\n{lengths}{parts}{axes}{}</svg>\n",
         sheet.svg
-    )
+    );
+    (svg, [w, h])
 }
 
 /// A part where it is.

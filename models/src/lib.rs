@@ -1,4 +1,7 @@
 //! The models of EZY, one a file, and the studies made with them.
+//!
+//! The page of a file, such as [`vehicles::ezy_roller`], has the sketch of its model, coordinates, rows and sources; the module within, such as
+//! [`ezy_roller`], its scenes.
 
 pub mod mechanisms;
 pub mod new;

@@ -18,6 +18,8 @@
 //! multipliers there is that of `E3`, the second of `E4`, the third of `E6`: the force of K2 on the other body.
 //! Source: Schiehlen (ed.), "Multibody Systems Handbook" (1990); Hairer and Wanner, "Solving Ordinary Differential
 //! Equations II" (1996), section VII.7; problem `andrews` of the IVP test set (CWI, Bari).
+//!
+#![doc = include_str!("../../sketches/andrews.html")]
 
 use ezy_core::model;
 

@@ -9,6 +9,8 @@
 //! Degrees of freedom: n at position level, n at velocity level. Kinetic and potential energy together are constant without friction.
 //! A tree: the solver's cost grows with n.
 //! Source: a standard problem of multibody codes, e.g. Featherstone, "Rigid Body Dynamics Algorithms" (2008), ch. 10.
+//!
+#![doc = include_str!("../../sketches/chain.html")]
 
 use ezy_core::model;
 

@@ -11,6 +11,8 @@
 //! Released level, two equal rods begin with angular accelerations of −9g/(7l) and +3g/(7l).
 //! The motion is chaotic: a change of the first angle has grown 12,000 times after 10 s.
 //! Source: a standard problem, e.g. Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I" (1993), with rods.
+//!
+#![doc = include_str!("../../sketches/doublependulum.html")]
 
 use ezy_core::model;
 

@@ -14,6 +14,8 @@
 //! branch that stays a parallelogram it is one pendulum with moment of inertia 5/3 kg·m² and m g l = 19.62 N·m.
 //! Runs lead over flat positions by steps that begin and end well away from them.
 //! Source: A02 of the multibody benchmark of A Coruña (2005) with N = 1, after Bayo and Avello, Nonlinear Dynamics 5 (1994).
+//!
+#![doc = include_str!("../../sketches/fourbar.html")]
 
 use ezy_core::model;
 

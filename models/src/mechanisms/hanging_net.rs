@@ -12,6 +12,8 @@
 //! Degrees of freedom of `rows = 3`, `columns = 3`: 27 − 6 − 6 − 4 = 11, of which 9 are angles of knots, which nothing turns.
 //! Every mesh is a closed loop. Kinetic and potential energy together are constant.
 //! Source: none; made to have two indices and many loops.
+//!
+#![doc = include_str!("../../sketches/hangingnet.html")]
 
 use ezy_core::model;
 

@@ -13,6 +13,8 @@
 //! Whenever the cranks lie level the rows lose rank and the freedom would be n + 1; with parallel cranks the motion is that
 //! of a pendulum, `φ'² = 1 + 2 ω² (1 − cos φ)` with φ from the upright, `ω² = g (3 n + 1)/2 / ((n + 1)/3 + n) / l`.
 //! Source: problem A02 of the benchmark library of IFToMM's technical committee for multibody dynamics; Bayo, Avello (1994).
+//!
+#![doc = include_str!("../../sketches/nfourbar.html")]
 
 use ezy_core::model;
 

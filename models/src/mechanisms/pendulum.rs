@@ -12,6 +12,8 @@
 //! The default bob is a point: without moment of inertia the mass matrix is singular, while the motion is not.
 //! Source: A01 of the multibody benchmark of A Coruña (2005), later in the IFToMM library; closed form by the elliptic
 //! functions of Jacobi: sin(θ/2) = k sn(ωt + K(k), k) with θ from the downward vertical, ω² = g/l, k² = 1/2.
+//!
+#![doc = include_str!("../../sketches/pendulum.html")]
 
 use ezy_core::model;
 

@@ -14,6 +14,8 @@
 //! The default centres of mass lie on the bearing and on the slider; a slider that does not turn is a point mass, part of
 //! the rod. Where crank and rod are equally long the rows lose a rank when both stand upright.
 //! Source: example idaSlCrank of SUNDIALS 7.5 (spring with damper between the middles, force on the rod's tip).
+//!
+#![doc = include_str!("../../sketches/slidercrank.html")]
 
 use ezy_core::model;
 

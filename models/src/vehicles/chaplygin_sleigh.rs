@@ -12,6 +12,8 @@
 //! Closed form, with k² = (j + m a²)/m, c² = v0² + k² ω0², r = a c/k², τ = r t + artanh(v0/c): speed of the blade
 //! v = c tanh τ, rate ω = ±(c/k) sech τ; the blade takes the force m (v ω + a ω̇).
 //! Source: Chaplygin (1911), Carathéodory (1933); Bloch, "Nonholonomic Mechanics and Control", section 1.7.
+//!
+#![doc = include_str!("../../sketches/chaplyginsleigh.html")]
 
 use ezy_core::model;
 

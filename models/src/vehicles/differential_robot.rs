@@ -16,6 +16,8 @@
 //! r (ω2 − ω1)/(2w) with ω1, ω2 of the left and right wheel. With a = 0, steady torques from rest lead round a circle of
 //! radius w (τ2 + τ1)/(τ2 − τ1) · J/(w² M) with M = m + 2 m_w + 2 I_w/r², J = j + 2 w² (m_w + I_w/r²).
 //! Source: Campion, Bastin, d'Andréa-Novel, IEEE Trans. Robotics and Automation 12 (1996), type (2, 0). Numbers are our own.
+//!
+#![doc = include_str!("../../sketches/differentialrobot.html")]
 
 use ezy_core::model;
 

@@ -10,6 +10,20 @@
 //! Degrees of freedom: 4 at position level, 2 at velocity level. Without a drive the kinetic energy is constant.
 //! Source: "Multibody Dynamics B, Assignment 8" (2019), the report this model grew from; the driven roller racer is that
 //! of Krishnaprasad and Tsakiris, Dynamical Systems 16 (2001).
+//!
+//! | scene | what happens |
+//! |---|---|
+//! | [`Coast`](ezy_roller::Coast) | no forces: the bar stands across, the seat moves at 1 m/s |
+//! | [`Driven`](ezy_roller::Driven) | from rest, folded, driven by the torque of the rider |
+//! | [`DrivenOnTarmac`](ezy_roller::DrivenOnTarmac) | driven, with rolling resistance |
+//! | [`Drift`](ezy_roller::Drift) | driven, with a rear wheel that slips and rolls with resistance |
+//! | [`Skid`](ezy_roller::Skid) | driven, with a rear wheel on ice that holds and slides by turns |
+//! | [`Ridden`](ezy_roller::Ridden) | in the hands of a rider, who sets `torque` |
+//!
+//! Each page of a scene has its parameters and equations; [`MODEL`](ezy_roller::MODEL) is what a command line takes. [`study`](crate::study)
+//! computes what the report stated.
+//!
+#![doc = include_str!("../../sketches/ezyroller.html")]
 
 use ezy_core::model;
 

@@ -10,6 +10,8 @@
 //! s = g sin α: v = v0 + (s/Ω)(sin φ − sin φ0), ẋ = v cos φ, ẏ = v sin φ; the edge takes the force m (v Ω + s sin φ).
 //! Source: Neimark and Fufaev, "Dynamics of Nonholonomic Systems" (1972); Bloch, "Nonholonomic Mechanics and Control",
 //! section 1.6; the default numbers are those of the benchmark of scipy_dae.
+//!
+#![doc = include_str!("../../sketches/knifeedge.html")]
 
 use ezy_core::model;
 

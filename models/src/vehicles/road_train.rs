@@ -11,6 +11,8 @@
 //! axles settle on circles about one centre: R0 = L/tan δ, then R² + c² − l² from axle to axle, with c from an axle back to
 //! the hitch and l from the hitch back to the next axle. In reverse the train jack-knifes.
 //! Source: Laumond, IROS 1986; Rouchon, Fliess, Lévine, Martin, ECC 1993. The numbers are our own.
+//!
+#![doc = include_str!("../../sketches/roadtrain.html")]
 
 use ezy_core::model;
 

@@ -12,6 +12,8 @@
 //! works against a spring.
 //! Source: Krishnaprasad and Tsakiris, Dynamical Systems 16 (2001); Chakon and Or, J. Nonlinear Science 27 (2017), for the
 //! twistcar; Bizyaev, Regular and Chaotic Dynamics 22 (2017), for the free motion. The numbers are our own.
+//!
+#![doc = include_str!("../../sketches/rollerracer.html")]
 
 use ezy_core::model;
 

@@ -10,6 +10,8 @@
 //! Steady cornering at small slip: rate ω = v δ/(L + K v²) with L = lf + lr and K = (m/L)(lr/cf − lf/cr); K > 0 is
 //! understeer, and for K < 0 the car is unstable beyond the speed √(−L/K).
 //! Source: Riekert and Schunck, Ingenieur-Archiv 11 (1940); Pacejka, "Tyre and Vehicle Dynamics", chapter 1.
+//!
+#![doc = include_str!("../../sketches/singletrackcar.html")]
 
 use ezy_core::model;
 

@@ -13,6 +13,8 @@
 //! r/tan δ. While the rider stands still on the deck, U² (m + J tan²δ/r²) is constant, however the steering moves, with
 //! m the mass and J the moment of inertia of everything, the trucks' masses at ±r.
 //! Source: our own, as the snakeboard with coupled trucks; carving trucks as in Hubbard, J. Applied Mechanics 46 (1979).
+//!
+#![doc = include_str!("../../sketches/skateboard.html")]
 
 use ezy_core::model;
 

@@ -13,6 +13,8 @@
 //! of inertia: θ̇ = U tan φ/r, and p = m U + J U tan²φ/r² + Jr ψ̇ tan φ/r is constant while the steering is locked; the
 //! board then runs on a circle of radius r/tan φ. Where both trucks stand across the board their rows coincide.
 //! Source: Ostrowski, Lewis, Murray, Burdick, "Nonholonomic mechanics and locomotion: the snakeboard example", ICRA 1994.
+//!
+#![doc = include_str!("../../sketches/snakeboard.html")]
 
 use ezy_core::model;
 

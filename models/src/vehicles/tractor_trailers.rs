@@ -11,6 +11,8 @@
 //! constant, and the axles settle on circles: R0 = L/tan δ, R²(i+1) = R²(i) + c² − l² with c the hitch's distance from the
 //! axle ahead of it and l the hitch's distance from the axle behind it. In reverse the trailers jack-knife.
 //! Source: Laumond, IROS 1986; Rouchon, Fliess, Lévine, Martin, ECC 1993. The numbers are our own.
+//!
+#![doc = include_str!("../../sketches/tractortrailers.html")]
 
 use ezy_core::model;
 

@@ -10,6 +10,8 @@
 //! With the wave prescribed and nothing to push against, linear and angular momentum stay zero.
 //! Source: Hirose, "Biologically Inspired Robots" (1993), the active cord mechanism and its serpenoid wave; Liljebäck,
 //! Pettersen, Stavdahl, Gravdahl, "Snake Robots" (2013), for the viscous friction. The numbers are our own.
+//!
+#![doc = include_str!("../../sketches/wheeledsnake.html")]
 
 use ezy_core::model;
 

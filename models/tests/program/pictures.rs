@@ -2,6 +2,7 @@
 
 use crate::{assert_current, assert_wrong_use, directory, ezy, output, text};
 use ezy_core::prelude::*;
+use ezy_core::report::drawing::sketch_within;
 use ezy_models::ezy_roller::Driven;
 use ezy_models::registry::MODELS;
 use serde_json::Value;
@@ -9,6 +10,8 @@ use std::path::Path;
 
 /// A README loads at once, also on a telephone.
 const LARGEST_PICTURE: usize = 300_000;
+/// Largest sketch of a page of the documentation, pixels.
+const DOCUMENTED: [f64; 2] = [450.0, 500.0];
 /// Seconds that a visitor looks.
 const GLANCE_S: f64 = 5.0;
 
@@ -155,6 +158,22 @@ fn invariant_wrong_arguments_of_pictures_exit_with_2() {
     assert_wrong_use(&["animate", "ezyroller/driven", "--out", "a.gif", "--width", "5"], "50..=4000");
     let folder = directory("taken");
     assert_wrong_use(&["sketch", "ezyroller/driven", "--out", folder.to_str().unwrap()], "--out");
+}
+
+#[test]
+fn regress_documentation_of_each_model_has_its_sketch() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for model in MODELS {
+        let name = model.name.to_lowercase();
+        let scene = (model.scenes[0].new)();
+        let run = Simulation::new(scene.as_ref()).until(0.0).run().unwrap();
+        let svg = sketch_within(scene.as_ref(), &run.last(), DOCUMENTED);
+        // lines without a blank one are HTML for rustdoc; names have a rim in the colour of its theme
+        assert!(!svg.contains("\n\n"), "{name}");
+        let html =
+            format!("<div style=\"overflow-x: auto; --paper: var(--main-background-color, Canvas)\">\n{svg}</div>\n");
+        assert_current(&folder.join("sketches").join(format!("{name}.html")), &html);
+    }
 }
 
 #[test]

@@ -24,15 +24,7 @@ impl Jacobians {
             jacobian: zeros(info.jacobian.n_nonzeros()),
         }
     }
-
-    /// Whether every law has its derivatives.
-    pub(crate) fn are_finite(&self) -> bool {
-        self.by_q.iter().chain(&self.by_v).all(|entry| entry.is_finite())
-    }
 }
-
-/// So much later a law is looked at that has no derivative at a state, s: far below a step, and so long that squares of small velocities are numbers.
-const MOMENT_S: f64 = 1e-6;
 
 impl<S: Scene + ?Sized> System<'_, S> {
     /// `R = [F − M a − Gᵀ λ; −(G a + [h; s])]` (`n_q + n_c`), which vanishes at the accelerations and multipliers of a state.
@@ -61,32 +53,12 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 
     /// Jacobians of [`System::residual`] at fixed accelerations and multipliers, and G. Where a law has no derivative, such as `norm(v)` at rest,
-    /// that along the motion.
+    /// entries are zero: a method that solves by Jacobians checks its solution by the residual.
     pub(crate) fn jacobians(&self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
         let Self { scene, fixed, .. } = self;
         scene.jacobians(fixed, t, q, v, a, lambda, &mut out.by_q, &mut out.by_v);
         scene.velocity_jacobian(fixed, t, q, &mut out.jacobian);
-        if !out.are_finite() {
-            self.jacobians_along_motion(t, q, v, a, lambda, out);
-        }
-    }
-
-    /// Replaces entries that are not finite by those a moment later on the motion: the limit at which the law arrives. Where there is no motion,
-    /// or the limit is not finite either, they are zero: a method that solves by Jacobians checks its solution by the residual.
-    #[cold]
-    fn jacobians_along_motion(&self, t: f64, q: &[f64], v: &[f64], a: &[f64], lambda: &[f64], out: &mut Jacobians) {
-        let later =
-            |x: &[f64], rate: &[f64]| -> Vec<f64> { x.iter().zip(rate).map(|(x, r)| x + MOMENT_S * r).collect() };
-        let v_later = later(v, a);
-        let q_later = later(q, &v_later);
-        let mut limit = out.clone();
-        let (by_q, by_v) = (&mut limit.by_q, &mut limit.by_v);
-        self.scene.jacobians(&self.fixed, t + MOMENT_S, &q_later, &v_later, a, lambda, by_q, by_v);
-        for (values, limits) in [(&mut out.by_q, &limit.by_q), (&mut out.by_v, &limit.by_v)] {
-            for (value, limit) in values.iter_mut().zip(limits).filter(|(value, _)| !value.is_finite()) {
-                *value = if limit.is_finite() { *limit } else { 0.0 };
-            }
-        }
+        out.by_q.iter_mut().chain(&mut out.by_v).filter(|entry| !entry.is_finite()).for_each(|entry| *entry = 0.0);
     }
 
     /// A factorisation that a method makes by itself counts like those of K.

@@ -87,9 +87,10 @@ impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
     /// [`MotionError`] of a stage.
     pub fn attempt(&mut self, h: f64) -> Result<Option<&State>, MotionError> {
         let Self { system, method, state, other, a, power, lambda, taken_s } = self;
-        // steps of gauss begin without the polynomial of the one before: over so long a step, it would be far off
-        if let (Method::Radau(radau), Some(taken_s)) = (&mut *method, taken_s.take()) {
-            radau.accept(taken_s);
+        match (&mut *method, taken_s.take()) {
+            (Method::Radau(radau), Some(taken_s)) => radau.accept(taken_s),
+            (Method::Gauss(gauss), Some(_)) => gauss.accept(),
+            _ => {}
         }
         if let Method::Taylor(taylor) = method {
             taylor.expand(system, state, a, lambda)?;

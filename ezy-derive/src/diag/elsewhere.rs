@@ -2,10 +2,8 @@
 //!
 //! What a word means elsewhere goes before what it is spelled like: `contact` is a stop, and no misspelled constraint.
 
-use super::nearest::suggestion;
-
 /// Words with one meaning: in lower case, without `_`; and the help, an edit.
-type Meaning = (&'static [&'static str], &'static str);
+pub type Meaning = (&'static [&'static str], &'static str);
 
 const STATES: &str = "there are no variables of first order, but a body can carry one: `body memory { mass: 1, inertia: 1 }` and \
     `velocity constraint rule: memory.vx = v;` make `memory.x` the integral of v, in m/s";
@@ -299,11 +297,6 @@ pub fn synonym<'a>(name: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let name = bare(name);
     let mut means = SYNONYMS.iter().filter(|(others, _)| others.contains(&name.as_str())).flat_map(|(_, means)| *means);
     means.find_map(|word| candidates.iter().copied().find(|candidate| candidate == word))
-}
-
-/// The meaning elsewhere, or else the most similar name that is known.
-pub fn meaning_or_suggestion(table: &[Meaning], name: &str, candidates: &[&str], list: &str) -> String {
-    meaning(table, name).map_or_else(|| suggestion(name, candidates, list), str::to_owned)
 }
 
 /// What to write for a sign, `found`, in place of what was expected.

@@ -1,8 +1,8 @@
 //! Messages about names.
 
-use super::elsewhere::{self, meaning, meaning_or_suggestion};
+use super::elsewhere::{self, meaning};
 use super::fault_with_help;
-use super::nearest::{nearest, quoted, suggestion};
+use super::nearest::{meaning_or_suggestion, nearest, quoted, suggestion};
 use crate::function::FUNCTIONS;
 use proc_macro2::{Ident, Span};
 

@@ -1,6 +1,6 @@
 //! Suggestions for a name that does not exist.
 
-use super::elsewhere::synonym;
+use super::elsewhere::{Meaning, meaning, synonym};
 use std::fmt::Write;
 
 /// Names are listed in a message when there are at most this many: more would bury the message.
@@ -33,6 +33,11 @@ pub fn suggestion(name: &str, candidates: &[&str], list: &str) -> String {
         write!(text, "{blank}{list}: {}", quoted(candidates)).ok();
     }
     text
+}
+
+/// The meaning elsewhere, or else the most similar name that is known.
+pub fn meaning_or_suggestion(table: &[Meaning], name: &str, candidates: &[&str], list: &str) -> String {
+    meaning(table, name).map_or_else(|| suggestion(name, candidates, list), str::to_owned)
 }
 
 /// `` `a`, `b` ``

@@ -1,5 +1,6 @@
 //! Messages of the parser.
 
+use super::nearest::meaning_or_suggestion;
 use super::{Extent, elsewhere, fault, fault_with_help};
 use proc_macro2::{Ident, Span};
 
@@ -120,7 +121,7 @@ pub fn unknown_word(word: &Ident, place: &str, words: &[&str]) -> syn::Error {
     fault_with_help(
         word,
         format_args!("`{word}` is no word of {place}"),
-        elsewhere::meaning_or_suggestion(table, &word.to_string(), words, &format!("words of {place}")),
+        meaning_or_suggestion(table, &word.to_string(), words, &format!("words of {place}")),
     )
 }
 

@@ -39,8 +39,8 @@ fn bound(steps: u64, angle: f64) -> f64 {
 fn analytic_twist_of_a_fast_shaft_keeps_to_the_tolerance_of_angles() {
     for method in METHODS {
         let name = method(1e-6).name();
-        // a tolerance of 1e-6 φ is 0.3 rad at the end
-        let (without, steps) = error(method(1e-6));
+        // a tolerance of 1e-5 φ is 3 rad at the end
+        let (without, steps) = error(method(1e-5));
         let loosest = 1e-6;
         assert!(without > bound(steps, loosest), "{name}: {without:.1e} in {steps} steps");
         for angle in [loosest, 1e-8, 1e-10] {

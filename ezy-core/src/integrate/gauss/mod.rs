@@ -18,13 +18,16 @@ const OF_SWEEPS: f64 = 0.1;
 const FIRST_CHANGE: f64 = 0.1;
 
 /// Most sweeps of a step; more are no gain over a shorter step.
-const MAX_SWEEPS: u32 = 40;
+const MAX_SWEEPS: u32 = 50;
 
 /// A change of the accelerations that sweeps do not make smaller is rounding below this part of them.
 const ROUNDING: f64 = 1e-12;
 
 /// Sweeps of this rate do not converge.
 const STALLED: f64 = 0.9;
+
+/// Changes may grow in so many sweeps: of a linear motion sweep n multiplies them by about z/n.
+const GROWING: u32 = 8;
 
 /// 15!! = 15 · 13 · … · 1
 const DOUBLE_FACTORIAL_OF_15: f64 = 2_027_025.0;
@@ -209,7 +212,7 @@ impl Gauss {
             if change * rate.max(last_rate).min(1.0) <= OF_SWEEPS {
                 return Ok(Some(Convergence::new(n, change / first)));
             }
-            if rate.min(last_rate) >= STALLED && n > 2 {
+            if rate.min(last_rate) >= STALLED && n > GROWING {
                 let is_rounding = change <= ROUNDING * lanes::size(&nodes.a, weights);
                 return Ok(is_rounding.then(|| Convergence::new(n, change / first)));
             }

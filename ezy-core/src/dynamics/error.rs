@@ -65,7 +65,8 @@ pub enum SystemError {
         /// Largest number for the dense backend.
         limit: usize,
     },
-    /// The scene has counts, or a body in more than 24 rows, or was asked to use the sparse backend, and there is none.
+    /// There is no sparse backend, and it was asked for, or the scene has counts, or a body in more than 24 rows, and too many
+    /// equations for the dense backend.
     #[error(
         "scene `{scene}` is solved by sparse factors, and `ezy-core` is built without them; add \"sparse\" to its features in Cargo.toml"
     )]

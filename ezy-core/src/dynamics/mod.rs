@@ -49,7 +49,7 @@ pub use solved::Solved;
 pub use strain::{Strain, StrainSource};
 pub use system::System;
 #[cfg(feature = "cli")]
-pub(crate) use system::sparse_solver;
+pub(crate) use system::described_solver;
 pub use worst::{Projected, Worst};
 
 use crate::model::{Name, SceneInfo};

@@ -185,7 +185,7 @@ fn solver(info: &SceneInfo, mass: &[f64], needs_pivots: bool, backend: Backend) 
     match backend {
         Backend::Auto if needs_pivots && info.n_unknowns() <= largest => dense(info),
         Backend::Auto if !info.has_elimination() => match massless.map(|i| body_of(info, i)) {
-            None => sparse(info).map(Solver::Sparse),
+            None => without_elimination(info),
             Some((body, quantity)) => {
                 let (n, limit) = (info.n_unknowns(), LARGEST_DENSE);
                 Err(SystemError::MasslessInLargeScene { body, quantity, n, limit })
@@ -208,6 +208,14 @@ fn dense(info: &SceneInfo) -> Result<Solver, SystemError> {
     Ok(Solver::Dense)
 }
 
+/// Sparse factors; without the feature for them the dense solver, as far as it goes.
+fn without_elimination(info: &SceneInfo) -> Result<Solver, SystemError> {
+    if !HAS_SPARSE && info.n_unknowns() <= LARGEST_DENSE {
+        return Ok(Solver::Dense);
+    }
+    sparse(info).map(Solver::Sparse)
+}
+
 fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
     if !HAS_SPARSE {
         return Err(SystemError::WithoutSparse { scene: info.name });
@@ -219,10 +227,14 @@ fn sparse(info: &SceneInfo) -> Result<Box<dyn KktFactorization>, SystemError> {
     })
 }
 
-/// With which factors, and at what cost, the sparse solver takes a scene without a generated elimination.
+/// The backend that takes a scene without a generated elimination, with which factors, and at what cost.
 #[cfg(feature = "cli")]
-pub(crate) fn sparse_solver(info: &SceneInfo) -> Option<String> {
-    let describe = || sparse(info).map_or_else(|error| error.to_string(), |kkt| kkt.describe());
+pub(crate) fn described_solver(info: &SceneInfo) -> Option<(Backend, String)> {
+    let describe = || match without_elimination(info) {
+        Ok(Solver::Sparse(kkt)) => (Backend::Sparse, kkt.describe()),
+        Ok(_) => (Backend::Dense, format!("null-space method, {} equations", info.n_unknowns())),
+        Err(error) => (Backend::Sparse, error.to_string()),
+    };
     (!info.has_elimination()).then(describe)
 }
 

@@ -67,8 +67,9 @@ pub(crate) const HAS_SPARSE: bool = cfg!(feature = "sparse");
 #[non_exhaustive]
 pub enum Backend {
     /// [`Backend::Generated`], in scenes without an elimination (with counts, or with a body in more than 24 rows)
-    /// [`Backend::Sparse`]; [`Backend::Dense`] when a mass or inertia is zero or, in a scene with an elimination or with at most
-    /// 100 equations, less than 1e-4 of the largest; inertias count by the mass that their longest lever feels.
+    /// [`Backend::Sparse`], without the feature `sparse` [`Backend::Dense`]. Also [`Backend::Dense`] when a mass or inertia is zero
+    /// or, in a scene with an elimination or with at most 100 equations, less than 1e-4 of the largest; inertias count by the mass that
+    /// their longest lever feels.
     #[default]
     Auto,
     /// Straight-line elimination of the scene; needs positive masses and inertias, and a scene that has one.

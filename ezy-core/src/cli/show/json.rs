@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::dynamics::sparse_solver;
+use crate::dynamics::described_solver;
+use crate::linalg::Backend;
 use crate::model::{EventKind, Formula, ParameterInfo, SceneInfo};
 
 use super::{freedom, kernels, with_equations};
@@ -19,12 +20,13 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
             (name, json!({ "mul": mul, "add": add, "div": div, "trig": trig, "calls": calls }))
         })
         .collect();
+    let solver = described_solver(info).filter(|of| of.0 == Backend::Sparse);
     json!({
         "model": info.model,
         "scene": info.name,
         "freedom": { "positions": positions, "velocities": velocities },
         "counts": counts_json(info),
-        "sparse_solver": sparse_solver(info),
+        "sparse_solver": solver.map(|of| of.1),
         "templates": list(with_equations(info), |item| json!({
             "title": item.title,
             "equations": list(item.equations, |e| {

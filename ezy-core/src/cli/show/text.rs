@@ -1,6 +1,7 @@
 //! A scene as text.
 
-use crate::dynamics::sparse_solver;
+use crate::dynamics::described_solver;
+use crate::linalg::Backend;
 use crate::model::{Direction, EffectInfo, EliminationStep, Equation, EventKind, ParameterInfo, SceneInfo};
 use crate::report::table::Table;
 
@@ -26,8 +27,9 @@ pub(super) fn scene(info: &SceneInfo) -> String {
     }
     text += &info.equations.iter().map(written).collect::<String>();
     text += &format!("\n{}\n", series(info));
-    if let Some(solver) = sparse_solver(info) {
-        return text + &format!("\nsparse solver: {solver}\n");
+    if let Some((backend, solver)) = described_solver(info) {
+        let kind = if backend == Backend::Dense { "dense" } else { "sparse" };
+        return text + &format!("\n{kind} solver: {solver}\n");
     }
     text += &format!("\nsparsity of the Jacobian [C_q; S]: x, y and phi of each body\n\n{}", indent(&sparsity(info)));
     text += &format!("\norder of elimination\n\n{}", indent(&elimination(info)));

@@ -41,7 +41,7 @@ pub(super) struct MotionArguments {
     /// Stop before the error of the energy balance exceeds R, relative to the energy exchanged so far
     #[arg(long, value_name = "R", value_parser = parse_number, allow_negative_numbers = true)]
     pub max_energy_error: Option<f64>,
-    /// Stop after N steps, rejected ones included [default: ten million when the method chooses them]
+    /// Stop after N steps, rejected ones included [default: when the method chooses them, ten million, or as soon as these cannot suffice]
     #[arg(long, value_name = "N", value_parser = parse_count, allow_negative_numbers = true)]
     pub max_steps: Option<u64>,
     /// Change a parameter or a count; may be repeated

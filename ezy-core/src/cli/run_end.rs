@@ -37,6 +37,9 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free
     if let Some(angle) = method.tolerance().and_then(|tolerance| tolerance.angle) {
         end["angle_tolerance"] = json!(angle);
     }
+    if let Some([_, kept]) = lifted(method) {
+        end["relative_tolerance"] = json!(kept);
+    }
     if info.n_inputs() > 0 {
         end["inputs"] = named(&mut info.inputs.iter().map(|input| input.name), |last, i| last.inputs[i]);
     }
@@ -76,7 +79,7 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free
         end["rank"] = rank.intervals.iter().map(interval_json).collect();
     }
     if let Some(rank) = run.map(|run| &run.rank).filter(|rank| !rank.crossings.is_empty()) {
-        let of = |SingularityCrossed { from_s, to_s }: &SingularityCrossed| json!({ "from": from_s, "to": to_s });
+        let of = |crossed: &SingularityCrossed| json!({ "from": crossed.from_s, "to": crossed.to_s, "nearest": crossed.nearest });
         end["crossings"] = rank.crossings.iter().map(of).collect();
     }
     if let Some(moved) = run.map(|run| &run.moved).filter(|moved| !moved.is_empty()) {
@@ -186,7 +189,34 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
         None => String::new(),
     };
     let names_radau = !stiff.is_empty();
-    stiff + &remark(run, method, radau_runs && !names_radau) + &error_remark(run)
+    lifted_remark(method)
+        + &stiff
+        + &beside_remark(run)
+        + &remark(run, method, radau_runs && !names_radau)
+        + &error_remark(run)
+}
+
+/// A relative tolerance below rounding, and the one that the run kept to.
+fn lifted(method: Method) -> Option<[f64; 2]> {
+    let [asked, kept] = [method, method.lifted()].map(|method| method.tolerance().map(|tolerance| tolerance.relative));
+    asked.zip(kept).filter(|(asked, kept)| asked < kept).map(|(asked, kept)| [asked, kept])
+}
+
+fn beside_remark(run: &Run) -> String {
+    let beside = run.rank.crossings.iter().find(|crossed| crossed.is_beside());
+    beside.map_or(String::new(), |SingularityCrossed { from_s, nearest, .. }| {
+        format!(
+            "remark: at t = {} s the run passes a singular position at {nearest:.0e} of the way to it; next to one the motion turns on small \
+             errors, and a run with a smaller tolerance may go another way: compare with one\n",
+            rounded(*from_s, 6)
+        )
+    })
+}
+
+fn lifted_remark(method: Method) -> String {
+    lifted(method).map_or(String::new(), |[asked, kept]| {
+        format!("remark: the relative tolerance {asked:e} is below rounding; the run kept to {kept:e}\n")
+    })
 }
 
 /// Advice when stiffness limits the steps of an explicit method.
@@ -196,7 +226,9 @@ const IMPLICIT: &str = "--method radau takes longer steps";
 fn may_be_stiff(outcome: &Outcome) -> bool {
     use MotionError::{NotFinite, ProjectionStalled, StepCollapsed};
     match outcome {
-        Outcome::Stopped { reason: StopReason::Limit(limit), .. } => matches!(limit, ExceededLimit::Steps { .. }),
+        Outcome::Stopped { reason: StopReason::Limit(limit), .. } => {
+            matches!(limit, ExceededLimit::Steps { .. } | ExceededLimit::Pace { .. })
+        }
         Outcome::Stopped { reason: StopReason::Motion(error), .. } => {
             matches!(error, NotFinite { .. } | ProjectionStalled { .. } | StepCollapsed { .. })
         }

@@ -76,13 +76,27 @@ impl Method {
         }
     }
 
+    /// The method that a run takes: a relative tolerance below [`Tolerance::SMALLEST_RELATIVE`], which is rounding, is lifted to it.
+    #[must_use]
+    pub fn lifted(self) -> Self {
+        self.with_tolerance(|tolerance| match tolerance.relative {
+            relative if relative > 0.0 => {
+                Tolerance { relative: relative.max(Tolerance::SMALLEST_RELATIVE), ..tolerance }
+            }
+            _ => tolerance,
+        })
+    }
+
     /// The same method with an absolute tolerance of angles, rad, in place of `absolute + relative · |φ|`: for rotors, whose angles grow
     /// while only their remainder after whole turns matters. A method with a fixed step has no tolerance and stays what it is.
     ///
     /// A run ends with an error where an angle becomes so large that doubles near it are farther apart than this.
     #[must_use]
     pub fn angle_tolerance(self, rad: f64) -> Self {
-        let with = |tolerance: Tolerance| Tolerance { angle: Some(rad), ..tolerance };
+        self.with_tolerance(|tolerance| Tolerance { angle: Some(rad), ..tolerance })
+    }
+
+    fn with_tolerance(self, with: impl Fn(Tolerance) -> Tolerance) -> Self {
         match self {
             Self::Rk4 { .. } => self,
             Self::Dop853(tolerance) => Self::Dop853(with(tolerance)),

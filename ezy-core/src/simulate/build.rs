@@ -227,13 +227,12 @@ fn refuse_integrated(info: &SceneInfo, i: usize) -> Result<(), SetupError> {
 
 pub(super) fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {
     let Tolerance { relative, absolute, angle } = tolerance;
-    let usable = |x: f64, least: f64| (least..=LARGEST_TOLERANCE).contains(&x);
-    let smallest = Tolerance::SMALLEST_RELATIVE;
-    if let Some(rad) = angle.filter(|rad| !usable(*rad, f64::MIN_POSITIVE)) {
+    let usable = |x: f64| x > 0.0 && x <= LARGEST_TOLERANCE;
+    if let Some(rad) = angle.filter(|rad| !usable(*rad)) {
         return Err(SetupError::AngleTolerance { rad, largest: LARGEST_TOLERANCE });
     }
-    if usable(relative, smallest) && usable(absolute, f64::MIN_POSITIVE) {
+    if usable(relative) && usable(absolute) {
         return Ok(());
     }
-    Err(SetupError::Tolerance { relative, absolute, smallest, largest: LARGEST_TOLERANCE })
+    Err(SetupError::Tolerance { relative, absolute, largest: LARGEST_TOLERANCE })
 }

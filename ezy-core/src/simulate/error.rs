@@ -23,17 +23,12 @@ pub enum SetupError {
         step_s: f64,
     },
     /// The tolerances are out of range.
-    #[error(
-        "the tolerances are {relative:e} relative and {absolute:e} absolute; give a relative one between {smallest:e} and \
-         {largest}, and a positive absolute one up to {largest}"
-    )]
+    #[error("the tolerances are {relative:e} relative and {absolute:e} absolute; give positive ones up to {largest}")]
     Tolerance {
         /// Relative tolerance.
         relative: f64,
         /// Absolute tolerance.
         absolute: f64,
-        /// Smallest relative tolerance that is accepted.
-        smallest: f64,
         /// Largest tolerance that is accepted.
         largest: f64,
     },

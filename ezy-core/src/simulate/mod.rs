@@ -50,7 +50,8 @@ pub use monitor::{ConditionPeak, EnergyError, ExceededLimit, LeastPivot, Monitor
 pub use now::{Inputs, Now};
 pub use outcome::{Cost, Outcome, Run, StopReason};
 pub(crate) use processor_time::{IS_KNOWN as PROCESSOR_TIME_IS_KNOWN, processor_time};
-pub use rank_watch::{RankDeficientInterval, RankRecord, SingularityCrossed};
+pub use rank_watch::{RankDeficientInterval, RankRecord};
 pub use sensitivity::{Sensitivities, Tangent};
 pub use simulation::Simulation;
+pub use singularity_crossing::SingularityCrossed;
 pub use stepper::Stepper;

@@ -1,5 +1,6 @@
 //! Where constraints of a run depended on each other: in stretches of time, and in singular positions that it crossed.
 
+use super::singularity_crossing::SingularityCrossed;
 use super::stepper_state::StepperState;
 use super::tolerances::monitors::MAX_INTERVALS;
 use crate::dynamics::RankLoss;
@@ -33,21 +34,11 @@ pub struct RankRecord {
     crossed_until_s: f64,
 }
 
-/// A stretch of a run across a singular position, where rank is lost for an instant, or towards one. Its steps are of DOP853 with
-/// projected stages, whatever the method of the run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SingularityCrossed {
-    /// Its beginning, s.
-    pub from_s: f64,
-    /// Its end, s; a run that ends at an event may end before.
-    pub to_s: f64,
-}
-
 impl RankRecord {
     /// Registers an accepted state.
     pub(super) fn see<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) {
-        if let Some([from_s, to_s]) = stepper.crossed_s.take() {
-            self.see_crossing(from_s, to_s);
+        if let Some(crossed) = stepper.crossed.take() {
+            self.see_crossing(crossed);
         }
         let StepperState { system, now: at, .. } = stepper;
         let was_open = std::mem::replace(&mut self.is_open, at.solved.is_rank_deficient);
@@ -67,15 +58,17 @@ impl RankRecord {
         }
     }
 
-    fn see_crossing(&mut self, from_s: f64, to_s: f64) {
-        let (n_known, continues) = (self.crossings.len(), from_s == self.crossed_until_s);
+    fn see_crossing(&mut self, crossed: SingularityCrossed) {
+        let (n_known, continues) = (self.crossings.len(), crossed.from_s == self.crossed_until_s);
         match self.crossings.last_mut() {
-            Some(crossing) if continues && self.n_more_crossings == 0 => crossing.to_s = to_s,
+            Some(last) if continues && self.n_more_crossings == 0 => {
+                *last = SingularityCrossed { from_s: last.from_s, ..crossed }
+            }
             Some(_) if continues => {}
             _ if n_known == MAX_INTERVALS => self.n_more_crossings += 1,
-            _ => self.crossings.push(SingularityCrossed { from_s, to_s }),
+            _ => self.crossings.push(crossed),
         }
-        self.crossed_until_s = to_s;
+        self.crossed_until_s = crossed.to_s;
     }
 }
 
@@ -95,11 +88,12 @@ impl std::fmt::Display for RankRecord {
         if self.n_more > 0 {
             writeln!(f, "and {} times more", self.n_more)?;
         }
-        for SingularityCrossed { from_s, to_s } in &self.crossings {
-            let [from, to] = [from_s, to_s].map(|t| rounded(*t, 6));
+        for crossed in &self.crossings {
+            let [from, to] = [crossed.from_s, crossed.to_s].map(|t| rounded(t, 6));
+            let how = if crossed.is_beside() { "passed beside" } else { "crossed" };
             writeln!(
                 f,
-                "crossed a singular position from t = {from} s to {to} s, in steps of dop853 with projected stages"
+                "{how} a singular position from t = {from} s to {to} s, in steps of dop853 with projected stages"
             )?;
         }
         match self.n_more_crossings {
@@ -119,8 +113,8 @@ mod tests {
         let mut record = RankRecord::default();
         for i in 0..19 {
             let from = 10.0 * f64::from(i) + 1.0;
-            record.see_crossing(from, from + 1.0);
-            record.see_crossing(from + 1.0, from + 3.0);
+            record.see_crossing(SingularityCrossed { from_s: from, to_s: from + 1.0, nearest: 0.1 });
+            record.see_crossing(SingularityCrossed { from_s: from + 1.0, to_s: from + 3.0, nearest: 0.0 });
         }
         let found: Vec<[f64; 2]> = record.crossings.iter().map(|crossing| [crossing.from_s, crossing.to_s]).collect();
         let expected: Vec<[f64; 2]> = (0..16).map(|i| 10.0 * f64::from(i) + 1.0).map(|t| [t, t + 3.0]).collect();

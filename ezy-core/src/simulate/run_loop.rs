@@ -179,7 +179,8 @@ impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
 
     /// One step from `now`, which is unchanged when the step fails; returns the event that ends the run.
     fn step(&mut self, n: u64) -> Result<Option<Passage>, StopReason> {
-        self.watch.admits_step(self.stepper.chooses_steps(), self.n_rejected())?;
+        let (t, end) = (self.stepper.now.state.t, self.plan.schedule.end());
+        self.watch.admits_step(self.stepper.chooses_steps(), self.n_rejected(), t, end)?;
         let (h, t_next) = self.plan.schedule.step(n - self.n_cut, self.stepper.now.state.t);
         let changes = self.advance(h, t_next)?;
         let last = self.stepper.next.state.t >= self.plan.schedule.end();

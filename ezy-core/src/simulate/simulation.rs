@@ -82,10 +82,11 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         Self { scene, settings, hooks: Hooks::default() }
     }
 
-    /// Integration method, and its tolerance or step. Control laws, input tables and steppers need a fixed step: `Method::rk4(1e-3)`.
+    /// Integration method, and its tolerance or step; a relative tolerance below [`Tolerance::SMALLEST_RELATIVE`] is lifted to it
+    /// ([`Method::lifted`]). Control laws, input tables and steppers need a fixed step: `Method::rk4(1e-3)`.
     #[must_use]
     pub fn method(mut self, method: Method) -> Self {
-        self.settings.method = method;
+        self.settings.method = method.lifted();
         self
     }
 
@@ -292,7 +293,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 
     /// Ends the run after this many steps, rejected ones included. Without it, methods that choose their steps try ten million at
-    /// most.
+    /// most, and end as soon as their pace shows that the end needs more ([`ExceededLimit::Pace`](super::ExceededLimit::Pace)).
     #[must_use]
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.settings.limits.steps = Some(steps);

@@ -12,6 +12,15 @@ pub(super) struct Approach<'m> {
     pub before: &'m Snapshot,
 }
 
+/// Where the smallest pivot vanishes on a predicted path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Vanishing {
+    /// Time until then, s.
+    pub within_s: f64,
+    /// How near the path comes to the singular position, as a part of the distance from it now.
+    pub nearest: f64,
+}
+
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -58,13 +67,13 @@ impl Approach<'_> {
         lowest.0.map(|s| 0.5 * s..2.0 * s)
     }
 
-    /// Time to where the smallest pivot vanishes on the predicted path, within times from now, s; `q` is a buffer.
+    /// Where the smallest pivot vanishes on the predicted path, within times from now, s; `q` is a buffer.
     pub(super) fn find<S: Scene + ?Sized>(
         &self,
         system: &mut System<'_, S>,
         q: &mut [f64],
         within: Range<f64>,
-    ) -> Option<f64> {
+    ) -> Option<Vanishing> {
         let mut pivot = |s: f64| {
             self.foresee(s, q);
             system.pivot_at(self.now.state.t + s, q)
@@ -85,7 +94,8 @@ impl Approach<'_> {
             }
         }
         let way = 0.5 * (left + right);
-        if at_left.min(at_right) > VANISHES * self.now.end.smallest_pivot {
+        let of_pivots = at_left.min(at_right) / self.now.end.smallest_pivot;
+        if of_pivots > VANISHES {
             return None;
         }
         // where masses are far apart, pivots fall although constraints are independent
@@ -93,8 +103,9 @@ impl Approach<'_> {
         let before = system.independence(*t, from);
         self.foresee(way, q);
         let there = system.independence(t + way, q);
-        let is_singular = before.zip(there).is_none_or(|(before, there)| there <= VANISHES * before);
-        is_singular.then_some(way)
+        let left = before.zip(there).map_or(of_pivots, |(before, there)| there / before);
+        // pivots fall with the square of the distance
+        (left <= VANISHES).then(|| Vanishing { within_s: way, nearest: left.max(0.0).sqrt() })
     }
 
     /// Predicted positions at `s` from now, with accelerations extrapolated linearly.
@@ -182,8 +193,9 @@ mod tests {
             let now = at(&info, 3.0, 3.0 * rate + 0.1, rate - 1.0, pivot);
             let approach = Approach { now: &now, before: &now };
             for within in [0.0..0.25, 0.02..0.16, 0.05..0.25] {
-                let found = approach.find(&mut system, q, within.clone()).unwrap();
-                assert!((found - 0.1).abs() <= located, "{within:?}: {found}");
+                let Vanishing { within_s, nearest } = approach.find(&mut system, q, within.clone()).unwrap();
+                assert!((within_s - 0.1).abs() <= located, "{within:?}: {within_s}");
+                assert!(nearest <= located / 0.1, "{within:?}: {nearest}");
             }
         }
         let scene = guided::Turns::default();
@@ -195,7 +207,9 @@ mod tests {
         let approach = Approach { now: &now, before: &before };
         // at a fifth of the angle the pivot is 4 % of what it was: it does not vanish up to there
         assert_eq!(approach.find(&mut system, q, 0.0..0.08), None);
-        assert!(approach.find(&mut system, q, 0.0..0.09).is_some());
+        // at the end of the search a tenth of it is left
+        let Vanishing { nearest, .. } = approach.find(&mut system, q, 0.0..0.09).unwrap();
+        assert!((nearest - 0.1).abs() <= 0.001, "{nearest}");
         // where rows are redundant anyway, the lowest pivot ahead tells: of 1.6 usual steps and halves of it
         now.solved.is_rank_deficient = true;
         let approach = Approach { now: &now, before: &before };

@@ -1,12 +1,33 @@
 //! Crossing of singular positions, in which the rank of G drops for an instant.
 
-use super::singular::{Approach, about};
+use super::singular::{Approach, Vanishing, about};
 use super::snapshot::Snapshot;
 use super::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
+use super::tolerances::monitors::BESIDE;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::Scene;
 use std::ops::Range;
+
+/// A stretch of a run across a singular position, where rank is lost for an instant, or towards one. Its steps are of DOP853 with
+/// projected stages, whatever the method of the run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SingularityCrossed {
+    /// Its beginning, s.
+    pub from_s: f64,
+    /// Its end, s; a run that ends at an event may end before.
+    pub to_s: f64,
+    /// How near it comes to the singular position, as a part of the distance at the beginning of its last step: predicted, and zero up to the
+    /// accuracy of the search where it leads through.
+    pub nearest: f64,
+}
+
+impl SingularityCrossed {
+    /// Whether it leads past the singular position and not through it. Then a run with a smaller tolerance may not meet it.
+    pub fn is_beside(&self) -> bool {
+        self.nearest > BESIDE
+    }
+}
 
 /// Steps that begin well before a singular position and end well beyond it.
 ///
@@ -24,6 +45,8 @@ pub(super) struct SingularityCrossing {
     length_s: f64,
     /// Start of the last step, s.
     begin_s: f64,
+    /// How near it comes to the singular position, as a part of the distance at its start.
+    nearest: f64,
     /// Its end, projected and evaluated.
     pub end: Snapshot,
     /// Whether the run is within this step or at its end.
@@ -50,6 +73,7 @@ impl SingularityCrossing {
             chooses_steps: tolerance.is_some(),
             length_s: 0.0,
             begin_s: 0.0,
+            nearest: 0.0,
             end,
             is_under_way: false,
             ahead_s: None,
@@ -91,7 +115,8 @@ impl SingularityCrossing {
                 within
             }
         };
-        let Some(distance) = approach.find(system, &mut self.on_rows.q, within) else { return false };
+        let found = approach.find(system, &mut self.on_rows.q, within);
+        let Some(Vanishing { within_s: distance, nearest }) = found else { return false };
         if !self.chooses_steps {
             self.length_s = distance / MIDDLE;
         }
@@ -105,7 +130,7 @@ impl SingularityCrossing {
             let error = self.attempt(system, now, h).unwrap_or(f64::INFINITY);
             if error <= 1.0 || error <= noise && length <= shortest {
                 self.length_s = length.max(h * self.control.accept(error.max(f64::MIN_POSITIVE)));
-                self.begin_s = t;
+                (self.begin_s, self.nearest) = (t, nearest);
                 if self.finish(system, now).is_err() {
                     self.n_rejected += 1;
                     break;
@@ -148,9 +173,9 @@ impl SingularityCrossing {
         self.method.prepare_dense(&mut on_rows, now.node(), self.end.node())
     }
 
-    /// Start and end of the last step, s.
-    pub(super) fn interval_s(&self) -> [f64; 2] {
-        [self.begin_s, self.end.state.t]
+    /// The last step.
+    pub(super) fn crossed(&self) -> SingularityCrossed {
+        SingularityCrossed { from_s: self.begin_s, to_s: self.end.state.t, nearest: self.nearest }
     }
 
     /// The state at `t` within the step, not projected.

@@ -4,7 +4,7 @@ use super::SetupError;
 use super::discontinuities::Discontinuities;
 use super::integrator::Integrator;
 use super::singular::Approach;
-use super::singularity_crossing::SingularityCrossing;
+use super::singularity_crossing::{SingularityCrossed, SingularityCrossing};
 use super::snapshot::Snapshot;
 use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, QUARTERED, SHORTENED, TOO_NEAR};
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
@@ -28,8 +28,8 @@ pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     crossing: Option<Box<SingularityCrossing>>,
     /// A buffer for positions ahead.
     foreseen: Vec<f64>,
-    /// Start and end of the last crossing step, s; none once it is recorded.
-    pub crossed_s: Option<[f64; 2]>,
+    /// The last crossing step; none once it is recorded.
+    pub crossed: Option<SingularityCrossed>,
     /// Steps taken again shorter: next to a singular position, or far off the constraints.
     n_shortened: u64,
     /// Usual step length, s, of which single steps are cut short; zero before the first step.
@@ -67,7 +67,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             tolerance: method.tolerance(),
             crossing: None,
             foreseen: vec![0.0; info.n_coordinates()],
-            crossed_s: None,
+            crossed: None,
             n_shortened: 0,
             usual_s: 0.0,
             work,
@@ -97,7 +97,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
 
     fn forget_crossing(&mut self) {
         self.usual_s = 0.0;
-        self.crossed_s = None;
+        self.crossed = None;
         if let Some(crossing) = &mut self.crossing {
             crossing.restart();
         }
@@ -152,7 +152,7 @@ impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
             if !crossing.step(system, &approach, within, self.usual_s) {
                 return Ok(false);
             }
-            self.crossed_s = Some(crossing.interval_s());
+            self.crossed = Some(crossing.crossed());
         }
         let Some(crossing) = crossing else { return Ok(false) };
         let end = &crossing.end;

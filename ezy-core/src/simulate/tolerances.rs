@@ -299,11 +299,23 @@ pub(crate) mod monitors {
     /// Test: `regress_chosen_steps_end_at_ten_million_as_the_manual_says`.
     pub(crate) const MAX_CHOSEN_STEPS: u64 = 10_000_000;
 
+    /// Attempted steps from which the pace of a run is taken: some seconds of computing, in which a run that stalls shows it, and more than a
+    /// motion spends on ringing before it becomes smooth.
+    /// Unit: steps.
+    /// Test: `cross_a_run_that_stalls_ends_within_seconds`.
+    pub(crate) const ATTEMPTS_OF_A_PACE: u64 = 20_000;
+
     /// Steps between two evaluations of velocity residuals. One costs a third of an evaluation of the accelerations, and after a
     /// projection the residual is rounding.
     /// Unit: steps.
     /// Test: `analytic_velocity_residual_is_seen_between_the_ends_of_a_run`.
     pub(crate) const N_BETWEEN_LOOKS: u64 = 16;
+
+    /// A path that comes nearer to a singular position than this part of its distance leads through it: the search finds the position to 1/2000
+    /// of its range.
+    /// Unit: 1.
+    /// Test: `cross_crossings_beside_a_singular_position_are_told_from_those_through_it`.
+    pub(crate) const BESIDE: f64 = 3e-3;
 
     /// More intervals say nothing new: the mechanism passes a singular position at every turn.
     /// Unit: intervals.

@@ -35,7 +35,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
     ) -> Result<Self, SetupError> {
         SetupError::refuse_modes(&info)?;
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
-        let method = match method {
+        let method = match method.lifted() {
             Method::Rk4 { step_s } if step_s.is_finite() && step_s > 0.0 => {
                 Steps::Rk4 { method: Box::new(Rk4::new(n_q, n_c, 0)), step_s }
             }

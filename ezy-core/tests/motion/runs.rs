@@ -17,6 +17,19 @@ model! {
     }
 }
 
+model! {
+    /// A mass on a spring that is far too stiff, 159 kHz.
+    pub model Ringing {
+        param c: N*s/m = 0;
+        body mass { mass: 1, inertia: 1 }
+        slider rail: ground(0, 0) ~ mass(0, 0) along ground(1, 0);
+        spring mass(0, 0) ~ ground(-1, 0): stiffness 1e12, length 1;
+        force at mass(0, 0): (-c * mass.vx, 0);
+        start here { mass at (1e-3, 0); at rest; }
+        scene rings { start here; until 100 s; }
+    }
+}
+
 /// Rounding of some sums of numbers of one; of centimetres a hundred times as much.
 const ROUNDING: f64 = 1e-13;
 
@@ -118,6 +131,29 @@ fn invariant_a_limit_on_steps_ends_a_run_with_what_it_has() {
     let whole = simulation(&scene).method(Method::rk4(0.01)).max_steps(200).run().unwrap();
     assert!(whole.outcome.reached_end() && whole.cost.steps == 200, "{:?}", whole.cost);
     assert_eq!(whole.cost.evaluations, 4 * 200 + 1);
+}
+
+/// 1.6e7 periods would take more steps than are allowed: the run says so after 20,000 of them, unless a limit was set. Where a damper ends
+/// the ringing, its first thousands of steps say nothing about those that follow.
+#[test]
+fn cross_a_run_that_stalls_ends_within_seconds() {
+    let rings = ringing::Rings::default();
+    for method in [Method::dop853(1e-6), Method::taylor(1e-6), Method::radau(1e-4)] {
+        let run = simulation(&rings).method(method).run().unwrap();
+        let attempts = run.cost.steps + run.cost.rejected;
+        let Outcome::Stopped { t, reason: StopReason::Limit(ExceededLimit::Pace { needed, .. }), .. } = &run.outcome
+        else {
+            panic!("{method:?}: {:?}", run.outcome)
+        };
+        assert!((20_000..20_100).contains(&attempts), "{method:?}: {attempts}");
+        let rest = (100.0 - t) / t * attempts as f64;
+        assert!((needed / rest - 1.0).abs() <= 0.5, "{method:?}: {needed} for {rest}");
+    }
+    let run = simulation(&rings).method(Method::taylor(1e-6)).max_steps(20_200).run().unwrap();
+    assert!(run.cost.steps + run.cost.rejected >= 20_200, "{:?}", run.outcome);
+    let damped = ringing::Rings { c: 1e4 };
+    let run = simulation(&damped).method(Method::radau(1e-4)).run().unwrap();
+    assert!(run.outcome.reached_end() && run.cost.steps > 2_000, "{:?}: {:?}", run.outcome, run.cost);
 }
 
 #[test]

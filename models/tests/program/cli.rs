@@ -543,6 +543,18 @@ fn invariant_each_command_has_a_manual_page() {
 }
 
 #[test]
+fn invariant_tolerance_below_rounding_is_lifted_and_told() {
+    let run = |rtol| ezy(&["run", "pendulum/swing", "--until", "0.1", "--rtol", rtol, "--json"]);
+    let below = run("1e-17");
+    let json: serde_json::Value = serde_json::from_slice(&below.stdout).expect("JSON");
+    assert!(below.status.success() && json["relative_tolerance"] == 1e-15, "{json}");
+    let remark = "remark: the relative tolerance 1e-17 is below rounding; the run kept to 1e-15";
+    assert!(text(&below.stderr).contains(remark), "{}", text(&below.stderr));
+    let smallest = run("1e-15");
+    assert!(!text(&smallest.stdout).contains("relative_tolerance") && !text(&smallest.stderr).contains("remark"));
+}
+
+#[test]
 fn invariant_tolerance_of_angles_is_used_and_told() {
     let spinning = ["run", "pendulum/swing", "--until", "0.02", "--start", "bob.omega=30000", "--json"];
     let with = |options: &[&str]| ezy(&[&spinning[..], options].concat());

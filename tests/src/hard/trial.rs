@@ -242,7 +242,10 @@ fn seen<'r>(sample: &Sample<'r>, start_j: f64) -> Seen<'r> {
 
 fn ended(outcome: &Outcome) -> Ended {
     match outcome {
-        Outcome::Stopped { reason: StopReason::Limit(ExceededLimit::Steps { .. }), .. } => Ended::Cut,
+        Outcome::Stopped {
+            reason: StopReason::Limit(ExceededLimit::Steps { .. } | ExceededLimit::Pace { .. }),
+            ..
+        } => Ended::Cut,
         Outcome::Stopped { reason: StopReason::Motion(error), .. } => Ended::Refused(word(error)),
         Outcome::Untrusted { .. } => Ended::Refused("not to be trusted"),
         Outcome::Stopped { .. } => Ended::Refused("stopped"),

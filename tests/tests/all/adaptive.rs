@@ -102,7 +102,7 @@ fn analytic_singular_force_ends_the_run_with_what_was_computed() {
 #[test]
 fn analytic_tolerances_out_of_range_are_refused() {
     let scene = ezy_roller::Coast::default();
-    for tolerance in [0.0, -1e-9, 1e-17, 10.0, f64::NAN, f64::INFINITY] {
+    for tolerance in [0.0, -1e-9, 10.0, f64::NAN, f64::INFINITY] {
         for method in METHODS {
             let outcome = Simulation::new(&scene).method(method(tolerance)).run();
             assert!(matches!(outcome, Err(SetupError::Tolerance { .. })), "{} {tolerance}", method(1.0).name());

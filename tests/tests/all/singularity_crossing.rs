@@ -137,6 +137,21 @@ fn cross_crossings_of_level_positions_are_recorded_by_every_method() {
     }
 }
 
+/// Bars of which one is 1 mm longer than the others pass beside the level positions, and those of a parallelogram lead through them.
+#[test]
+fn cross_crossings_beside_a_singular_position_are_told_from_those_through_it() {
+    let beside = |scene: &four_bar::Turning| {
+        let run = Simulation::new(scene).method(Method::dop853(1e-6)).project_start().run().unwrap();
+        assert!(!run.rank.crossings.is_empty(), "{:?}", run.outcome);
+        let text = run.rank.to_string();
+        let told = [run.rank.crossings[0].is_beside(), text.contains("passed beside a singular position")];
+        assert!(told == [true; 2] || told == [false; 2], "{told:?}: {text}");
+        run.rank.crossings.iter().filter(|crossed| crossed.is_beside()).count()
+    };
+    assert_eq!(beside(&four_bar::Turning::default()), 0);
+    assert!(beside(&four_bar::Turning { l2: 1.001, ..Default::default() }) > 0);
+}
+
 #[test]
 fn cross_row_of_parallelograms_stays_one_through_its_flat_positions() {
     let (_, expected) = crank(&equivalent_to_two(), Method::dop853(1e-13));

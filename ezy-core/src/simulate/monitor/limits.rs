@@ -85,6 +85,22 @@ pub enum ExceededLimit {
         /// Length of the last good step, s; zero without one.
         step_s: f64,
     },
+    /// The end is out of reach at the pace of the last steps. Not where a limit of steps was set.
+    #[error(
+        "after {attempts} attempted steps it advances by {pace_s:.1e} s a step; at this pace the end needs {needed:.0e} more, above the \
+         limit of {limit}; take a larger tolerance or another method, look at the speeds and forces at that time, or set a limit \
+         yourself (max-steps)"
+    )]
+    Pace {
+        /// Attempted steps so far.
+        attempts: u64,
+        /// Time for each of the last attempted steps, s.
+        pace_s: f64,
+        /// Steps that the rest needs at this pace.
+        needed: f64,
+        /// The limit.
+        limit: u64,
+    },
 }
 
 #[cfg(test)]

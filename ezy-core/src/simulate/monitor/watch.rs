@@ -5,13 +5,15 @@ use super::energy::EnergyWatch;
 use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors, Peak};
 use crate::dynamics::{Projected, Projection, State, System, Worst};
 use crate::model::{Scene, SceneInfo};
-use crate::simulate::tolerances::monitors::N_BETWEEN_LOOKS;
+use crate::simulate::tolerances::monitors::{ATTEMPTS_OF_A_PACE, N_BETWEEN_LOOKS};
 use std::sync::Arc;
 
 /// The monitors of a run under way.
 pub(in crate::simulate) struct Watch {
     /// Rows at the start.
     n_rows: usize,
+    /// Attempted steps and time, s, from which the present pace counts.
+    pace_from: (u64, f64),
     limits: Limits,
     projection: Projection,
     n_steps: u64,
@@ -44,6 +46,7 @@ impl Watch {
         let measured = work || info.n_effects() == 0;
         Self {
             n_rows: info.n_rows(),
+            pace_from: (0, *t),
             limits,
             projection,
             n_steps: 0,
@@ -60,14 +63,27 @@ impl Watch {
         }
     }
 
-    /// Whether another step may be taken; `n_rejected` were rejected.
-    pub(crate) fn admits_step(&self, chooses_steps: bool, n_rejected: u64) -> Result<(), ExceededLimit> {
+    /// Whether another step may be taken from `t` towards `end`, s; `n_rejected` were rejected.
+    pub(crate) fn admits_step(
+        &mut self,
+        chooses_steps: bool,
+        n_rejected: u64,
+        t: f64,
+        end: f64,
+    ) -> Result<(), ExceededLimit> {
         let limit = self.limits.most_steps(chooses_steps);
-        if self.n_steps + n_rejected < limit {
-            Ok(())
-        } else {
-            Err(ExceededLimit::Steps { limit, step_s: self.last_s })
+        let attempts = self.n_steps + n_rejected;
+        if attempts >= limit {
+            return Err(ExceededLimit::Steps { limit, step_s: self.last_s });
         }
+        let (since, from) = self.pace_from;
+        if self.limits.steps.is_some() || !chooses_steps || attempts - since < ATTEMPTS_OF_A_PACE {
+            return Ok(());
+        }
+        self.pace_from = (attempts, t);
+        let pace_s = (t - from) / (attempts - since) as f64;
+        let needed = (end - t) / pace_s;
+        if needed <= limit as f64 { Ok(()) } else { Err(ExceededLimit::Pace { attempts, pace_s, needed, limit }) }
     }
 
     /// Monitors the projected end of a step that began at `from`, s. A state beyond a limit is not counted.

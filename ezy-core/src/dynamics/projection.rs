@@ -369,6 +369,31 @@ mod tests {
         }
     }
 
+    crate::model! {
+        /// A bead whose row has the slope of a cube.
+        pub model Cube {
+            body bead { mass: 1, inertia: 1 }
+            constraint flat: bead.x * bead.x * bead.x = 0;
+            start there { bead near at (1, 0) angle 0; at rest; }
+            scene waits { start there; until 1 s; }
+        }
+    }
+
+    /// A pass leaves 2/3 of x, ten of them of 0.02 m a residual of 4e-11: that would do for redundant rows, but there are none.
+    #[test]
+    fn analytic_independent_row_that_comes_too_slowly_is_refused() {
+        let scene = cube::Waits::default();
+        for metric in [Metric::Mass, Metric::Euclidean] {
+            let mut system = System::new(&scene, Backend::Dense).unwrap();
+            let mut q = [0.02, 0.0, 0.0];
+            let stalled = system.project_positions(0.0, &mut q, metric).unwrap_err();
+            let MotionError::ProjectionStalled { residual, passes, .. } = stalled else { panic!("{stalled:?}") };
+            let expected = (0.02 * (2.0_f64 / 3.0).powi(10)).powi(3);
+            assert!((residual / expected - 1.0).abs() <= 1e-12 && residual <= TOLERANCE_OF_REDUNDANT, "{residual:e}");
+            assert_eq!(passes, MAX_PASSES);
+        }
+    }
+
     /// Newton's method: what one pass leaves is of the order of the square of the error.
     #[test]
     fn order_a_pass_squares_the_error_of_positions() {

@@ -277,6 +277,31 @@ mod tests {
         assert_eq!(kkt.factor(&[0.0, 0.0], &[1.0, -1.0], ALL), Err(SingularKkt));
     }
 
+    /// Of two coordinates without mass only 3 x₂ + k x₃ is felt, by the heavy one: their `Zᵀ M Z` has rank one, up to rounding.
+    #[test]
+    fn invariant_motion_that_only_rounding_resists_is_singular() {
+        let pattern = SparsityPattern::new(&[0, 3], &[0, 1, 2]);
+        for i in 1..200 {
+            let k = 0.37 * f64::from(i);
+            let mut kkt = NullSpaceKkt::new(&[1.0; 3], &pattern, 1);
+            // the heavy coordinate is the only pivot
+            let jacobian = [1e4, -3.0, -k];
+            assert_eq!(kkt.factor(&[0.7, 0.0, 0.0], &jacobian, ALL), Err(SingularKkt), "{k}");
+        }
+    }
+
+    /// Factors of a third of the mass: x = r leaves −2 r of terms of 4 r, and the refined x = −r leaves 4 r. It is taken back.
+    #[test]
+    fn analytic_refinement_that_makes_a_solution_worse_is_taken_back() {
+        let pattern = SparsityPattern::new(&[0, 1], &[0]);
+        let mut kkt = NullSpaceKkt::new(&[1.0, 1.0], &pattern, 1);
+        kkt.factor(&[1.0, 1.0], &[1.0], ALL).unwrap();
+        kkt.mass[1] = 3.0;
+        let mut x = [0.0, 1.0, 0.0];
+        kkt.solve(&mut x);
+        assert_eq!(x, [0.0, 1.0, 0.0]);
+    }
+
     #[test]
     fn analytic_accelerations_are_exact_whatever_the_ratio_of_masses() {
         // a chain of three on a line, pulled at its end: all accelerate by F/Σm

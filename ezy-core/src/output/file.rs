@@ -173,17 +173,22 @@ fn locked(partial: &Path) -> io::Result<(File, bool)> {
             Err(_) => true,
         };
         let file = OpenOptions::new().write(true).create(true).truncate(false).open(partial)?;
-        match file.try_lock() {
-            Ok(()) if is_at(&file, partial)? => return Ok((file, is_new)),
-            // between opening and locking, the writer before gave it its name
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => {
-                let what = format!("another program is writing `{}`", partial.display());
-                return Err(io::Error::new(ErrorKind::ResourceBusy, what));
-            }
-            // a file system without locks
-            Err(TryLockError::Error(_)) => return Ok((file, is_new)),
+        if takes(&file, partial)? {
+            return Ok((file, is_new));
         }
+    }
+}
+
+/// Locks a file that was opened at `partial`. False when the writer before gave it its name in between.
+fn takes(file: &File, partial: &Path) -> io::Result<bool> {
+    match file.try_lock() {
+        Ok(()) => is_at(file, partial),
+        Err(TryLockError::WouldBlock) => {
+            let what = format!("another program is writing `{}`", partial.display());
+            Err(io::Error::new(ErrorKind::ResourceBusy, what))
+        }
+        // a file system without locks
+        Err(TryLockError::Error(_)) => Ok(true),
     }
 }
 
@@ -261,6 +266,25 @@ mod tests {
         first.complete().unwrap();
         write(&path, "second").unwrap();
         assert_eq!(read(&path), "second");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    /// A second writer opens the file before the first one completes it, and locks it afterwards: it would write into the complete file.
+    #[test]
+    fn invariant_file_that_got_its_name_before_it_was_locked_is_not_taken() {
+        let folder = folder("renamed");
+        let (path, partial) = (folder.join("a.csv"), folder.join("a.csv.partial"));
+        let mut first = OutputFile::create(&path).unwrap();
+        let second = OpenOptions::new().write(true).open(&partial).unwrap();
+        assert_eq!(takes(&second, &partial).unwrap_err().kind(), ErrorKind::ResourceBusy);
+        first.write_all(b"first").unwrap();
+        first.complete().unwrap();
+        assert!(!takes(&second, &partial).unwrap());
+        drop(second);
+        // another one in its place is none of it either
+        let third = OpenOptions::new().write(true).open(&path).unwrap();
+        fs::write(&partial, "another").unwrap();
+        assert!(!takes(&third, &partial).unwrap());
         fs::remove_dir_all(folder).unwrap();
     }
 

@@ -208,6 +208,46 @@ mod tests {
         fn power(&self, _: f64, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
     }
 
+    /// Moves under a force of this size whose values at the stages have nothing to do with each other, as in a narrow layer.
+    struct Rough(f64);
+
+    impl Dynamics<f64> for Rough {
+        fn accelerations(
+            &mut self,
+            t: f64,
+            _: &[f64],
+            _: &[f64],
+            a: &mut [f64],
+            _: &mut [f64],
+        ) -> Result<(), MotionError> {
+            a[0] = self.0 * (1e6 * t).sin();
+            Ok(())
+        }
+
+        fn power(&self, _: f64, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
+    }
+
+    /// In a layer the larger error counts, that of order 5 alone or of all estimates: what is accepted there is accepted anywhere.
+    #[test]
+    fn invariant_step_in_a_layer_is_accepted_only_where_any_other_is() {
+        let start = State { t: 0.0, q: vec![0.0], v: vec![0.0], work: Vec::new() };
+        let mut refused = [0, 0];
+        for i in 0..400 {
+            let (size, step_s) = (10_f64.powf(-10.0 + 0.01 * f64::from(i)), 1.0 + 0.01 * f64::from(i % 7));
+            let [smooth, layer] = [Passage::Smooth, Passage::Layer].map(|passage| {
+                let mut adaptive = Adaptive::new(1, 0, 0, Tolerance::new(1e-9, 1e-9));
+                adaptive.restart_with(step_s);
+                let from = Node { state: &start, a: &[0.0], power: &[] };
+                adaptive.step(&mut Rough(size), from, 10.0, &mut start.clone(), |_, _| passage).unwrap();
+                adaptive.n_rejected() > 0
+            });
+            assert!(layer || !smooth, "{size:e} {step_s}");
+            refused[0] += u32::from(layer);
+            refused[1] += u32::from(smooth);
+        }
+        assert!(refused[0] >= refused[1] && refused[1] > 0 && refused[0] < 400, "{refused:?}");
+    }
+
     /// Of 4 s, 4/3 s and 4/9 s only the last ends before the wall, which is 1 s away. From the wall on no step leads on.
     #[test]
     fn analytic_step_whose_stages_leave_where_equations_are_defined_is_made_shorter() {

@@ -263,6 +263,32 @@ mod tests {
         }
     }
 
+    crate::model! {
+        /// A pendulum that hangs at rest.
+        pub model Hung {
+            body rod { mass: 2, inertia: 1 }
+            hinge pivot: ground(0, 0) ~ rod(0, 0.5);
+            gravity (0, -8);
+            start down { rod at (0, -0.5) angle 0; at rest; }
+            scene hangs { start down; until 1 s; }
+        }
+    }
+
+    /// A limit that the run keeps ends no run beside it: the one whose start is moved swings, and leaves rounding in the hinge.
+    #[test]
+    fn invariant_limits_of_a_run_are_not_those_of_the_runs_beside_it() {
+        let scene = hung::Hangs::default();
+        let order = || Simulation::new(&scene).method(Method::rk4(0.25)).max_drift(0.0);
+        let run = order().estimate_error().run().unwrap();
+        assert!(run.outcome.is_complete(), "{:?}", run.outcome);
+        let estimate = run.error_estimate.unwrap().unwrap();
+        assert!(estimate.amplification.is_some(), "{estimate:?}");
+        let mut moved = order();
+        moved.settings.start_moved_by = SMALLEST_MOVE;
+        let moved = moved.run_once().unwrap();
+        assert!(!moved.outcome.is_complete(), "it would not keep that limit: {:?}", moved.outcome);
+    }
+
     fn run<S: Scene>(scene: &S) -> Run {
         Simulation::new(scene).method(Method::rk4(0.25)).every(0.5).run().unwrap()
     }

@@ -114,6 +114,20 @@ fn analytic_estimate_is_the_missing_slope_at_the_start_filtered() {
     assert_eq!(tried.system.counters().factorizations - n_factored, 1);
 }
 
+/// A damper that pushes with c = −m μ takes the whole of M + c/μ: no error is known there, and none is not zero.
+#[test]
+fn analytic_estimate_with_a_singular_matrix_is_infinite() {
+    // without rounding
+    let mu = 32.0;
+    let (h, scene) = (GAMMA / mu, free::Swings::default());
+    let mut tried = Tried::new(&scene, h);
+    let singular = free::Swings { k: 0.0, c: -M * mu };
+    let mut system = System::new(&singular, Backend::Auto).unwrap();
+    let from = Node { state: &tried.from, a: &tried.a, power: &tried.power };
+    assert_eq!(tried.radau.estimate_at_end(&mut system, from, h, &tried.to), f64::INFINITY);
+    assert!(tried.radau.estimate_at_end(&mut tried.system, from, h, &tried.to) < 1e9);
+}
+
 /// The estimate goes with the fourth power of the step, the second look with the fifth.
 #[test]
 fn order_of_the_estimate_is_four_and_of_the_second_look_five() {

@@ -3,6 +3,7 @@
 mod dense;
 mod differences;
 mod equations;
+mod laws;
 mod mechanism;
 mod models;
 mod oracle;

@@ -37,6 +37,9 @@ mod tests {
         // what is cut off is known exactly: 1 + 2^-60 is 1 and the rest
         let mut rest = 0.0;
         assert_eq!((add(1.0, 2.0_f64.powi(-60), &mut rest), rest), (1.0, 2.0_f64.powi(-60)));
+        // and of a small number with a large increment, too: 2^54 + 3 is 2^54 + 4
+        let (mut rest, large) = (0.0, 2.0_f64.powi(54));
+        assert_eq!((add(3.0, large, &mut rest), rest), (large + 4.0, -1.0));
         let mut rest = [0.0, 2.0_f64.powi(-53)];
         let mut to = [0.0; 2];
         add_each(&mut to, &[1.0, 1.0], &[2.0_f64.powi(-53), 2.0_f64.powi(-53)], &mut rest);

@@ -146,6 +146,14 @@ mod tests {
         assert!((x - y).abs() <= ROUNDING * y.abs(), "{x} {y}");
     }
 
+    #[test]
+    fn analytic_tolerances_change_in_proportion() {
+        let tolerance = Tolerance { angle: Some(1e-3), ..Tolerance::new(1e-6, 1e-5) }.with_relative(1e-8);
+        close(tolerance.relative, 1e-8);
+        close(tolerance.absolute, 1e-7);
+        close(tolerance.angle.unwrap(), 1e-5);
+    }
+
     /// Steady errors ε ask for 0.9 ε^(0.04 + 0.2 · 0.04 − 1/8): with 0.9 ε^(−0.077) one becomes a step of its own length.
     #[test]
     fn analytic_steady_errors_ask_for_their_eighth_root_less_what_damps() {

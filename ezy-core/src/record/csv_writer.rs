@@ -75,3 +75,51 @@ impl<W: Write + Send> Recorder for CsvWriter<W> {
         self.write(sample).map_err(|cause| RecordError { t: sample.t, cause })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integrate::Method;
+    use crate::simulate::Simulation;
+
+    crate::model! {
+        /// A puck that nothing holds.
+        pub model Puck {
+            body puck { mass: 1, inertia: 1 }
+            start here { puck at (0, 0) angle 0 velocity (1, 0) rate 0; }
+            scene glides { start here; until 1 s; }
+        }
+    }
+
+    /// A file whose second row finds no room, and the third one would.
+    #[derive(Default)]
+    struct FullOnce {
+        rows: String,
+        n_writes: usize,
+    }
+
+    impl Write for FullOnce {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.n_writes += 1;
+            if self.n_writes == 2 {
+                return Err(io::ErrorKind::StorageFull.into());
+            }
+            self.rows += &String::from_utf8_lossy(bytes);
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn invariant_no_row_is_written_behind_one_that_is_missing() {
+        let run = Simulation::new(&puck::Glides::default()).method(Method::rk4(0.5)).every(0.5).run().unwrap();
+        let mut writer = CsvWriter::new(FullOnce::default());
+        let written: Vec<bool> = run.samples().map(|sample| writer.record(&sample).is_ok()).collect();
+        assert_eq!(written, [true, false, false]);
+        let rows = writer.into_inner().rows;
+        assert!(rows.lines().count() == 2 && rows.ends_with('\n'), "{rows}");
+    }
+}

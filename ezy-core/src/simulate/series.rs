@@ -130,6 +130,13 @@ mod tests {
         close(part(1.0), 0.5_f64.sqrt());
         close(part(2.0_f64.powi(-2)), 0.5_f64.powf(0.3));
         assert_eq!(part(2.0_f64.powi(9)), 0.5);
+        // the tolerance of angles is not that of their rates
+        let note = |angle: Option<f64>| {
+            let mut corrections = Corrections { found: vec![0.0, 1.0, 1.0], part: 1.0 };
+            corrections.note(&[0.0, 1.0, 1.0 + 1.8e-9 * SERIES_CORRECTION], Tolerance { angle, ..tolerance }, 10);
+            corrections.part
+        };
+        assert_eq!([note(Some(1e-15)), note(None)], [1.0; 2]);
         // at 1e-13 ten tolerances are rounding
         corrections.note(&[0.0, 1.0, 1.0 + 2e-13], Tolerance::new(1e-13, 1e-13), 10);
         assert!((corrections.part / (0.5 * 10.0_f64.powf(0.1)) - 1.0).abs() <= 1e-3, "{}", corrections.part);

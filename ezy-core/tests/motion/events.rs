@@ -77,3 +77,22 @@ fn analytic_an_event_soon_after_the_start_is_found() {
     let [slow] = run.events() else { panic!("{:?}", run.events()) };
     assert!(slow.event.name == "slow" && (slow.state.t - 0.5 / 9.81).abs() < 1e-3, "{}", slow.state.t);
 }
+
+model! {
+    /// A puck that passes two places, the farther one declared first.
+    pub model Passing {
+        body puck { mass: 1, inertia: 1 }
+        event far: puck.x = 0.6;
+        event near: puck.x = 0.3;
+        start here { puck at (0, 0) angle 0 velocity (1, 0) rate 0; }
+        scene glides { start here; until 1 s; }
+    }
+}
+
+/// Both in one step: they are told in the order of their times.
+#[test]
+fn analytic_events_of_a_step_are_told_in_the_order_of_time() {
+    let run = simulation(&passing::Glides::default()).method(Method::rk4(1.0)).run().unwrap();
+    let names: Vec<&str> = run.events().iter().map(|of| of.event.name).collect();
+    assert_eq!((names, run.cost.steps), (vec!["near", "far"], 1));
+}

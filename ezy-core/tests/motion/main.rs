@@ -9,6 +9,7 @@ mod assembly_modes;
 mod counts;
 mod energy;
 mod events;
+mod inputs;
 mod lanes;
 mod laws;
 mod methods;

@@ -206,3 +206,19 @@ fn invariant_velocities_next_to_a_flat_position_are_those_at_corrected_positions
         );
     }
 }
+
+/// What was asked about velocities before takes no part in a projection of positions.
+#[test]
+fn invariant_positions_are_projected_alike_whatever_was_asked_before() {
+    let scene = hoist::Falls::default();
+    for backend in [Backend::Generated, Backend::Dense, Backend::Sparse] {
+        let project = |asks: bool| {
+            let mut system = system_of(&scene, backend).unwrap();
+            let mut q = [0.0, 1.0, 0.0, 0.0, 0.0, 0.0].map(|x| x + 1e-3);
+            assert!(!asks || system.velocity_residual(0.0, &q, &[1.0; 6]) >= 1.0);
+            system.project_positions(0.0, &mut q, Metric::Mass).unwrap();
+            q
+        };
+        assert_eq!(project(true), project(false), "{backend:?}");
+    }
+}

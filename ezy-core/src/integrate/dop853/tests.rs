@@ -29,6 +29,15 @@ const TOLERANCE: Tolerance = Tolerance::new(1e-3, 1e-2);
 /// Rounding of some tens of operations.
 const ROUNDING: f64 = 1e-12;
 
+/// Of the numbers of one body (x, y, φ and their rates) the angle alone has the tolerance of angles.
+#[test]
+fn analytic_tolerance_of_angles_is_none_of_their_rates() {
+    let tolerance = Tolerance { angle: Some(1e-9), ..TOLERANCE };
+    let found: Vec<f64> = (0..6).map(|i| scale_of(tolerance, i, 3, 2.0)).collect();
+    let other = 1e-2 + 1e-3 * 2.0;
+    assert_eq!(found, [other, other, 1e-9, other, other, other]);
+}
+
 fn close(x: f64, y: f64) {
     assert!((x - y).abs() <= ROUNDING * y.abs().max(1.0), "{x} {y}");
 }

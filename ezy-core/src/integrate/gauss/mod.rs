@@ -403,3 +403,21 @@ fn useful_degree(sizes: &[f64; N], length: f64) -> usize {
     }
     best
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A change of an acceleration by 1 changes velocities by h and positions by h²: the larger one counts, over its own tolerance.
+    #[test]
+    fn analytic_weights_are_those_of_the_number_that_changes_most() {
+        let mut from = State::zero(3, 0);
+        (from.q[0], from.q[1], from.v[0], from.v[1]) = (9.0, 0.0, 0.0, 9.0);
+        let tolerance = Tolerance { angle: Some(1e-9), ..Tolerance::new(1e-3, 1e-3) };
+        let mut weights = [0.0; 3];
+        write_weights(&from, 2.0, tolerance, &mut weights);
+        // velocities of 0, 9, 0; positions of 9, 0 and an angle
+        let expected = [2.0 / 1e-3, 4.0 / 1e-3, 4.0 / 1e-9];
+        assert!(weights.iter().zip(expected).all(|(x, y)| (x / y - 1.0).abs() <= 1e-14), "{weights:?}");
+    }
+}

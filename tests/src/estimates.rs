@@ -2,6 +2,7 @@
 
 use crate::garage::worse;
 use ezy_core::integrate::PreciseMotion;
+use ezy_core::model::Name;
 use ezy_core::prelude::*;
 use ezy_core::simulate::QuantityError;
 
@@ -46,14 +47,33 @@ impl Judged {
 /// A motion to be judged against, as exact as there is one.
 pub struct Reference {
     motion: Motion,
-    /// How far it is known, of the sizes of numbers.
-    known: f64,
+    /// The errors of positions, velocities and multipliers, by unit, that the best of all runs leaves: rounding, and how far a start is consistent.
+    known: Vec<f64>,
 }
 
-/// The run that is judged.
-fn order(scene: &dyn Scene, method: Method) -> Simulation<'_, dyn Scene + '_> {
-    let until_s = scene.info().until_s;
-    Simulation::new(scene).method(method).until(until_s).every(until_s / N_INTERVALS).without_events()
+/// Runs whose error is estimated.
+pub struct Question<'s> {
+    /// The scene.
+    pub scene: &'s dyn Scene,
+    /// Start values in place of the scene's.
+    pub given: &'s [(Name, f64)],
+    /// End, s.
+    pub until_s: f64,
+    /// Steps after which a run is ended.
+    pub most_steps: u64,
+}
+
+impl<'s> Question<'s> {
+    /// A scene as it is.
+    pub fn of(scene: &'s dyn Scene) -> Self {
+        Self { scene, given: &[], until_s: scene.info().until_s, most_steps: u64::MAX }
+    }
+
+    fn order(&self, method: Method) -> Simulation<'s, dyn Scene + 's> {
+        let order = Simulation::new(self.scene).method(method).until(self.until_s).every(self.until_s / N_INTERVALS);
+        let order = order.without_events().project_start().max_steps(self.most_steps);
+        self.given.iter().fold(order, |order, (name, value)| order.start(&**name, *value))
+    }
 }
 
 fn motion(run: &Run) -> Motion {
@@ -65,30 +85,32 @@ fn motion(run: &Run) -> Motion {
 
 impl Reference {
     /// In double-double where that is possible, otherwise by DOP853 with the smallest tolerance that comes to the end.
-    pub fn of(scene: &dyn Scene) -> Option<Self> {
-        let ran =
-            |tolerance: f64| order(scene, Method::dop853(tolerance)).run().ok().filter(|run| run.outcome.reached_end());
-        if let Some(motion) = precise(scene) {
-            return Some(Self { motion, known: 0.0 });
-        }
-        let mut runs = TIGHTEST.into_iter().filter_map(ran);
-        let (best, next) = (motion(&runs.next()?), motion(&runs.next()?));
-        let known =
-            differences(scene, &best, &next).into_iter().map(|(.., size, [_, most])| most / size).fold(0.0, worse);
-        Some(Self { motion: best, known })
+    pub fn of(question: &Question<'_>) -> Option<Self> {
+        let ran = |tolerance: f64| {
+            question.order(Method::dop853(tolerance)).run().ok().filter(|run| run.outcome.reached_end())
+        };
+        let mut runs = TIGHTEST.into_iter().filter_map(ran).map(|run| motion(&run));
+        let best = runs.next()?;
+        let (exact, other) = match precise(question) {
+            Some(exact) => (exact, best),
+            None => (best, runs.next()?),
+        };
+        let known = differences(question.scene, &exact, &other).into_iter().map(|(.., [_, most])| most).collect();
+        Some(Self { motion: exact, known })
     }
 
     /// The estimates of a run, and what it is off by; of errors that are known.
-    pub fn judge(&self, scene: &dyn Scene, method: Method) -> Result<(Vec<Judged>, Option<f64>), String> {
-        let run = order(scene, method).estimate_error().run().map_err(|error| error.to_string())?;
+    pub fn judge(&self, question: &Question<'_>, method: Method) -> Result<(Vec<Judged>, Option<f64>), String> {
+        let run = question.order(method).estimate_error().run().map_err(|error| error.to_string())?;
         let estimate = run.error_estimate.as_ref().expect("asked for");
         let estimate = estimate.as_ref().map_err(ToString::to_string)?;
         let mut judged = Vec::new();
-        for (quantity, unit, size, errors) in differences(scene, &motion(&run), &self.motion) {
+        let apart = differences(question.scene, &motion(&run), &self.motion);
+        for ((quantity, unit, size, errors), known) in apart.into_iter().zip(&self.known) {
             let theirs = |of: &&QuantityError| of.quantity == quantity && of.unit == unit;
             let QuantityError { at_end, largest, .. } = estimate.errors.iter().find(theirs).expect("an estimate");
             for (is_at_end, estimate, error) in [(true, *at_end, errors[0]), (false, *largest, errors[1])] {
-                if error > (ROUNDING + 10.0 * self.known) * (1.0 + size) && error > PASSES_ZERO * errors[1] {
+                if error > ROUNDING * (1.0 + size) + 10.0 * known && error > PASSES_ZERO * errors[1] {
                     judged.push(Judged { quantity, unit: unit.clone(), is_at_end, estimate, error });
                 }
             }
@@ -97,11 +119,12 @@ impl Reference {
     }
 }
 
-fn precise(scene: &dyn Scene) -> Option<Motion> {
+fn precise(question: &Question<'_>) -> Option<Motion> {
+    let scene = question.scene;
     if !scene.modes().is_empty() {
         return None;
     }
-    let run = order(scene, Method::taylor(1e-6)).run().ok().filter(|run| run.outcome.reached_end())?;
+    let run = question.order(Method::taylor(1e-6)).run().ok().filter(|run| run.outcome.reached_end())?;
     let first = run.first();
     let start = State { t: first.t, q: first.coordinates.to_vec(), v: first.velocities.to_vec(), work: Vec::new() };
     let mut precise = PreciseMotion::new(scene, &start).ok()?;

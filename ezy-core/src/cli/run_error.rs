@@ -77,7 +77,7 @@ fn setting(method: Method) -> String {
         (_, Some(Tolerance { relative, absolute, angle })) => {
             let atol = if relative == absolute { String::new() } else { format!(" --atol {}", short(absolute)) };
             let angle_tol = angle.map_or(String::new(), |angle| format!(" --angle-tol {}", short(angle)));
-            format!("--rtol {}{atol}{angle_tol}", short(relative))
+            format!("--method {} --rtol {}{atol}{angle_tol}", method.name(), short(relative))
         }
         (_, None) => String::new(),
     }

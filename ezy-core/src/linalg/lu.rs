@@ -40,6 +40,13 @@ impl<T: ComplexField<RealField = f64>> Lu<T> {
         true
     }
 
+    /// Whether the determinant is negative, after a successful [`Lu::factor`] of a real matrix.
+    pub(crate) fn has_negative_determinant(&self) -> bool {
+        let exchanged = self.pivot_rows.iter().enumerate().filter(|&(i, &i_pivot)| i_pivot != i).count();
+        let negative = self.matrix.diagonal().iter().filter(|pivot| (*pivot).clone().real() < 0.0).count();
+        (exchanged + negative) % 2 == 1
+    }
+
     /// Replaces the right side by the solution, with the factors of the last successful [`Lu::factor`].
     pub(crate) fn solve(&self, right_side: &mut [T]) {
         for (i, &i_pivot) in self.pivot_rows.iter().enumerate() {

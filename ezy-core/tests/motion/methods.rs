@@ -129,6 +129,30 @@ fn analytic_stiff_damper_costs_radau_nothing() {
     assert!(run.cost.steps <= 200, "{} steps", run.cost.steps);
 }
 
+model! {
+    /// Water below a hull that drives it to 1 m/s, however little it moves: v' = k (v − v³).
+    pub model Surfing {
+        param k: s^-1 = 1e4;
+        body hull { mass: 1, inertia: 1 }
+        slider rail: ground(0, 0) ~ hull(0, 0) along ground(1, 0);
+        let v = hull.vx / (1.0 m/s);
+        force at hull(0, 0): (1.0 kg*m/s * k * (v - v^3), 0);
+        start still { hull at (0, 0) velocity (1e-9, 0); }
+        scene surf { start still; until 1 s; }
+    }
+}
+
+/// A mode that grows from a ten-thousandth of the tolerance within 2 ms: a step that is longer than its time would damp it, and end at rest.
+#[test]
+fn analytic_radau_does_not_damp_what_grows() {
+    let scene = surfing::Surf::default();
+    for method in [Method::dop853(1e-5), Method::radau(1e-5)] {
+        let run = simulation(&scene).method(method).run().unwrap();
+        let v = run.last().velocities[0];
+        assert!((v - 1.0).abs() <= 1e-4, "{method:?}: {v} m/s after {} steps", run.cost.steps);
+    }
+}
+
 /// Stability limits steps of an explicit method beside a damper of 1e3 N s/m: it says since when. An implicit one does not, nor does a motion
 /// that is not stiff.
 #[test]

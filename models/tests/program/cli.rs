@@ -472,7 +472,10 @@ fn invariant_estimated_error_is_told_everywhere_alike() {
     // and a summary without rows has the same table
     let text = output(&run);
     let table = text.split("estimated error").nth(1).expect("a table");
-    assert!(table.contains("positions") && table.contains("from a second run with --rtol 1e-8"), "{table}");
+    assert!(
+        table.contains("positions") && table.contains("from a second run with --method dop853 --rtol 1e-8"),
+        "{table}"
+    );
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! The same motion by every method: what tolerance and the motion's own amplification do not explain is a fault; for RK4, what half the
 //! step does not tell.
 
+use std::ops::Range;
+
 use ezy_core::integrate::PreciseMotion;
 use ezy_core::model::{Name, SceneEntry};
 use ezy_core::prelude::*;
@@ -10,8 +12,10 @@ use super::draw::Draw;
 use super::parameters::{Scenes, change};
 use crate::garage::worse;
 
-/// Tolerances that methods are judged at.
+/// Tolerances that methods are judged at; a random case draws two between the first and the last.
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+const N_DRAWN: usize = 2;
+const DECADES: [f64; 2] = [-12.0, -4.0];
 
 /// Steps of RK4 over a run.
 const RK4_STEPS: [f64; 2] = [1e3, 1e4];
@@ -35,8 +39,8 @@ const SHARES: [f64; 2] = [-2.0, 0.477];
 /// Samples that are compared.
 const N_SAMPLES: usize = 32;
 
-/// Steps after which a run is ended: a reference needs some hundred, and stiffness is no fault.
-const MOST_STEPS: u64 = 20_000;
+/// Steps times unknowns after which a run is ended: a reference needs some hundred steps, and stiffness is no fault.
+const MOST_NUMBERS: u64 = 200_000;
 
 /// What starts are moved by to see the amplification, of their scale; differences of runs at the tolerance of references are
 /// below a thousandth of it.
@@ -57,8 +61,9 @@ pub struct Case {
     /// Parameters and counts that differ from the scene's.
     changed: Vec<(&'static str, f64)>,
     /// Start values.
-    given: Vec<(Name, f64)>,
-    until_s: f64,
+    pub(super) given: Vec<(Name, f64)>,
+    pub(super) until_s: f64,
+    tolerances: Vec<f64>,
     /// What starts are moved by is drawn from it.
     seed: u64,
 }
@@ -109,8 +114,10 @@ pub struct Fault {
 /// What a run computed.
 #[derive(Clone)]
 struct Motion {
-    /// Coordinates, velocities and multipliers.
+    /// Coordinates, velocities, multipliers and works.
     samples: Vec<Vec<f64>>,
+    /// Times of events, s.
+    events: Vec<f64>,
     /// Samples in stretches across a singular position, which the run names: at a distance D from it velocities carry errors of
     /// positions multiplied by 1/D².
     crosses: Vec<bool>,
@@ -118,15 +125,20 @@ struct Motion {
     n_steps: u64,
 }
 
+/// Ranges of states, multipliers and works in a sample.
+type Parts = [Range<usize>; 3];
+
 /// What runs are compared with.
 struct Reference {
     motion: Motion,
     /// What tolerances are relative to: one more than the largest of each number.
     scale: Vec<f64>,
-    /// Coordinates and velocities among the numbers of a sample; multipliers follow.
-    n_state: usize,
-    /// How much errors of a state grow, in later states and in multipliers.
-    amplification: [f64; 2],
+    /// Where the parts of a sample begin: states, multipliers, works.
+    parts: Parts,
+    /// How much errors of a state grow, in each part of later samples.
+    amplification: [f64; 3],
+    /// How much they move events, s for the scale of a number; none where a moved start has more or fewer events.
+    of_events: Option<f64>,
     /// The smallest tolerance that it can judge.
     least: f64,
 }
@@ -146,16 +158,25 @@ impl Case {
             }
         }
         let [low, high] = SHARES;
-        Self { model, entry, changed, given, until_s: info.until_s * draw.decades(low, high), seed: i }
+        let until_s = info.until_s * draw.decades(low, high);
+        let [low, high] = DECADES;
+        let tolerances = (0..N_DRAWN).map(|_| draw.decades(low, high)).collect();
+        Self { model, entry, changed, given, until_s, tolerances, seed: i }
     }
 
     /// A scene as it is, over so many times its time.
     pub fn shipped(model: &'static ModelInfo, entry: &'static SceneEntry, times: f64) -> Self {
         let until_s = times * (entry.new)().info().until_s;
-        Self { model, entry, changed: Vec::new(), given: Vec::new(), until_s, seed: 0 }
+        let tolerances = TOLERANCES.to_vec();
+        Self { model, entry, changed: Vec::new(), given: Vec::new(), until_s, tolerances, seed: 0 }
     }
 
-    fn scene(&self) -> Box<dyn Scene> {
+    /// The same over another time.
+    pub(super) fn over(self, until_s: f64) -> Self {
+        Self { until_s, ..self }
+    }
+
+    pub(super) fn scene(&self) -> Box<dyn Scene> {
         let mut scene = (self.entry.new)();
         let info = scene.info();
         for (name, value) in &self.changed {
@@ -173,9 +194,11 @@ impl Case {
     fn order<'s>(&self, scene: &'s dyn Scene, method: Method) -> Simulation<'s, dyn Scene + 's> {
         let every_s = self.until_s / N_SAMPLES as f64;
         let order = Simulation::new(scene).method(method).until(self.until_s).every(every_s);
-        let order = order.max_steps(MOST_STEPS).project_start();
-        // energy tells that a fixed step is too long, and takes works as the command line does
-        let order = if method.tolerance().is_none() { order.work() } else { order };
+        let info = scene.info();
+        let n_unknowns = (info.n_coordinates() + info.n_rows()).max(1) as u64;
+        let order = order.max_steps(MOST_NUMBERS / n_unknowns).project_start();
+        // with works energy tells that a fixed step is too long, too
+        let order = order.work();
         self.given.iter().fold(order, |order, (name, value)| order.start(&**name, *value))
     }
 
@@ -223,13 +246,18 @@ impl Case {
         let n_state = 2 * scene.info().n_coordinates();
         let scale = scale(&explicit);
         let start = &explicit.samples[0];
+        let n_multipliers = start.len() - n_state - scene.info().n_effects();
+        let parts = [0..n_state, n_state..n_state + n_multipliers, n_state + n_multipliers..start.len()];
         let mut draw = Draw::new(self.seed, 1);
         let faster = self.moved(scene, start, |i| if i < n_state / 2 { 0.0 } else { start[i] });
         let moved = (0..N_MOVED).map(|_| self.moved(scene, start, |i| scale[i] * draw.between(-1.0, 1.0)));
         let moved = std::iter::once(faster).chain(moved).collect::<Option<Vec<Motion>>>();
         let moved = moved.ok_or(Judgement::NoReference)?;
-        let grown = moved.iter().map(|moved| amplification(moved, &explicit, &scale, n_state));
-        let amplification = grown.fold([1.0; 2], |most, grown| [0, 1].map(|i| worse(most[i], grown[i])));
+        let grown = moved.iter().map(|moved| amplification(moved, &explicit, &scale, &parts));
+        let (amplification, of_events) = grown.fold(([1.0; 3], Some(1.0)), |most, grown| {
+            let of_events = most.1.zip(grown.1).map(|(most, grown)| worse(most, grown));
+            ([0, 1, 2].map(|i| worse(most.0[i], grown.0[i])), of_events)
+        });
         if amplification[0] > LARGEST_AMPLIFICATION {
             return Err(Judgement::Amplifies);
         }
@@ -237,7 +265,7 @@ impl Case {
         let is_precise = precise.is_some();
         let motion = precise.unwrap_or(explicit);
         let least = if is_precise { 0.0 } else { ABOVE_REFERENCE * REFERENCE };
-        let reference = Reference { motion, scale, n_state, amplification, least };
+        let reference = Reference { motion, scale, parts, amplification, of_events, least };
         if is_precise {
             return Ok(reference);
         }
@@ -285,7 +313,7 @@ impl Case {
             let n_skipped = motion.crosses.iter().filter(|crosses| **crosses).count();
             tell(Told { n_steps: motion.n_steps, n_skipped, ..told(method, judgement, excess, amplification) });
         };
-        for tolerance in TOLERANCES {
+        for &tolerance in &self.tolerances {
             for method in [Method::dop853, Method::taylor, Method::gauss, Method::radau] {
                 let method = method(tolerance);
                 if tolerance < reference.least {
@@ -319,16 +347,26 @@ impl Case {
 }
 
 impl Reference {
-    /// The largest difference of two runs over what errors of states grow to, of the scale of each number.
+    /// The largest difference of two runs over what errors of states grow to, of the scale of each number, or of times of events.
     fn error(&self, a: &Motion, b: &Motion) -> f64 {
-        let [of_state, of_multipliers] = self.amplification;
-        let grown = |[state, multipliers]: [f64; 2]| worse(state / of_state, multipliers / of_multipliers);
-        differences(a, b, &self.scale, self.n_state).map(grown).fold(0.0, worse)
+        let [of_motion, of_rest] = self.errors(a, b);
+        worse(of_motion, of_rest)
     }
 
-    /// The error of a run in tolerances times amplification.
+    /// The same of states and multipliers, and of works and events.
+    fn errors(&self, a: &Motion, b: &Motion) -> [f64; 2] {
+        let of_events = self.of_events.map_or(0.0, |grown| late(a, b) / grown);
+        differences(a, b, &self.scale, &self.parts).fold([0.0, of_events], |most, apart| {
+            let [state, multipliers, works] = [0, 1, 2].map(|i| apart[i] / self.amplification[i]);
+            [worse(worse(most[0], state), multipliers), worse(most[1], works)]
+        })
+    }
+
+    /// The error of a run in tolerances times amplification. Works and events have no reference in double-double.
     fn excess(&self, motion: &Motion, tolerance: f64) -> f64 {
-        self.error(motion, &self.motion) / tolerance
+        let [of_motion, of_rest] = self.errors(motion, &self.motion);
+        let known = tolerance >= ABOVE_REFERENCE * REFERENCE;
+        (if known { worse(of_motion, of_rest) } else { of_motion }) / tolerance
     }
 }
 
@@ -360,40 +398,53 @@ impl Fault {
 /// What went wrong, and the command line that shows it.
 impl std::fmt::Display for Fault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { case: Case { model, entry, changed, given, until_s, .. }, method, excess, amplification } = self;
-        let name = method.name();
-        let (setting, of) = match (method, method.tolerance()) {
-            (Method::Rk4 { step_s }, _) => (format!("--step {step_s:e}"), "its difference to half the step"),
-            (_, tolerance) => {
-                let relative = tolerance.map_or(f64::NAN, |tolerance| tolerance.relative);
-                (format!("--rtol {relative:e}"), "tolerance and amplification")
-            }
+        let Self { case, method, excess, amplification } = self;
+        let of = match method.tolerance() {
+            None => "its difference to half the step",
+            Some(_) => "tolerance and amplification",
         };
-        writeln!(f, "{name} with {setting} is off by {excess:.1e} times {of} (amplification {amplification:.1e})")?;
-        let id = |name: &str| name.chars().filter(|c| *c != '_').collect::<String>().to_lowercase();
-        write!(
-            f,
-            "  ezy run {}/{} --project-start --until {until_s} --method {name} {setting}",
-            id(model.name),
-            entry.name
-        )?;
-        changed.iter().try_for_each(|(name, value)| write!(f, " --set {name}={value:e}"))?;
-        given.iter().try_for_each(|(name, value)| write!(f, " --start {name}={value:e}"))
+        let name = method.name();
+        writeln!(f, "{name} is off by {excess:.1e} times {of} (amplification {amplification:.1e})")?;
+        write!(f, "  {}", case.command(*method))
+    }
+}
+
+impl Case {
+    /// The command line that runs it.
+    pub(super) fn command(&self, method: Method) -> String {
+        let Self { model, entry, changed, given, until_s, .. } = self;
+        let setting = match (method, method.tolerance()) {
+            (Method::Rk4 { step_s }, _) => format!("--step {step_s:e}"),
+            (_, tolerance) => format!("--rtol {:e}", tolerance.map_or(f64::NAN, |tolerance| tolerance.relative)),
+        };
+        let id: String = model.name.chars().filter(|c| *c != '_').collect::<String>().to_lowercase();
+        let mut line = format!(
+            "ezy run {id}/{} --project-start --until {until_s} --method {} {setting}",
+            entry.name,
+            method.name()
+        );
+        changed.iter().for_each(|(name, value)| line += &format!(" --set {name}={value:e}"));
+        given.iter().for_each(|(name, value)| line += &format!(" --start {name}={value:e}"));
+        line
     }
 }
 
 /// What a run that reached its end computed.
 fn motion(run: &Run) -> Result<Motion, Judgement> {
     match run.outcome {
-        Outcome::ReachedEnd => {
+        Outcome::ReachedEnd | Outcome::ReachedEvent { .. } => {
+            // a sample at an event is at another time in each run
+            let n = run.samples().len() - usize::from(matches!(run.outcome, Outcome::ReachedEvent { .. }));
             let crosses =
                 |t: f64| run.rank.crossings.iter().any(|crossed| (crossed.from_s..=crossed.to_s).contains(&t));
             Ok(Motion {
                 samples: run
                     .samples()
-                    .map(|sample| [sample.coordinates, sample.velocities, sample.multipliers].concat())
+                    .take(n)
+                    .map(|sample| [sample.coordinates, sample.velocities, sample.multipliers, sample.work].concat())
                     .collect(),
-                crosses: run.samples().map(|sample| crosses(sample.t)).collect(),
+                events: run.events().iter().map(|occurred| occurred.state.t).collect(),
+                crosses: run.samples().take(n).map(|sample| crosses(sample.t)).collect(),
                 crosses_any: !run.rank.crossings.is_empty(),
                 n_steps: run.cost.steps + run.cost.rejected,
             })
@@ -408,22 +459,32 @@ fn scale(reference: &Motion) -> Vec<f64> {
     (0..reference.samples[0].len()).map(|i| 1.0 + largest(i)).collect()
 }
 
-/// The largest differences of states and of multipliers in each pair of samples that can be compared, of their scale; NaN where one is none.
-fn differences(a: &Motion, b: &Motion, scale: &[f64], n_state: usize) -> impl Iterator<Item = [f64; 2]> {
+/// The largest differences of states, multipliers and works in each pair of samples that can be compared, of their scale; NaN where one is none.
+fn differences(a: &Motion, b: &Motion, scale: &[f64], parts: &Parts) -> impl Iterator<Item = [f64; 3]> {
     let pairs = a.samples.iter().zip(&b.samples).zip(a.crosses.iter().zip(&b.crosses));
     pairs.filter(|(_, (a, b))| !*a && !*b).map(move |((a, b), _)| {
-        let largest = |range: std::ops::Range<usize>| range.fold(0.0, |m: f64, i| worse(m, (a[i] - b[i]) / scale[i]));
-        [largest(0..n_state), largest(n_state..scale.len())]
+        parts.clone().map(|range| range.fold(0.0, |m: f64, i| worse(m, (a[i] - b[i]) / scale[i])))
     })
 }
 
-/// How much a difference of states grows, from the move of the start, and from any sample to any later one: in states, and in multipliers.
-fn amplification(moved: &Motion, reference: &Motion, scale: &[f64], n_state: usize) -> [f64; 2] {
-    let (mut least, mut most) = (MOVED, [1.0_f64; 2]);
-    for [state, multipliers] in differences(moved, reference, scale, n_state) {
+/// The largest difference of times of events, s; infinite where there are more or fewer.
+fn late(a: &Motion, b: &Motion) -> f64 {
+    if a.events.len() != b.events.len() {
+        return f64::INFINITY;
+    }
+    a.events.iter().zip(&b.events).map(|(a, b)| a - b).fold(0.0, worse)
+}
+
+/// How much a difference of states grows, from the move of the start, and from any sample to any later one: in states, in multipliers and in
+/// works, and in times of events, where these are as many.
+fn amplification(moved: &Motion, reference: &Motion, scale: &[f64], parts: &Parts) -> ([f64; 3], Option<f64>) {
+    let (mut least, mut most) = (MOVED, [1.0_f64; 3]);
+    for [state, others @ ..] in differences(moved, reference, scale, parts) {
         let state = state.max(REFERENCE);
         least = least.min(state);
-        most = [most[0].max(state / least), most[1].max(multipliers / least)];
+        let [multipliers, works] = others.map(|other| other / least);
+        most = [most[0].max(state / least), most[1].max(multipliers), most[2].max(works)];
     }
-    most
+    let late = late(moved, reference);
+    (most, late.is_finite().then_some(late / least))
 }

@@ -3,6 +3,7 @@
 
 mod accelerations;
 pub mod draw;
+pub mod estimates;
 pub mod methods;
 mod motion;
 mod oracle;

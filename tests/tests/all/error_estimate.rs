@@ -3,7 +3,7 @@
 use ezy_core::prelude::*;
 use ezy_core::simulate::{ErrorEstimate, SetupError};
 use ezy_models::{double_pendulum, ezy_roller, pendulum, skateboard, tractor_trailers, wheeled_snake};
-use ezy_tests::estimates::Reference;
+use ezy_tests::estimates::{Question, Reference};
 use std::sync::atomic::AtomicBool;
 
 model! {
@@ -46,9 +46,10 @@ fn cross_estimates_are_within_a_factor_of_five_of_the_error() {
         ("wheeledsnake/floating", Box::new(wheeled_snake::Floating::default()), &[Method::taylor(1e-6)]),
     ];
     for (name, scene, methods) in scenes {
-        let reference = Reference::of(&*scene).expect("a reference");
+        let question = Question::of(&*scene);
+        let reference = Reference::of(&question).expect("a reference");
         for &method in methods {
-            let (judged, amplification) = reference.judge(&*scene, method).expect("a run");
+            let (judged, amplification) = reference.judge(&question, method).expect("a run");
             assert!(!judged.is_empty() && amplification.is_some(), "{name} {method:?}");
             for judged in judged {
                 let ratio = judged.ratio();
@@ -88,6 +89,31 @@ fn cross_estimates_of_runs_of_a_few_steps_are_not_zero() {
         }
     }
     assert!(n_same >= 2, "{n_same} runs of the same steps");
+}
+
+model! {
+    /// A cart that shakes too fast for the samples of fixed steps.
+    pub model Shaken {
+        param omega: rad/s = 100;
+        body cart { mass: 1, inertia: 1 }
+        force at cart(0, 0): (cos(omega*t), 0);
+        start still { cart at (0, 0) angle 0; at rest; }
+        scene shakes { start still; until 1 s; }
+    }
+}
+
+/// A force of eight periods in a step is the same at all its nodes and at those of half the step: both push all the time, and only a method that
+/// sees the force tells the error, nearly 0.5 m.
+#[test]
+fn analytic_estimate_of_fixed_steps_sees_what_they_sample_too_seldom() {
+    let step_s = 0.1;
+    let scene = shaken::Shakes { omega: 16.0 * std::f64::consts::PI / step_s };
+    let run = Simulation::new(&scene).method(Method::rk4(step_s)).estimate_error().run().unwrap();
+    let exact = (1.0 - scene.omega.cos()) / scene.omega.powi(2);
+    let error = (run.last().coordinates[0] - exact).abs();
+    assert!(error > 0.4, "{error}");
+    let told = estimate(&run).errors.iter().find(|told| told.quantity == "positions" && told.unit == "m").unwrap();
+    assert!((told.at_end / error - 1.0).abs() <= 1e-9, "{} for {error}", told.at_end);
 }
 
 /// The user's bound on steps is one of the runs beside, too: with ten thousand steps of a tolerance that needs more, there is no estimate.

@@ -1,8 +1,12 @@
 //! Random parameters, starts and inputs; many more by the example `fuzz`.
 
+use std::path::Path;
+use std::time::UNIX_EPOCH;
+
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_models::tractor_trailers;
+use ezy_tests::fuzz::estimates::{Estimated, SMALLEST, estimated};
 use ezy_tests::fuzz::methods::{Case, Judgement, Told};
 use ezy_tests::fuzz::{Scenes, Tally, Verdict, compare, trial};
 use ezy_tests::garage::set;
@@ -70,14 +74,57 @@ fn regress_parameters_far_apart_are_refused_or_confirmed() {
 }
 
 /// Motions by every method, of which each takes some fifteen runs; many more by the example `methods`.
-const N_MOTIONS: u64 = 24;
+const N_MOTIONS: u64 = 12;
 
+/// As many again with a seed of the day.
 #[test]
 fn cross_random_motions_are_the_same_by_every_method() {
-    let (scenes, mut n_right) = (Scenes::all(), 0);
-    let mut tell = |told: Told| n_right += u64::from(told.judgement == Judgement::Right);
-    let faults = (0..N_MOTIONS).flat_map(|i| Case::new(&scenes, SEED, i).judge(&mut tell));
-    let faults: Vec<String> = faults.map(|fault| fault.shrunk().to_string()).collect();
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(n_right > 8 * N_MOTIONS, "too few are compared: {n_right}");
+    let scenes = Scenes::all();
+    for seed in [SEED, seed_of_the_day()] {
+        let mut n_right = 0;
+        let mut tell = |told: Told| n_right += u64::from(told.judgement == Judgement::Right);
+        let faults = (0..N_MOTIONS).flat_map(|i| Case::new(&scenes, seed, i).judge(&mut tell));
+        let faults: Vec<String> = faults.map(|fault| fault.shrunk().to_string()).collect();
+        keep("methods", seed, &faults);
+        assert!(faults.is_empty(), "seed {seed}: {}", faults.join("\n"));
+        assert!(n_right > 4 * N_MOTIONS, "seed {seed}: too few are compared: {n_right}");
+    }
+}
+
+/// Runs whose estimated error is compared with the true one; many more by the example `estimates`.
+const N_ESTIMATES: u64 = 60;
+
+#[test]
+fn cross_random_estimates_are_not_below_the_error() {
+    let scenes = Scenes::all();
+    for seed in [SEED, seed_of_the_day()] {
+        let mut n_judged = 0;
+        let mut low = Vec::new();
+        for i in 0..N_ESTIMATES {
+            if let Estimated::Judged { command, judged } = estimated(&scenes, seed, i) {
+                n_judged += u64::from(!judged.is_empty());
+                low.extend(judged.iter().filter(|of| of.ratio() < SMALLEST).map(|of| format!("{of:?}: {command}")));
+            }
+        }
+        keep("estimates", seed, &low);
+        assert!(low.is_empty(), "seed {seed}: {}", low.join("\n"));
+        assert!(n_judged > N_ESTIMATES / 6, "seed {seed}: too few are judged: {n_judged}");
+    }
+}
+
+/// Days since 1970, or `EZY_SEED`: what one day finds is found again on the next with it.
+fn seed_of_the_day() -> u64 {
+    let given = std::env::var("EZY_SEED").ok().and_then(|seed| seed.parse().ok());
+    let seed = given.unwrap_or_else(|| UNIX_EPOCH.elapsed().expect("a clock").as_secs() / 86_400);
+    println!("EZY_SEED={seed}");
+    seed
+}
+
+/// Writes what a seed found where it outlives the day.
+fn keep(what: &str, seed: u64, faults: &[String]) {
+    if !faults.is_empty() {
+        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("fuzz-{what}-{seed}.txt"));
+        std::fs::write(&file, faults.join("\n")).expect("a folder for temporary files");
+        println!("kept in {}", file.display());
+    }
 }

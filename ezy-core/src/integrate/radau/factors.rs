@@ -47,6 +47,14 @@ impl<T: ComplexField<RealField = f64> + SparseNumber> Factors<T> {
         }
     }
 
+    /// Whether the determinant of the factored matrix is negative; none where sparse factors do not tell.
+    pub(super) fn has_negative_determinant(&self) -> Option<bool> {
+        match self {
+            Self::Dense(lu) => Some(lu.has_negative_determinant()),
+            Self::Sparse(_) => None,
+        }
+    }
+
     /// Replaces the right side by the solution.
     pub(super) fn solve(&mut self, right_side: &mut [T]) {
         match self {

@@ -15,6 +15,9 @@ pub(super) struct Matrices {
     complex: Factors<Complex<f64>>,
     /// h of the factors, s; none before the first.
     step_s: Option<f64>,
+    /// Whether the determinant of K was negative when it was last asked for.
+    negative_at_rest: Option<bool>,
+    has_regular_k: bool,
 }
 
 impl Matrices {
@@ -25,7 +28,7 @@ impl Matrices {
     pub(super) fn new(info: &SceneInfo, jacobians: &JacobianPlaces) -> Result<Self, SparseKktError> {
         let entries = Entries::new(info, jacobians);
         let (real, complex) = (entries.factors()?, entries.factors()?);
-        Ok(Self { entries, real, complex, step_s: None })
+        Ok(Self { entries, real, complex, step_s: None, negative_at_rest: None, has_regular_k: true })
     }
 
     /// h of the factors, s.
@@ -39,14 +42,32 @@ impl Matrices {
         self.step_s = None;
     }
 
-    /// Factors for steps of length `h`; false when a matrix is singular.
+    /// Factors for steps of length `h`; false when a matrix is singular, or where a mode grows so fast that the step would damp it.
+    ///
+    /// N(μ) is singular where μ is an eigenvalue of the linearised motion, and K for an infinite one. Determinants of different signs tell that an odd
+    /// number of real eigenvalues is larger than μ: such modes grow by more than e^3.6 in a step, and the method, which damps what its steps do
+    /// not resolve, would lose them.
     pub(super) fn factor(&mut self, h: f64) -> bool {
         self.entries.scale(GAMMA / h);
         self.entries.assemble(GAMMA / h, &mut self.real);
         self.entries.assemble(Complex::new(ALPHA, BETA) / h, &mut self.complex);
-        let regular = self.real.factor() && self.complex.factor();
+        let regular = self.real.factor() && self.loses_no_growth(h) && self.complex.factor();
         self.step_s = regular.then_some(h);
         regular
+    }
+
+    /// Compares signs of determinants; the real factors are those for steps of length `h`, before and after. Where coordinates without mass leave K
+    /// singular nothing is compared.
+    fn loses_no_growth(&mut self, h: f64) -> bool {
+        let negative = self.real.has_negative_determinant();
+        if negative == self.negative_at_rest || !self.has_regular_k {
+            return true;
+        }
+        self.entries.assemble(f64::INFINITY, &mut self.real);
+        self.has_regular_k = self.real.factor();
+        self.negative_at_rest = self.real.has_negative_determinant();
+        self.entries.assemble(GAMMA / h, &mut self.real);
+        self.real.factor() && (negative == self.negative_at_rest || !self.has_regular_k)
     }
 
     /// Factors for [`Matrices::filter`] alone; false when the matrix is singular.

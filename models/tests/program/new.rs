@@ -31,6 +31,15 @@ fn invariant_new_crate_has_its_name_in_all_places() {
     );
 }
 
+/// Figures are drawn without another build.
+#[test]
+fn invariant_new_crate_has_figures() {
+    let folder = directory("new_figures").join("tricycle");
+    assert!(ezy(&["new", folder.to_str().unwrap()]).status.success());
+    let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
+    assert!(manifest.contains("features = [\"cli\", \"figures\"]"), "{manifest}");
+}
+
 /// Names that hold the placeholder are filled in once.
 #[test]
 fn invariant_new_crate_may_be_called_as_the_template_is() {

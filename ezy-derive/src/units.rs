@@ -25,7 +25,7 @@ const OTHERWISE: [(&str, &str); 13] = [
 ];
 
 /// Units of another size, and how much they are.
-const OF_OTHER_SIZE: [(&str, &str, &str); 17] = [
+const OF_OTHER_SIZE: [(&str, &str, &str); 24] = [
     ("rpm", "deg/s", "6"),
     ("rps", "deg/s", "360"),
     ("rev", "deg", "360"),
@@ -39,9 +39,16 @@ const OF_OTHER_SIZE: [(&str, &str, &str); 17] = [
     ("mph", "m/s", "0.44704"),
     ("inch", "mm", "25.4"),
     ("ft", "m", "0.3048"),
+    ("yd", "mm", "914.4"),
     ("mile", "km", "1.609344"),
+    ("knot", "km/h", "1.852"),
+    ("day", "h", "24"),
+    ("oz", "g", "28.349523125"),
     ("lb", "kg", "0.45359237"),
     ("lbf", "N", "4.4482216152605"),
+    ("kgf", "N", "9.80665"),
+    ("psi", "kN/m^2", "6.894757293168"),
+    ("atm", "kN/m^2", "101.325"),
     ("hp", "W", "745.7"),
 ];
 

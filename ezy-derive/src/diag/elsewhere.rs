@@ -17,6 +17,10 @@ const ACCELERATIONS: &str = "accelerations are results: runs record them, as `se
 const REMAINDER: &str = "write `T/2 + T*atan2(-sin(2*pi*x/T), -cos(2*pi*x/T))/(2*pi)` for the remainder of x by T, or a law of `sin(2*pi*x/T)`, \
     which does not jump";
 const OF_A_RUN: &str = "a run has its method and steps, a model has none: `ezy run --method dop853 --rtol 1e-9`, `.method(Method::dop853(1e-9))`";
+const NO_MECHANICS: &str = "units are made of m, kg, s and rad: a motor takes a plain number and gives a torque, \
+    `param u = 12;`, `param k: N*m = 0.1;` and `torque a ~ b: k * u;`";
+const ENERGIES: &str = "runs record energies, as `kinetic` and `potential`, and no law can read them; write the sum that is meant, such as \
+    `m * norm(a.v)^2 / 2`";
 const TABLES: &str = "tables belong to runs: declare `input height: m = 0;`, use `height` here, and give its values by `ezy run --inputs FILE.csv --method rk4 --step 1e-3`";
 const ONE_SIDED: &str = "write `rod r: p ~ q length l;` for one that stays taut, `stop r: norm(Q.r) to l;` for one that may go slack, or \
     `spring p ~ q: stiffness k, length l, damping c;` for an elastic one";
@@ -123,10 +127,29 @@ pub const VALUES: &[Meaning] = &[
     (&["π", "pi"], "write `pi`"),
     (&["e", "euler"], "write `exp(x)` for a power of e"),
     (&["lambda", "reaction", "reactions", "multiplier"], REACTIONS),
+    (&["energy", "kinetic", "potential", "kineticenergy", "potentialenergy"], ENERGIES),
+    (&["s2"], "write `s^2`, as in `9.81 m/s^2`"),
     (
         &["x", "y", "phi", "vx", "vy", "omega"],
         "coordinates and velocities belong to bodies: write `body.x` with the name of a body",
     ),
+];
+
+/// In place of units.
+pub const UNITS: &[Meaning] = &[
+    (
+        &[
+            "v", "volt", "volts", "a", "amp", "amps", "ampere", "ohm", "ohms", "ω", "k", "kelvin", "c", "celsius",
+            "coulomb", "farad", "henry", "tesla",
+        ],
+        NO_MECHANICS,
+    ),
+    (
+        &["percent", "none", "dimensionless", "unitless", "real", "float", "number", "one", "scalar"],
+        "leave `:` and the unit out for a plain number: `param mu = 0.3;`",
+    ),
+    (&["bar", "bars"], "write the value in `kN/m^2`: 1 bar is 100 kN/m^2"),
+    (&["l", "liter", "liters", "litre", "litres"], "write `m^3`: 1 litre is 0.001 m^3"),
 ];
 
 /// In place of members of bodies, points and hinges.

@@ -2,7 +2,7 @@
 
 use super::elsewhere::{self, meaning};
 use super::fault_with_help;
-use super::nearest::{meaning_or_suggestion, nearest, quoted, suggestion};
+use super::nearest::{meaning_or_suggestion, nearest, quoted};
 use crate::function::FUNCTIONS;
 use proc_macro2::{Ident, Span};
 
@@ -60,7 +60,7 @@ pub fn unknown_unit(name: &Ident, instead: Option<(String, Option<&str>)>, units
     let help = match instead {
         Some((unit, None)) => format!("write `{unit}`"),
         Some((unit, Some(is))) => format!("write the value in `{unit}`: 1 {name} is {is} {unit}"),
-        None => suggestion(&name.to_string(), units, "units"),
+        None => meaning_or_suggestion(elsewhere::UNITS, &name.to_string(), units, "units"),
     };
     fault_with_help(name, format_args!("`{name}` is no known unit"), help)
 }

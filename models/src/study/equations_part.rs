@@ -2,7 +2,7 @@
 
 use ezy_core::model::{Equation, Scene, SceneInfo};
 use ezy_core::report::drawing;
-use ezy_core::report::page::{Page, escape};
+use ezy_core::report::page::{Page, Picture, escape};
 use ezy_core::report::table::Table;
 use ezy_core::simulate::Simulation;
 
@@ -13,6 +13,8 @@ use crate::ezy_roller::Driven;
 
 /// Angle of the bar in the sketch, rad: its lengths are then beside those of the seat.
 const SKETCHED_ANGLE: f64 = 0.5;
+/// Largest sketch on a telephone, pixels: its letters are not made smaller there.
+const TELEPHONE: [f64; 2] = [358.0, 500.0];
 
 /// Puts the sketch of the vehicle, parameters and equations on the page.
 ///
@@ -63,10 +65,11 @@ pub fn write(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), Stu
 
 fn sketch(page: &mut Page, output: &Output, scene: &Driven) -> Result<(), StudyError> {
     let run = Simulation::new(scene).start("bar.phi", SKETCHED_ANGLE).until(0.0).run()?;
-    let svg = drawing::sketch(scene, &run.last());
-    output.write("vehicle.svg", &svg)?;
+    let wide = drawing::sketch(scene, &run.last());
+    output.write("vehicle.svg", &wide)?;
+    let narrow = drawing::sketch_within(scene, &run.last(), TELEPHONE);
     page.figure(
-        svg.as_str(),
+        Picture { wide, narrow },
         "The vehicle from above: a, b, c and d are distances along the bodies from their centres of mass.",
         "The seat from the rear wheel A to the hinge B, with its centre of mass at the distance a from A and b from B; the bar from B to the front \
          wheel C, with its centre of mass at the distance d from B and c from C.",

@@ -59,12 +59,16 @@ fn check_page(page: &str) {
     for elsewhere in ["http:", "https:", "<script", "<img", "<link", "url(h"] {
         assert!(!page.contains(elsewhere), "{elsewhere}");
     }
-    // each for wide and for narrow screens
-    assert_eq!(page.matches("<svg class=\"wide\" role=\"img\" aria-label=").count(), FIGURES.len());
-    assert_eq!(page.matches("<svg class=\"narrow\" role=\"img\" aria-label=").count(), FIGURES.len());
-    // the sketch of the vehicle comes first
-    assert_eq!(page.matches("role=\"img\" aria-label=").count(), 1 + 2 * FIGURES.len());
-    let sketch = page.find("<svg").and_then(|from| page[from..].split("</svg>").next()).unwrap();
+    // each for wide and for narrow screens; the sketch of the vehicle comes first
+    assert_eq!(page.matches("<svg class=\"wide\" role=\"img\" aria-label=").count(), 1 + FIGURES.len());
+    assert_eq!(page.matches("<svg class=\"narrow\" role=\"img\" aria-label=").count(), 1 + FIGURES.len());
+    assert_eq!(page.matches("role=\"img\" aria-label=").count(), 2 + 2 * FIGURES.len());
+    let mut sketches = page.split("<svg").skip(1).filter_map(|svg| svg.split("</svg>").next());
+    let (sketch, narrow) = (sketches.next().unwrap(), sketches.next().unwrap());
+    // a screen of 390 pixels and the margins of the page
+    let width: f64 =
+        narrow.split(" width=\"").nth(1).and_then(|width| width.split('"').next()).unwrap().parse().unwrap();
+    assert!(width <= 390.0 - 2.0 * 16.0, "letters shrink with a sketch that is {width} wide");
     for length in ["a", "b", "c", "d"] {
         assert!(sketch.contains(&format!("text-anchor=\"middle\">{length}</text>")), "{length} in {sketch}");
     }

@@ -6,18 +6,19 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Models;
 use super::names::path;
+use super::quantity;
 use super::selection::find;
 use crate::model::SceneInfo;
 
 /// Options of other tools, and the options or commands here that do the same.
-const OPTIONS: [(&str, &[&str]); 20] = [
+const OPTIONS: [(&str, &[&str]); 21] = [
     ("dt h timestep deltat stepsize fixed-step", &["--step"]),
     ("hmax dtmax max-step max-dt hmin dtmin min-step", &["--rtol", "--step"]),
     ("tol tolerance precision eps epsilon accuracy error", &["--rtol", "--atol"]),
     ("reltol rel relative relative-tolerance", &["--rtol"]),
     ("abstol abs absolute absolute-tolerance", &["--atol"]),
     ("t-end tf tfinal final-time end end-time duration stop stop-time tmax time length seconds t t1", &["--until"]),
-    ("o output csv file outfile output-file save export write dest output-dir outdir dir", &["--out"]),
+    ("o output csv json-out file outfile output-file save export write dest output-dir outdir dir", &["--out"]),
     ("p param params parameter parameters define d const constant", &["--set"]),
     ("ic ics init initial initial-condition initial-conditions x0 q0 v0 y0 state start-value", &["--start"]),
     ("m solver integrator integration integrate ode scheme algorithm", &["--method"]),
@@ -33,7 +34,8 @@ const OPTIONS: [(&str, &[&str]); 20] = [
     ("print-json format output-format fmt", &["--json", "--out"]),
     ("x xaxis versus vs abscissa phase", &["--against"]),
     ("figure graph chart", &["plot"]),
-    ("animation gif video movie anim render", &["animate"]),
+    ("animation gif video movie anim render mp4 webm", &["animate"]),
+    ("png svg html pdf picture image", &["plot", "sketch", "animate"]),
 ];
 
 /// Values of other tools, by option, and the value here.
@@ -72,8 +74,8 @@ const VALUES: [(&str, &str, &str); 13] = [
 /// Commands of other tools, and the command here with what to write.
 const COMMANDS: [(&str, &str, &str); 13] = [
     ("simulate sim solve integrate start exec execute go compute motion csv export save", "run", "run MODEL/SCENE"),
-    ("draw picture diagram drawing view svg image", "sketch", "sketch MODEL/SCENE"),
-    ("gif animation anim movie video render play film", "animate", "animate MODEL/SCENE"),
+    ("draw picture diagram drawing view viewer svg image", "sketch", "sketch MODEL/SCENE"),
+    ("gif animation anim movie video render play player film", "animate", "animate MODEL/SCENE"),
     ("graph chart figure curve curves visualize visualise", "plot", "plot MODEL/SCENE COLUMN"),
     ("sweep scan vary range batch parametric", "plot", "plot MODEL/SCENE COLUMN --vary NAME=A,B"),
     (
@@ -82,23 +84,90 @@ const COMMANDS: [(&str, &str, &str); 13] = [
         "accuracy MODEL/SCENE",
     ),
     ("diff cmp difference", "compare", "compare FIRST.csv SECOND.csv"),
-    ("equations eqs equation print latex tex describe jacobian derive symbolic", "show", "show MODEL/SCENE"),
-    ("ls models model scenes scene dir info", "list", "list"),
+    (
+        "equations eqs equation print latex tex describe jacobian mass-matrix constraints derive symbolic",
+        "show",
+        "show MODEL/SCENE",
+    ),
+    ("ls models model scenes scene dir info dof dofs", "list", "list"),
     ("test verify validate selftest assert", "check", "check MODEL"),
     ("init create scaffold generate template project", "new", "new NAME"),
     ("completion complete autocomplete", "completions", "completions bash"),
     ("manual manpage docs doc", "man", "man"),
 ];
 
-/// What no command does, and how it is done.
-const ABSENT: [(&str, &str); 2] = [
+/// What no command and no option does, and the nearest thing.
+const ABSENT: [(&str, &str); 20] = [
     (
-        "linearise linearize linearisation linearization eigenvalues modes sensitivity",
+        "linearise linearize linearisation linearization linmod eig eigen eigenvalue eigenvalues modes modal bode sensitivity",
         "no command linearises; 'show' prints the equations of motion, and programs have the derivatives of a run (ezy_core::simulate)",
     ),
     (
         "optimise optimize fit identify calibrate montecarlo ensemble",
-        "no command runs many cases but --vary of 'plot'; programs loop over scenes, whose parameters are fields",
+        "no command optimises; --vary of 'plot' runs a scene with several values, and programs loop over scenes, whose parameters are fields",
+    ),
+    (
+        "equilibrium equilibria trim static statics steady steady-state",
+        "no command looks for an equilibrium; a run of a model with dampers comes to rest at a stable one",
+    ),
+    (
+        "inverse inverse-dynamics inverse-kinematics ik kinematic kinematics",
+        "no command solves for forces or inputs; `drive` in a model prescribes a motion, and a run records the force that it takes, as lambda.NAME",
+    ),
+    (
+        "build compile make translate",
+        "models are compiled with the crate that holds them: 'cargo build', or 'cargo run -- run MODEL/SCENE'",
+    ),
+    ("open preview display show", "no window opens: a command writes a file, prints its path, and a browser shows it"),
+    (
+        "config configuration settings yaml toml preset",
+        "no file holds options: values stand in the model or in the line of the command",
+    ),
+    (
+        "verbose v debug quiet q silent loglevel progress no-progress no-color color",
+        "there is one level of output: results go to standard output; faults, and a progress bar on a terminal, to standard error",
+    ),
+    (
+        "log logfile logscale logx logy loglog semilogx semilogy",
+        "axes have no logarithmic scale, and messages no file of their own; write the numbers with 'ezy run MODEL/SCENE --out FILE.csv', messages with '2> FILE'",
+    ),
+    (
+        "title grid legend label xlabel ylabel xlim ylim xrange yrange dpi height size figsize fontsize style linewidth marker theme subplot",
+        "figures choose their axes, labels and sizes; 'ezy run MODEL/SCENE --out FILE.csv' writes the numbers for another program to draw",
+    ),
+    (
+        "speed playback slow slowmotion loop zoom camera pause",
+        "the page of 'animate' has the speed, the pause and the view beside the picture",
+    ),
+    ("seed random rng", "runs and checks have nothing random that changes: each repetition gives the same numbers"),
+    (
+        "threads thread jobs j cores cpus parallel gpu",
+        "one run takes one core; start several commands for several runs",
+    ),
+    (
+        "t0 tstart start-time from begin",
+        "every run begins at t = 0; --start gives the values there, and --until the end",
+    ),
+    (
+        "backend linear-solver linsolve sparse lu qr klu ldl",
+        "the solver of the linear equations follows from the scene; 'show' says how they are solved",
+    ),
+    (
+        "dense interpolate interpolation",
+        "--every and --at of 'run' give rows between the steps, from the interpolant of the method",
+    ),
+    (
+        "energy energies stats statistics profile timing counters summary",
+        "'run' prints energies, steps and time by itself; --json prints the same for programs",
+    ),
+    (
+        "forces force reactions reaction multipliers events event",
+        "'run' prints multipliers and events by itself; --out writes multipliers at all times, as lambda.NAME",
+    ),
+    ("overwrite yes y dry-run", "a file is replaced without a question, and only when the new one is complete"),
+    (
+        "version help-all usage",
+        "write '--version' for the version, '--help' for the options, 'help COMMAND' for those of a command",
     ),
 ];
 
@@ -175,7 +244,9 @@ fn of_option(
         return vec![format!("`{name}` is a name of the scene: write {assignment} {name}=VALUE")];
     }
     let aims = OPTIONS.iter().find(|(words, _)| has(words, name)).map_or(&[][..], |(_, aims)| aims);
-    let described: Vec<String> = aims.iter().filter_map(|aim| described(aim, program, command)).collect();
+    // what the command itself does is asked of its file
+    let own = if aims.contains(&command.get_name()) { &["--out"][..] } else { aims };
+    let described: Vec<String> = own.iter().filter_map(|aim| described(aim, program, command)).collect();
     if !described.is_empty() {
         return described;
     }
@@ -185,7 +256,31 @@ fn of_option(
     if has(BY_THEMSELVES, name) {
         return vec![format!("write the name by itself, without '--{name}'")];
     }
-    // an option of another command, under its name here or elsewhere; a command that was written as an option
+    // `-atol`
+    let option = format!("--{name}");
+    if has_option(command, &option) {
+        return vec![format!("write '{option}', with two signs")];
+    }
+    let unit = scene.filter(|_| has_option(command, "--set")).and_then(|scene| {
+        let info = (scene.info)();
+        quantity::alike(name, info.parameters.iter().map(|known| (known.name, known.unit)))
+    });
+    if let Some((unit, names)) = unit {
+        return vec![format!("write --set NAME=VALUE; in {unit}: {}", names.join(", "))];
+    }
+    if let Some(how) = absent(name) {
+        return vec![how];
+    }
+    // a command that was written as an option
+    if let Some((_, own, _)) = COMMANDS.iter().find(|(words, ..)| has(words, name)) {
+        let by_itself = format!("'{} {own}' does so without an option", program.get_name());
+        return if *own == command.get_name() {
+            vec![by_itself]
+        } else {
+            described_command(own, program).into_iter().collect()
+        };
+    }
+    // an option of another command, under its name here or elsewhere
     let name = aims.first().map_or(name, |aim| aim.trim_start_matches('-'));
     if let Some(tip) = described_command(name, program) {
         return vec![tip];
@@ -199,12 +294,17 @@ fn of_option(
     }
 }
 
+/// How to do without what there is not.
+fn absent(word: &str) -> Option<String> {
+    ABSENT.iter().find(|(words, _)| has(words, word)).map(|(_, how)| (*how).to_owned())
+}
+
 fn has_option(command: &Command, option: &str) -> bool {
     command.get_arguments().any(|arg| arg.get_long() == option.strip_prefix("--"))
 }
 
 /// The option that gives `name` its value.
-fn assignment_of(name: &str, info: &SceneInfo) -> Option<&'static str> {
+pub(super) fn assignment_of(name: &str, info: &SceneInfo) -> Option<&'static str> {
     let parameters = info.parameters.iter().map(|known| known.name);
     if parameters.chain(info.counts().iter().map(|known| known.name)).any(|known| known == name) {
         return Some("--set");
@@ -285,14 +385,14 @@ fn of_command(word: &str, program: &Command, models: Models<'_>) -> Vec<String> 
     let nearest = names.iter().copied().min_by_key(|name| slips(name));
     // of a short word two slips leave nothing
     let nearest = nearest.filter(|name| slips(name) <= MOST_SLIPS.min(name.len() / 2));
-    let absent = ABSENT.iter().find(|(words, _)| has(words, word)).map(|(_, how)| (*how).to_owned());
-    let lead = match (of_table, nearest) {
-        (Some((_, name, usage)), _) => {
+    let lead = match (of_table, absent(word), nearest) {
+        (Some((_, name, usage)), ..) => {
             let about = program.find_subcommand(name).and_then(Command::get_about).map(ToString::to_string);
             Some(format!("use '{} {usage}': {}", program.get_name(), about.unwrap_or_default()))
         }
-        (None, Some(name)) => Some(format!("did you mean '{name}'?")),
-        (None, None) => absent,
+        (None, Some(how), _) => Some(how),
+        (None, None, Some(name)) => Some(format!("did you mean '{name}'?")),
+        (None, None, None) => None,
     };
     lead.into_iter().chain([format!("the commands are: {}", names.join(", "))]).collect()
 }
@@ -344,7 +444,9 @@ mod tests {
         let options = OPTIONS.iter().map(|(words, _)| *words).collect::<Vec<_>>();
         let commands = COMMANDS.iter().map(|(words, ..)| *words).collect::<Vec<_>>();
         let methods = VALUES.iter().filter(|(option, ..)| *option == "--method").map(|(_, words, _)| *words).collect();
-        for table in [options, commands, methods] {
+        let absent = ABSENT.iter().map(|(words, _)| *words).collect::<Vec<_>>();
+        let leads = [options.clone(), absent.clone()].concat();
+        for table in [leads, [commands, absent].concat(), methods] {
             let words: Vec<String> = table.iter().flat_map(|words| words.split_whitespace()).map(bare).collect();
             for (i, word) in words.iter().enumerate() {
                 assert!(!words[..i].contains(word), "{word} twice");
@@ -371,6 +473,20 @@ mod tests {
             ("list --model a", "without '--model'"),
             ("run a/b --format json", "use '--json'"),
             ("linearise a/b", "no command linearises"),
+            ("eig a/b", "no command linearises"),
+            ("compile a/b", "models are compiled with the crate"),
+            ("run a/b --eigenvalues", "no command linearises"),
+            ("run a/b --verbose", "one level of output"),
+            ("run a/b --seed 1", "nothing random"),
+            ("run a/b --stats", "energies, steps and time"),
+            ("run a/b -atol 1e-6", "write '--atol'"),
+            ("run a/b --gif", "use the command 'ezy animate'"),
+            ("animate a/b --gif", "use '--out <FILE>': The page"),
+            ("plot a/b x --png", "use '--out <FILE>': The file"),
+            ("plot a/b x --xlim 0,1", "figures choose their axes"),
+            ("plot a/b x --show", "no window opens"),
+            ("show a/b --jacobian", "'ezy show' does so without an option"),
+            ("run a/b --equations", "use the command 'ezy show'"),
             ("rnu a/b", "did you mean 'run'?"),
             ("Simulate a/b", "use 'ezy run MODEL/SCENE': Runs a scene"),
             ("frobnicate", "the commands are: list, show, run"),

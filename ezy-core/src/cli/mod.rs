@@ -38,6 +38,7 @@ mod out_file;
 mod out_path;
 mod plot;
 mod progress;
+mod quantity;
 mod run;
 mod run_end;
 mod run_error;

@@ -5,6 +5,8 @@ use crate::record::{UnknownName, find_name, input_index};
 
 use super::Models;
 use super::failure::Failure;
+use super::leads::assignment_of;
+use super::quantity;
 use super::selection::{find, typed};
 use super::value::Assignment;
 
@@ -65,8 +67,26 @@ fn parameter(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<usize,
     let info = (entry.info)();
     let parameters = info.parameters.iter().map(|parameter| parameter.name);
     let known = parameters.chain(info.counts().iter().map(|count| count.name));
-    find_name("parameter", name, known)
-        .map_err(|unknown| of_another_scene(model, entry, unknown, |info| info.parameters))
+    find_name("parameter", name, known).map_err(|unknown| {
+        let units = info.parameters.iter().map(|parameter| (parameter.name, parameter.unit));
+        of_another_option(&info, "--set", name)
+            .or_else(|| of_the_unit(&unknown, units))
+            .unwrap_or_else(|| of_another_scene(model, entry, unknown, |info| info.parameters))
+    })
+}
+
+/// A name that another option gives its value to.
+fn of_another_option(info: &SceneInfo, option: &str, name: &str) -> Option<Failure> {
+    let right = assignment_of(name, info).filter(|right| *right != option)?;
+    Some(Failure::wrong_use(format!("`{option} {name}`: write {right} {name}=VALUE")))
+}
+
+/// A word for a quantity, such as `mass`, with the names in its unit.
+fn of_the_unit<'n>(unknown: &UnknownName, names: impl Iterator<Item = (&'n str, &'n str)> + Clone) -> Option<Failure> {
+    let (unit, names) = quantity::alike(&unknown.name, names)?;
+    let UnknownName { kind, name, known, .. } = unknown;
+    let (names, known) = (names.join(", "), known.join(", "));
+    Some(Failure::wrong_use(format!("{kind} `{name}` is not known; in {unit}: {names}; all: {known}")))
 }
 
 /// That no start value or input is given twice, and that inputs exist.
@@ -78,12 +98,19 @@ pub(super) fn check_assignments(
 ) -> Result<(), Failure> {
     refuse_twice("--start", start)?;
     refuse_twice("--input", input)?;
+    let info = (entry.info)();
+    let elsewhere = start.iter().find_map(|assignment| of_another_option(&info, "--start", &assignment.name));
+    elsewhere.map_or(Ok(()), Err)?;
     input.iter().try_for_each(|assignment| check_input(model, entry, &assignment.name))
 }
 
 fn check_input(model: &ModelInfo, entry: &SceneEntry, name: &str) -> Result<(), Failure> {
-    let found = input_index(&(entry.info)(), name);
-    found.map(|_| ()).map_err(|unknown| of_another_scene(model, entry, unknown, |info| info.inputs))
+    let info = (entry.info)();
+    let wrong = |unknown| {
+        let elsewhere = of_another_option(&info, "--input", name);
+        elsewhere.unwrap_or_else(|| of_another_scene(model, entry, unknown, |info| info.inputs))
+    };
+    input_index(&info, name).map(|_| ()).map_err(wrong)
 }
 
 /// What is not known here may belong to an effect that other scenes call for.

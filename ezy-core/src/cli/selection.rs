@@ -1,5 +1,7 @@
 //! Models and scenes by the names that are typed.
 
+use std::path::Path;
+
 use super::Models;
 use crate::model::{ModelInfo, SceneEntry};
 use crate::record::{UnknownName, find_name};
@@ -40,12 +42,17 @@ pub(super) fn selected(
     Ok(vec![scene.map_or_else(|| all(model), |scene| (model, vec![scene]))])
 }
 
-/// Leads from what is no model to scenes: from `coast` to `ezyroller/coast`, from `ezyroller.coast` to the same.
+/// Leads from what is no model to scenes: from `coast` to `ezyroller/coast`, from `ezyroller.coast` to the same; from a file to its model.
 fn with_scenes(models: &[&'static ModelInfo], path: &str, unknown: UnknownName) -> UnknownName {
     let all = models.iter().flat_map(|model| model.scenes.iter().map(|scene| (model.name, scene.name)));
     let is_meant =
         |(model, scene): &(&str, &str)| [bare(scene), bare(&format!("{model}{scene}"))].contains(&bare(path));
     let meant: Vec<String> = all.filter(is_meant).map(|(model, scene)| format!("{}/{scene}", typed(model))).collect();
+    let stem = Path::new(path).file_stem().map(|stem| bare(&stem.to_string_lossy()));
+    let of_file = models.iter().find(|model| path.ends_with(".rs") && stem.as_deref() == Some(&*bare(model.name)));
+    if let Some(model) = of_file {
+        return UnknownName { name: path.to_owned(), nearest: Some(typed(model.name)), ..unknown };
+    }
     match meant.first() {
         Some(first) => UnknownName { nearest: Some(first.clone()), known: meant, ..unknown },
         None => unknown,

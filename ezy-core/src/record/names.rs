@@ -84,7 +84,9 @@ pub fn find_name<'n>(
     let by_last_part = known.clone().find(|k| k.rsplit_once('.').is_some_and(|(_, last)| last == name));
     let most_similar = || {
         let similarities = known.clone().map(|k| (strsim::jaro_winkler(k, name), k));
-        let worth = similarities.filter(|(similarity, _)| *similarity > SIMILAR);
+        // `torque` is no slip for `t`
+        let is_near = |k: &str| k.chars().count() > 1 || name.chars().count() <= 2 || (k, name) == ("t", "time");
+        let worth = similarities.filter(|(similarity, k)| *similarity > SIMILAR && is_near(k));
         worth.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, k)| k)
     };
     let nearest = by_last_part.or_else(most_similar).map(str::to_owned);

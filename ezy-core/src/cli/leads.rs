@@ -129,11 +129,11 @@ const ABSENT: [(&str, &str); 20] = [
     ),
     (
         "log logfile logscale logx logy loglog semilogx semilogy",
-        "axes have no logarithmic scale, and messages no file of their own; write the numbers with 'ezy run MODEL/SCENE --out FILE.csv', messages with '2> FILE'",
+        "axes have no logarithmic scale, and messages no file of their own; write the numbers with 'run MODEL/SCENE --out FILE.csv', messages with '2> FILE'",
     ),
     (
         "title grid legend label xlabel ylabel xlim ylim xrange yrange dpi height size figsize fontsize style linewidth marker theme subplot",
-        "figures choose their axes, labels and sizes; 'ezy run MODEL/SCENE --out FILE.csv' writes the numbers for another program to draw",
+        "figures choose their axes, labels and sizes; 'run MODEL/SCENE --out FILE.csv' writes the numbers for another program to draw",
     ),
     (
         "speed playback slow slowmotion loop zoom camera pause",
@@ -261,13 +261,6 @@ fn of_option(
     if has_option(command, &option) {
         return vec![format!("write '{option}', with two signs")];
     }
-    let unit = scene.filter(|_| has_option(command, "--set")).and_then(|scene| {
-        let info = (scene.info)();
-        quantity::alike(name, info.parameters.iter().map(|known| (known.name, known.unit)))
-    });
-    if let Some((unit, names)) = unit {
-        return vec![format!("write --set NAME=VALUE; in {unit}: {}", names.join(", "))];
-    }
     if let Some(how) = absent(name) {
         return vec![how];
     }
@@ -289,7 +282,15 @@ fn of_option(
     let owners: Vec<&str> =
         program.get_subcommands().filter(|other| has_option(other, &option)).map(Command::get_name).collect();
     match owners[..] {
-        [] => Vec::new(),
+        [] => {
+            let info = scene.filter(|_| has_option(command, "--set")).map(|scene| (scene.info)());
+            let parameters = info.iter().flat_map(|info| info.parameters).map(|known| (known.name, known.unit));
+            let alike = quantity::alike(name, parameters);
+            alike
+                .map(|(unit, names)| format!("write --set NAME=VALUE; in {unit}: {}", names.join(", ")))
+                .into_iter()
+                .collect()
+        }
         _ => vec![format!("`{option}` is an option of {}, not of {}", owners.join(", "), command.get_name())],
     }
 }

@@ -1,7 +1,7 @@
 //! The examples of help, in the names of the program's own models.
 
 use super::Models;
-use super::names::path;
+use super::selection::path;
 use super::selection::{first_scene, typed};
 use crate::model::coordinate::is_angle;
 use crate::model::{SceneEntry, SceneInfo};

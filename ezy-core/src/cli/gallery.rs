@@ -14,8 +14,8 @@ use super::failure::{Failure, print};
 use super::interruption::Interruption;
 use super::motion::refused;
 use super::motion_arguments::MotionArguments;
-use super::names::path;
 use super::out_path::check_folder_name;
+use super::selection::path;
 use super::selection::{selected, typed};
 
 const PAGE: &str = include_str!("gallery/page.html");

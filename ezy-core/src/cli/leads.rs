@@ -5,9 +5,9 @@ use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Models;
-use super::names::path;
 use super::quantity;
 use super::selection::find;
+use super::selection::path;
 use crate::model::SceneInfo;
 
 /// Options of other tools, and the options or commands here that do the same.

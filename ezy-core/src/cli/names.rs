@@ -7,7 +7,7 @@ use super::Models;
 use super::failure::Failure;
 use super::leads::assignment_of;
 use super::quantity;
-use super::selection::{find, typed};
+use super::selection::{find, path};
 use super::value::Assignment;
 
 /// A name that is given two values has none.
@@ -130,9 +130,4 @@ fn of_another_scene(
         path(model, entry),
         paths.join(", ")
     ))
-}
-
-/// How a scene is typed.
-pub(super) fn path(model: &ModelInfo, entry: &SceneEntry) -> String {
-    format!("{}/{}", typed(model.name), entry.name)
 }

@@ -14,9 +14,10 @@ pub(super) fn plot(_: Models<'_>, _: &PlotArguments) -> Result<(), Failure> {
 pub(super) fn plot(models: Models<'_>, arguments: &PlotArguments) -> Result<(), Failure> {
     use super::drawing_of_columns::Picture;
     use super::failure::print;
-    use super::names::{path, scene_entry};
+    use super::names::scene_entry;
     use super::runs::Runs;
     use super::selection::find;
+    use super::selection::path;
 
     let (scenes, patterns): (Vec<&String>, Vec<&String>) = arguments.what.iter().partition(|word| word.contains('/'));
     let Some(first) = scenes.first() else {

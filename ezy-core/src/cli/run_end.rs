@@ -62,6 +62,7 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free
         "velocity": last.map(|last| last.velocity_residual),
     });
     end["monitors"] = monitors_json(run.map(|run| &run.monitors));
+    end["added_up"] = json!(run.and_then(|run| added_up(run, method)));
     end["stiff_since"] = json!(run.and_then(|run| run.stiff_since_s));
     let cost = run.map(|run| run.cost);
     end["cost"] = json!({
@@ -191,6 +192,7 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
     let names_radau = !stiff.is_empty();
     lifted_remark(method)
         + &stiff
+        + &steps_remark(run, method)
         + &beside_remark(run)
         + &remark(run, method, radau_runs && !names_radau)
         + &error_remark(run)
@@ -200,6 +202,21 @@ pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
 fn lifted(method: Method) -> Option<[f64; 2]> {
     let [asked, kept] = [method, method.lifted()].map(|method| method.tolerance().map(|tolerance| tolerance.relative));
     asked.zip(kept).filter(|(asked, kept)| asked < kept).map(|(asked, kept)| [asked, kept])
+}
+
+/// From so many steps on errors add up to more than is usually said of a tolerance.
+const MANY_STEPS: u64 = 1_000;
+
+/// What errors of steps add up to where they have one sign, of one more than each number.
+fn added_up(run: &Run, method: Method) -> Option<f64> {
+    let n_steps = run.cost.steps + run.cost.rejected;
+    method.tolerance().filter(|_| n_steps > MANY_STEPS).map(|tolerance| n_steps as f64 * tolerance.relative)
+}
+
+fn steps_remark(run: &Run, method: Method) -> String {
+    added_up(run, method).map_or(String::new(), |sum| {
+        format!("remark: errors of so many steps may add up to {sum:.0e} of one more than each number, before the motion amplifies them\n")
+    })
 }
 
 fn beside_remark(run: &Run) -> String {

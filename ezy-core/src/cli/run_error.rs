@@ -37,7 +37,7 @@ pub(super) fn error_text(run: &Run) -> String {
             for QuantityError { quantity, unit, at_end, largest, t, .. } in errors {
                 table.push([*quantity, &format!("{at_end:.1e}"), &format!("{largest:.1e}"), unit, &fixed(*t, 6)]);
             }
-            format!("\n{table}from a second run with {}\n", setting(*second))
+            format!("\n{table}from a second run with --method {} {}\n", second.name(), setting(*second))
         }
     }
 }
@@ -77,7 +77,7 @@ fn setting(method: Method) -> String {
         (_, Some(Tolerance { relative, absolute, angle })) => {
             let atol = if relative == absolute { String::new() } else { format!(" --atol {}", short(absolute)) };
             let angle_tol = angle.map_or(String::new(), |angle| format!(" --angle-tol {}", short(angle)));
-            format!("--method {} --rtol {}{atol}{angle_tol}", method.name(), short(relative))
+            format!("--rtol {}{atol}{angle_tol}", short(relative))
         }
         (_, None) => String::new(),
     }

@@ -6,8 +6,9 @@ use super::interruption::Interruption;
 use super::motion::{method, refused, simulation};
 use super::motion_arguments::MotionArguments;
 use super::motion_table::MotionTable;
-use super::names::{check_assignments, path, scene_entry, scene_with};
+use super::names::{check_assignments, scene_entry, scene_with};
 use super::progress::Progress;
+use super::selection::path;
 use super::vary::{Variation, varied};
 use crate::simulate::Outcome;
 

@@ -15,6 +15,11 @@ pub struct Selection {
     pub scene: Option<&'static SceneEntry>,
 }
 
+/// How a scene is typed.
+pub(super) fn path(model: &ModelInfo, entry: &SceneEntry) -> String {
+    format!("{}/{}", typed(model.name), entry.name)
+}
+
 /// Finds `MODEL` or `MODEL/SCENE` among `models`; case, underscores and hyphens do not matter.
 ///
 /// # Errors

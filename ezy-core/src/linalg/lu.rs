@@ -43,7 +43,7 @@ impl<T: ComplexField<RealField = f64>> Lu<T> {
     /// Whether the determinant is negative, after a successful [`Lu::factor`] of a real matrix.
     pub(crate) fn has_negative_determinant(&self) -> bool {
         let exchanged = self.pivot_rows.iter().enumerate().filter(|&(i, &i_pivot)| i_pivot != i).count();
-        let negative = self.matrix.diagonal().iter().filter(|pivot| (*pivot).clone().real() < 0.0).count();
+        let negative = (0..self.pivot_rows.len()).filter(|&i| self.matrix[(i, i)].clone().real() < 0.0).count();
         (exchanged + negative) % 2 == 1
     }
 

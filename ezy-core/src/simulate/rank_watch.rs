@@ -90,11 +90,11 @@ impl std::fmt::Display for RankRecord {
         }
         for crossed in &self.crossings {
             let [from, to] = [crossed.from_s, crossed.to_s].map(|t| rounded(t, 6));
-            let how = if crossed.is_beside() { "passed beside" } else { "crossed" };
-            writeln!(
-                f,
-                "{how} a singular position from t = {from} s to {to} s, in steps of dop853 with projected stages"
-            )?;
+            let what = match crossed.is_beside() {
+                true => "passed beside a singular position",
+                false => "crossed a singular position",
+            };
+            writeln!(f, "{what} from t = {from} s to {to} s, in steps of dop853 with projected stages")?;
         }
         match self.n_more_crossings {
             0 => Ok(()),

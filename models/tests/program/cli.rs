@@ -48,6 +48,7 @@ fn invariant_run_json_has_exactly_the_documented_keys() {
 fn check_keys(run: &Value) {
     let top = [
         "acceleration",
+        "added_up",
         "cost",
         "energy",
         "method",
@@ -136,7 +137,7 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["run", "ezyroller/coast", "--step", "1e-3", "--rtol", "1e-9"], "rk4 has a fixed step and no tolerance"),
         (&["run", "ezyroller/coast", "--method", "dop853", "--step", "1e-3"], "give `--rtol` in place of `--step`"),
         (&["run", "ezyroller/coast", "--method", "taylor", "--step", "1e-3"], "taylor chooses the length of its steps"),
-        (&["run", "ezyroller/coast", "--method", "dop853", "--rtol", "0"], "give a relative one between"),
+        (&["run", "ezyroller/coast", "--method", "dop853", "--rtol", "0"], "give positive ones up to 1"),
         (&["run", "ezyroller/coast", "--frobnicate"], "unexpected argument"),
         (&["run", "ezyroller/coast", "--out", "/dev/null/x.csv"], "give --out a file that may be written"),
         (&["run", "ezyroller/coast", "--every", "0"], "give a positive interval"),
@@ -543,6 +544,18 @@ fn invariant_each_command_has_a_manual_page() {
         assert!(text.starts_with(".ie") && text.contains(&format!("ezy\\-{command}")), "{text}");
     }
     assert_wrong_use(&["man", "nope"], "no command `nope`; there are list, show, run");
+}
+
+#[test]
+fn invariant_what_many_steps_add_up_to_is_told() {
+    let run = |rtol| ezy(&["run", "rollerracer/rowed_on_tarmac", "--until", "90", "--rtol", rtol, "--json"]);
+    let (many, few) = (run("1e-12"), run("1e-4"));
+    let object: serde_json::Value = serde_json::from_slice(&many.stdout).expect("JSON");
+    let steps = object["cost"]["steps"].as_f64().unwrap() + object["cost"]["rejected"].as_f64().unwrap();
+    assert!(steps > 1e3 && (object["added_up"].as_f64().unwrap() / (steps * 1e-12) - 1.0).abs() < 1e-12, "{object}");
+    assert!(text(&many.stderr).contains("remark: errors of so many steps may add up to"), "{}", text(&many.stderr));
+    let object: serde_json::Value = serde_json::from_slice(&few.stdout).expect("JSON");
+    assert!(object["added_up"].is_null() && !text(&few.stderr).contains("add up"), "{object}");
 }
 
 #[test]

@@ -53,7 +53,8 @@ pub fn estimated(scenes: &Scenes, seed: u64, i: u64) -> Estimated {
         3 => Method::radau(tolerance),
         _ => Method::rk4(until_s / draw.decades(RK4_STEPS[0], RK4_STEPS[1]).round()),
     };
-    let question = Question { scene: &*scene, given: &case.given, until_s, most_steps: MOST_STEPS };
+    let given = &case.given;
+    let question = Question { scene: &*scene, given, until_s, most_steps: MOST_STEPS, counts_rounding: false };
     let Some(reference) = Reference::of(&question) else { return Estimated::NoReference };
     match reference.judge(&question, method) {
         Ok((judged, _)) => Estimated::Judged { command: case.command(method) + " --estimate-error", judged },

@@ -7,7 +7,7 @@ mod tableau;
 use super::{Node, compensated, step_control::Tolerance};
 use crate::dynamics::{EightStates, MotionError, State, System};
 use crate::model::{Eight, Scene};
-use crate::scalar::Scalar;
+use crate::scalar::{Lanes, Scalar};
 pub(crate) use control::GaussControl;
 use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
 
@@ -28,6 +28,9 @@ const STALLED: f64 = 0.9;
 
 /// Changes may grow in so many sweeps: of a linear motion sweep n multiplies them by about z/n.
 const GROWING: u32 = 8;
+
+/// Legendre polynomials at the start of a step.
+const AT_START: Eight = Lanes([1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0]);
 
 /// 15!! = 15 · 13 · … · 1
 const DOUBLE_FACTORIAL_OF_15: f64 = 2_027_025.0;
@@ -149,7 +152,7 @@ impl Gauss {
         };
         self.complete(system, from.state, h);
         self.end(from.state, h, to);
-        let [error, dense_error] = self.errors(steepness);
+        let [error, dense_error] = self.errors(from, steepness);
         Ok(Collocated::Solved { error, dense_error, rate })
     }
 
@@ -270,11 +273,24 @@ impl Gauss {
     /// end of the step is off by the integral of that, times what a change of a slope at each time makes of the end. That factor
     /// is smooth, too, so that P_8 sees of it only its own coefficient of degree 8: of the linear motion z^8/(2^8 15!!), of the change of its
     /// rate over the step as much as of the slopes, and where slopes do not depend on the state what their own coefficients leave.
-    fn errors(&mut self, steepness: f64) -> [f64; 2] {
+    ///
+    /// The accelerations at the start of the step are known: what the polynomial lacks there is the sum of all coefficients to come. Where
+    /// it is more than predicted, coefficients fall as much more slowly.
+    fn errors(&mut self, from: Node<'_>, steepness: f64) -> [f64; 2] {
         let Self { nodes, power, coefficients, weights, sizes, .. } = self;
         lanes::coefficients(&nodes.a, coefficients);
         *sizes = lanes::sizes(coefficients, weights);
-        let (next, decay) = next_coefficient(sizes);
+        let (mut next, mut decay) = next_coefficient(sizes);
+        let defect =
+            coefficients.iter().zip(from.a).zip(&*weights).fold(0.0, |most: f64, ((coefficients, a), weight)| {
+                most.max(weight * (lanes::sum(&AT_START, coefficients) - a).abs())
+            });
+        // sweeps leave a part of the tolerance
+        let defect = defect - OF_SWEEPS;
+        if defect > next {
+            decay = (decay * defect / next.max(f64::MIN_POSITIVE)).min(1.0);
+            next = defect;
+        }
         let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
         let seen = linear + steepness * next / largest + decay.powi(N as i32);
@@ -382,10 +398,13 @@ fn write_weights(from: &State, h: f64, tolerance: Tolerance, weights: &mut [f64]
 }
 
 /// The size of the Legendre coefficient of degree 8, which is not known, from those of lower degrees: each is smaller by the same factor, which
-/// stands behind it. Those of even or odd degree may be small by symmetry.
+/// stands behind it, or by a factor that grows as it did, where a force is less smooth than what stands out in the first coefficients. Those of even or
+/// odd degree may be small by symmetry.
 fn next_coefficient(sizes: &[f64; N]) -> (f64, f64) {
-    let [earlier, later] = [sizes[4].max(sizes[5]), sizes[6].max(sizes[7])];
-    let decay = if earlier > later { (later / earlier).sqrt() } else { 1.0 };
+    let [first, earlier, later] = [2, 4, 6].map(|m| sizes[m].max(sizes[m + 1]));
+    let decay_of = |from: f64, to: f64| if from > to { (to / from).sqrt() } else { 1.0 };
+    let (before, last) = (decay_of(first, earlier), decay_of(earlier, later));
+    let decay = if last > before { (last * last / before).min(1.0) } else { last };
     (decay * sizes[7].max(decay * sizes[6]), decay)
 }
 

@@ -223,8 +223,8 @@ fn beside_remark(run: &Run) -> String {
     let beside = run.rank.crossings.iter().find(|crossed| crossed.is_beside());
     beside.map_or(String::new(), |SingularityCrossed { from_s, nearest, .. }| {
         format!(
-            "remark: at t = {} s the run passes a singular position at {nearest:.0e} of the way to it; next to one the motion turns on small \
-             errors, and a run with a smaller tolerance may go another way: compare with one\n",
+            "remark: from t = {} s on the run passes beside a singular position, at {nearest:.0e} of its distance before; small errors decide \
+             there, and a run with a smaller tolerance may go another way: compare with one\n",
             rounded(*from_s, 6)
         )
     })

@@ -82,7 +82,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         Self { scene, settings, hooks: Hooks::default() }
     }
 
-    /// Integration method, and its tolerance or step; a relative tolerance below [`Tolerance::SMALLEST_RELATIVE`] is lifted to it
+    /// Integration method, and its tolerance or step; a relative tolerance below [`Tolerance::SMALLEST_RELATIVE`](crate::integrate::Tolerance::SMALLEST_RELATIVE) is lifted to it
     /// ([`Method::lifted`]). Control laws, input tables and steppers need a fixed step: `Method::rk4(1e-3)`.
     #[must_use]
     pub fn method(mut self, method: Method) -> Self {

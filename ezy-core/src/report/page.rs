@@ -44,7 +44,7 @@ nav li { break-inside: avoid; }
 a { color: var(--link); }
 figure { margin: 1.4rem 0; break-inside: avoid; }
 figure svg { width: 100%; height: auto; max-height: 40rem; }
-figure svg.narrow { display: none; }
+figure .narrow { display: none; }
 figcaption, caption { color: var(--soft); font-size: .95em; text-align: left; }
 figcaption a { overflow-wrap: anywhere; }
 /* a shadow at the side where more is hidden; what is at the end covers it */
@@ -79,8 +79,8 @@ pre { overflow-x: auto; }
   .words .sentence { grid-column: 1 / -1; grid-row: auto; }
   .words td.sentence::before { content: attr(data-head) \": \"; color: var(--soft); }
   .words th.sentence { display: none; }
-  figure svg.wide { display: none; }
-  figure svg.narrow { display: inline; }
+  figure .wide { display: none; }
+  figure .narrow { display: block; }
 }
 @media print {
   :root { --ink: #000; --paper: #fff; --head: #002d62; --link: #000; --soft: #333; --line: #bbb; }
@@ -144,10 +144,13 @@ impl Page {
     ) -> &mut Self {
         self.n_figures += 1;
         let Picture { wide, narrow } = picture.into();
-        let labelled = |svg: &str, class: &str| labelled(svg, class, alternative);
         let svg = match narrow.is_empty() {
-            true => labelled(&wide, ""),
-            false => labelled(&wide, "wide") + &labelled(&narrow, "narrow"),
+            true => labelled(&wide, alternative),
+            false => format!(
+                "<div class=\"wide\">{}</div><div class=\"narrow\">{}</div>",
+                labelled(&wide, alternative),
+                labelled(&narrow, alternative)
+            ),
         };
         let links = files.iter().map(|file| format!("<a href=\"{file}\">{file}</a>")).collect::<Vec<_>>().join(", ");
         let links = if links.is_empty() { links } else { format!(" ({links})") };
@@ -188,12 +191,11 @@ pub(crate) fn prose(text: &str) -> String {
     parts.map(|(i, part)| if i % 2 == 0 { part.to_owned() } else { format!("<code>{part}</code>") }).collect()
 }
 
-/// Makes an SVG document an element of a page: no XML header, a class, a label.
-fn labelled(svg: &str, class: &str, alternative: &str) -> String {
+/// Makes an SVG document an element of a page: no XML header, a label.
+fn labelled(svg: &str, alternative: &str) -> String {
     let element = svg.find("<svg").map_or("", |start| &svg[start + "<svg".len()..]);
     let element = element.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
-    let class = if class.is_empty() { String::new() } else { format!(" class=\"{class}\"") };
-    format!("<svg{class} role=\"img\" aria-label=\"{}\"{element}", escape(alternative))
+    format!("<svg role=\"img\" aria-label=\"{}\"{element}", escape(alternative))
 }
 
 #[cfg(test)]
@@ -204,7 +206,7 @@ mod tests {
     fn invariant_page_shows_one_of_two_widths_and_says_what_is_seen() {
         let svg = |width: u8| {
             format!(
-                "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} 5\"></svg>\n"
+                "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ezy\" viewBox=\"0 0 {width} 5\"></svg>\n"
             )
         };
         let mut page = Page::new("A < B");
@@ -217,9 +219,10 @@ mod tests {
         );
         let html = page.finish();
         for expected in [
-            "<svg class=\"wide\" role=\"img\" aria-label=\"a &quot;curve&quot;\" viewBox=\"0 0 9 5\">",
-            "<svg class=\"narrow\" role=\"img\" aria-label=\"a &quot;curve&quot;\" viewBox=\"0 0 4 5\">",
-            "<svg role=\"img\" aria-label=\"b\" viewBox=\"0 0 9 5\">",
+            // the picture keeps the class that its colours belong to
+            "<div class=\"wide\"><svg role=\"img\" aria-label=\"a &quot;curve&quot;\" class=\"ezy\" viewBox=\"0 0 9 5\">",
+            "<div class=\"narrow\"><svg role=\"img\" aria-label=\"a &quot;curve&quot;\" class=\"ezy\" viewBox=\"0 0 4 5\">",
+            "<svg role=\"img\" aria-label=\"b\" class=\"ezy\" viewBox=\"0 0 9 5\">",
         ] {
             assert!(html.contains(expected), "{expected} in {html}");
         }

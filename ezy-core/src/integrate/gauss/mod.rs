@@ -197,7 +197,7 @@ impl Gauss {
     ) -> Result<Option<Convergence>, MotionError> {
         let Self { nodes, feedback, before, weights, .. } = self;
         nodes.q.iter_mut().zip(&from.q).for_each(|(nodes, q)| *nodes = Eight::from_f64(*q));
-        let (mut first, mut last_change, mut last_rate) = (0.0, f64::INFINITY, 1.0_f64);
+        let (mut first, mut last_change, mut last_rate) = (0.0, 0.0, 1.0_f64);
         for n in 1..=MAX_SWEEPS {
             lanes::integrate(h, &from.v, &nodes.a, &mut nodes.v);
             lanes::integrate_some(h, &from.q, &nodes.v, feedback, &mut nodes.q);
@@ -207,11 +207,12 @@ impl Gauss {
             if !change.is_finite() {
                 return Ok(None);
             }
-            let rate = change / last_change;
+            // the first change tells no rate
+            let rate = if n == 1 { 1.0 } else { change / last_change };
             if n == 1 {
                 first = change;
             }
-            // two rates: one may be small by chance
+            // two rates: one may be small by chance, the first one because the first guess lacks high degrees, which hardly move anything
             if change * rate.max(last_rate).min(1.0) <= OF_SWEEPS {
                 return Ok(Some(Convergence::new(n, change / first)));
             }
@@ -268,33 +269,11 @@ impl Gauss {
     }
 
     /// Errors over the tolerance at the end of the step and within it, from the Legendre coefficients of the slopes.
-    ///
-    /// Between the nodes the equations are not met: by the polynomial P_8 times the coefficient that comes next, and what follows. The
-    /// end of the step is off by the integral of that, times what a change of a slope at each time makes of the end. That factor
-    /// is smooth, too, so that P_8 sees of it only its own coefficient of degree 8: of the linear motion z^8/(2^8 15!!), of the change of its
-    /// rate over the step as much as of the slopes, and where slopes do not depend on the state what their own coefficients leave.
-    ///
-    /// The accelerations at the start of the step are known: what the polynomial lacks there is the sum of all coefficients to come. Where
-    /// it is more than predicted, coefficients fall as much more slowly.
     fn errors(&mut self, from: Node<'_>, steepness: f64) -> [f64; 2] {
         let Self { nodes, power, coefficients, weights, sizes, .. } = self;
         lanes::coefficients(&nodes.a, coefficients);
         *sizes = lanes::sizes(coefficients, weights);
-        let (mut next, mut decay) = next_coefficient(sizes);
-        let defect =
-            coefficients.iter().zip(from.a).zip(&*weights).fold(0.0, |most: f64, ((coefficients, a), weight)| {
-                most.max(weight * (lanes::sum(&AT_START, coefficients) - a).abs())
-            });
-        // sweeps leave a part of the tolerance
-        let defect = defect - OF_SWEEPS;
-        if defect > next {
-            decay = (decay * defect / next.max(f64::MIN_POSITIVE)).min(1.0);
-            next = defect;
-        }
-        let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
-        let seen = linear + steepness * next / largest + decay.powi(N as i32);
-        let error = next * seen / (2.0 * N as f64 + 1.0);
+        let [error, next] = error_of_slopes(coefficients, weights, sizes, from.a, steepness);
         let mut of_works = 0.0;
         if !power.is_empty() {
             let mut coefficients = vec![Eight::from_f64(0.0); power.len()];
@@ -397,6 +376,43 @@ fn write_weights(from: &State, h: f64, tolerance: Tolerance, weights: &mut [f64]
     }
 }
 
+/// The error of the end of a step over the tolerance, and the size of the Legendre coefficient of degree 8 of its slopes.
+///
+/// Between the nodes the equations are not met: by the polynomial P_8 times the coefficient that comes next, and what follows. The
+/// end of the step is off by the integral of that, times what a change of a slope at each time makes of the end. That factor
+/// is smooth, too, so that P_8 sees of it only its own coefficient of degree 8: of the linear motion z^8/(2^8 15!!), of the change of its
+/// rate over the step as much as of the slopes of the number that is least smooth, and where slopes do not depend on the state what their own
+/// coefficients leave.
+///
+/// The slopes at the start of the step are known: what the polynomial lacks there is the sum of all coefficients to come. Where
+/// it is more than predicted, coefficients fall as much more slowly.
+fn error_of_slopes(
+    coefficients: &[Eight],
+    weights: &[f64],
+    sizes: &[f64; N],
+    at_start: &[f64],
+    steepness: f64,
+) -> [f64; 2] {
+    let (mut next, mut decay) = next_coefficient(sizes);
+    let (mut defect, mut part) = (0.0_f64, 0.0_f64);
+    for ((coefficients, weight), at_start) in coefficients.iter().zip(weights).zip(at_start) {
+        defect = defect.max(weight * (lanes::sum(&AT_START, coefficients) - at_start).abs());
+        let sizes = (coefficients.abs() * Eight::from_f64(*weight)).0;
+        // what changes a number by less than its tolerance changes no other
+        let largest = sizes.iter().copied().fold(1.0, f64::max);
+        part = part.max(next_coefficient(&sizes).0 / largest);
+    }
+    // sweeps leave a part of the tolerance
+    defect -= OF_SWEEPS;
+    if defect > next {
+        decay = (decay * defect / next.max(f64::MIN_POSITIVE)).min(1.0);
+        next = defect;
+    }
+    let linear = (0.5 * steepness).powi(N as i32) / DOUBLE_FACTORIAL_OF_15;
+    let seen = linear + steepness * part + decay.powi(N as i32);
+    [next * seen / (2.0 * N as f64 + 1.0), next]
+}
+
 /// The size of the Legendre coefficient of degree 8, which is not known, from those of lower degrees: each is smaller by the same factor, which
 /// stands behind it, or by a factor that grows as it did, where a force is less smooth than what stands out in the first coefficients. Those of even or
 /// odd degree may be small by symmetry.
@@ -438,5 +454,69 @@ mod tests {
         // velocities of 0, 9, 0; positions of 9, 0 and an angle
         let expected = [2.0 / 1e-3, 4.0 / 1e-3, 4.0 / 1e-9];
         assert!(weights.iter().zip(expected).all(|(x, y)| (x / y - 1.0).abs() <= 1e-14), "{weights:?}");
+    }
+
+    /// Rounding of some twenty operations.
+    const ROUNDING_OF_SUMS: f64 = 1e-14;
+
+    /// Legendre coefficients that fall by `decay` from the last one, of this size.
+    fn falling(decay: f64, last: f64) -> [f64; N] {
+        std::array::from_fn(|m| last * decay.powi(m as i32 - (N as i32 - 1)))
+    }
+
+    #[test]
+    fn analytic_coefficients_that_fall_by_a_factor_go_on_so() {
+        let (next, decay) = next_coefficient(&falling(0.1, 4.0));
+        assert!((next / 0.4 - 1.0).abs() <= ROUNDING_OF_SUMS && (decay / 0.1 - 1.0).abs() <= ROUNDING_OF_SUMS);
+    }
+
+    /// From 1e6 over 1 to 1e-3 in steps of two degrees: by 1e-3, then by 10^-1.5 a degree. The latter is 10^1.5 times as large as the one before, and
+    /// the next one would be 1.
+    #[test]
+    fn analytic_coefficients_that_fall_ever_more_slowly_go_on_so() {
+        let sizes = [1e9, 1e9, 1e6, 1e6, 1.0, 1.0, 1e-3, 1e-3];
+        let (next, decay) = next_coefficient(&sizes);
+        assert!((decay - 1.0).abs() <= ROUNDING_OF_SUMS, "{decay}");
+        assert!((next / 1e-3 - 1.0).abs() <= ROUNDING_OF_SUMS, "{next}");
+    }
+
+    /// A slope of c · P_8 is 0 at all nodes and c at the start.
+    #[test]
+    fn analytic_slope_that_vanishes_at_all_nodes_is_seen_at_the_start() {
+        let zero = [Eight::from_f64(0.0)];
+        let [error, next] = error_of_slopes(&zero, &[1.0], &[0.0; N], &[1e3], 0.0);
+        assert!((next / (1e3 - OF_SWEEPS) - 1.0).abs() <= ROUNDING_OF_SUMS, "{next}");
+        // nothing says that what follows is smaller
+        assert!((error / (next / 17.0) - 1.0).abs() <= ROUNDING_OF_SUMS, "{error}");
+    }
+
+    /// A light number whose coefficients do not fall, beside a heavy one a million times as large whose coefficients do.
+    #[test]
+    fn invariant_fast_number_beside_slow_heavy_ones_counts() {
+        let heavy = Lanes(falling(0.01, 1e-6));
+        let light = Lanes(falling(0.5, 1e3));
+        let weights = [1.0, 1.0];
+        let both = [heavy, light];
+        let start = both.map(|coefficients| lanes::sum(&AT_START, &coefficients));
+        let error = |coefficients: &[Eight]| {
+            error_of_slopes(coefficients, &weights, &lanes::sizes(coefficients, &weights), &start, 1.0)[0]
+        };
+        // of its own coefficient of degree 8 over its first one, 2^-8, the end sees the 17th part, times what comes next: 500
+        assert!(error(&both) >= 500.0 * 0.5_f64.powi(8) / 17.0, "{}", error(&both));
+    }
+
+    /// Changes of the state by less than the tolerance make no step shorter, be they as rough as rounding.
+    #[test]
+    fn invariant_number_that_hardly_moves_does_not_count() {
+        let smooth = Lanes(falling(0.01, 1e3));
+        let rough = Lanes([1e-9; N]);
+        let error = |coefficients: &[Eight]| {
+            let start: Vec<f64> = coefficients.iter().map(|of| lanes::sum(&AT_START, of)).collect();
+            let weights = vec![1.0; coefficients.len()];
+            error_of_slopes(coefficients, &weights, &lanes::sizes(coefficients, &weights), &start, 1.0)[0]
+        };
+        let more = error(&[smooth, rough]) - error(&[smooth]);
+        // of the smooth one 1e3 · 0.01 comes next; relative to its own size the rough number would add 10/17
+        assert!(more <= 10.0 * 1e-9 / 17.0 * (1.0 + ROUNDING_OF_SUMS), "{more}");
     }
 }

@@ -1,8 +1,7 @@
 //! The examples of help, in the names of the program's own models.
 
 use super::Models;
-use super::selection::path;
-use super::selection::{first_scene, typed};
+use super::selection::{first_scene, path, typed};
 use crate::model::coordinate::is_angle;
 use crate::model::{SceneEntry, SceneInfo};
 use std::sync::Arc;

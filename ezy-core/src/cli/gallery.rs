@@ -15,8 +15,7 @@ use super::interruption::Interruption;
 use super::motion::refused;
 use super::motion_arguments::MotionArguments;
 use super::out_path::check_folder_name;
-use super::selection::path;
-use super::selection::{selected, typed};
+use super::selection::{path, selected, typed};
 
 const PAGE: &str = include_str!("gallery/page.html");
 /// Largest sketch, pixels: in the narrowest column, of 302 pixels, its letters of 15 are shown with at least 10.

@@ -6,8 +6,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Models;
 use super::quantity;
-use super::selection::find;
-use super::selection::path;
+use super::selection::{find, path};
 use crate::model::SceneInfo;
 
 /// Options of other tools, and the options or commands here that do the same.
@@ -97,7 +96,7 @@ const COMMANDS: [(&str, &str, &str); 13] = [
 ];
 
 /// What no command and no option does, and the nearest thing.
-const ABSENT: [(&str, &str); 20] = [
+const ABSENT: [(&str, &str); 22] = [
     (
         "linearise linearize linearisation linearization linmod eig eigen eigenvalue eigenvalues modes modal bode sensitivity",
         "no command linearises; 'show' prints the equations of motion, and programs have the derivatives of a run (ezy_core::simulate)",
@@ -136,7 +135,7 @@ const ABSENT: [(&str, &str); 20] = [
         "figures choose their axes, labels and sizes; 'run MODEL/SCENE --out FILE.csv' writes the numbers for another program to draw",
     ),
     (
-        "speed playback slow slowmotion loop zoom camera pause",
+        "speed playback slow slowmotion realtime fast rtf loop zoom camera pause",
         "the page of 'animate' has the speed, the pause and the view beside the picture",
     ),
     ("seed random rng", "runs and checks have nothing random that changes: each repetition gives the same numbers"),
@@ -163,6 +162,14 @@ const ABSENT: [(&str, &str); 20] = [
     (
         "forces force reactions reaction multipliers events event",
         "'run' prints multipliers and events by itself; --out writes multipliers at all times, as lambda.NAME",
+    ),
+    (
+        "all everything recursive",
+        "'list' without a name lists everything, 'check' without one checks everything; other commands take a scene each",
+    ),
+    (
+        "results result report read load replay",
+        "no command reads results; 'run MODEL/SCENE --out FILE.csv' writes them, 'compare' takes two such files",
     ),
     ("overwrite yes y dry-run", "a file is replaced without a question, and only when the new one is complete"),
     (
@@ -285,11 +292,13 @@ fn of_option(
         [] => {
             let info = scene.filter(|_| has_option(command, "--set")).map(|scene| (scene.info)());
             let parameters = info.iter().flat_map(|info| info.parameters).map(|known| (known.name, known.unit));
-            let alike = quantity::alike(name, parameters);
-            alike
-                .map(|(unit, names)| format!("write --set NAME=VALUE; in {unit}: {}", names.join(", ")))
-                .into_iter()
-                .collect()
+            let lead = match quantity::alike(name, parameters) {
+                Some((unit, names)) => Some(format!("write --set NAME=VALUE; in {unit}: {}", names.join(", "))),
+                None => quantity::unit_of(name).map(|unit| {
+                    format!("no parameter here is in {unit}; a parameter of the model is changed by --set NAME=VALUE, and 'list MODEL' prints them")
+                }),
+            };
+            lead.into_iter().collect()
         }
         _ => vec![format!("`{option}` is an option of {}, not of {}", owners.join(", "), command.get_name())],
     }
@@ -473,6 +482,10 @@ mod tests {
             ("show a/b --tex", "use '--format latex'"),
             ("list --model a", "without '--model'"),
             ("run a/b --format json", "use '--json'"),
+            ("list --all", "lists everything"),
+            ("results a/b", "no command reads results"),
+            ("run a/b --gravity 9.81", "no parameter here is in m/s^2"),
+            ("run a/b --realtime", "has the speed"),
             ("linearise a/b", "no command linearises"),
             ("eig a/b", "no command linearises"),
             ("compile a/b", "models are compiled with the crate"),

@@ -16,8 +16,7 @@ pub(super) fn plot(models: Models<'_>, arguments: &PlotArguments) -> Result<(), 
     use super::failure::print;
     use super::names::scene_entry;
     use super::runs::Runs;
-    use super::selection::find;
-    use super::selection::path;
+    use super::selection::{find, path};
 
     let (scenes, patterns): (Vec<&String>, Vec<&String>) = arguments.what.iter().partition(|word| word.contains('/'));
     let Some(first) = scenes.first() else {

@@ -25,13 +25,23 @@ pub(super) fn alike<'n>(
     word: &str,
     names: impl Iterator<Item = (&'n str, &'n str)> + Clone,
 ) -> Option<(String, Vec<&'n str>)> {
-    let bare = |text: &str| text.to_lowercase().replace(['_', '-'], "");
-    let means = |words: &str| words.split(' ').any(|known| bare(known) == bare(word));
-    let of_word = UNITS.iter().find(|(words, _)| means(words)).map_or(&[][..], |(_, units)| units);
+    let of_word = units_of(word);
     let units = of_word.iter().copied().chain([word]);
     let mut found = units
         .map(|unit| (unit.to_owned(), names.clone().filter(|known| known.1 == unit).map(|known| known.0).collect()));
     found.find(|(_, names): &(String, Vec<&str>)| !names.is_empty())
+}
+
+/// The units that a word means.
+fn units_of(word: &str) -> &'static [&'static str] {
+    let bare = |text: &str| text.to_lowercase().replace(['_', '-'], "");
+    let means = |words: &str| words.split(' ').any(|known| bare(known) == bare(word));
+    UNITS.iter().find(|(words, _)| means(words)).map_or(&[][..], |(_, units)| units)
+}
+
+/// The unit that a word means, the first of several.
+pub(super) fn unit_of(word: &str) -> Option<&'static str> {
+    units_of(word).first().copied()
 }
 
 #[cfg(test)]

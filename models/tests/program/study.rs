@@ -60,8 +60,8 @@ fn check_page(page: &str) {
         assert!(!page.contains(elsewhere), "{elsewhere}");
     }
     // each for wide and for narrow screens; the sketch of the vehicle comes first
-    assert_eq!(page.matches("<svg class=\"wide\" role=\"img\" aria-label=").count(), 1 + FIGURES.len());
-    assert_eq!(page.matches("<svg class=\"narrow\" role=\"img\" aria-label=").count(), 1 + FIGURES.len());
+    assert_eq!(page.matches("<div class=\"wide\"><svg role=\"img\" aria-label=").count(), 1 + FIGURES.len());
+    assert_eq!(page.matches("<div class=\"narrow\"><svg role=\"img\" aria-label=").count(), 1 + FIGURES.len());
     assert_eq!(page.matches("role=\"img\" aria-label=").count(), 2 + 2 * FIGURES.len());
     let mut sketches = page.split("<svg").skip(1).filter_map(|svg| svg.split("</svg>").next());
     let (sketch, narrow) = (sketches.next().unwrap(), sketches.next().unwrap());
@@ -69,6 +69,11 @@ fn check_page(page: &str) {
     let width: f64 =
         narrow.split(" width=\"").nth(1).and_then(|width| width.split('"').next()).unwrap().parse().unwrap();
     assert!(width <= 390.0 - 2.0 * 16.0, "letters shrink with a sketch that is {width} wide");
+    // an element has one class; a second one, of a style sheet, would be ignored
+    for svg in [sketch, narrow] {
+        let element = svg.split('>').next().unwrap();
+        assert_eq!(element.matches("class=").count(), 1, "{element}");
+    }
     for length in ["a", "b", "c", "d"] {
         assert!(sketch.contains(&format!("text-anchor=\"middle\">{length}</text>")), "{length} in {sketch}");
     }

@@ -165,7 +165,7 @@ const ABSENT: [(&str, &str); 22] = [
     ),
     (
         "all everything recursive",
-        "'list' without a name lists everything, 'check' without one checks everything; other commands take a scene each",
+        "'list' and 'gallery' without a name take all models; the other commands need a name",
     ),
     (
         "results result report read load replay",
@@ -295,7 +295,7 @@ fn of_option(
             let lead = match quantity::alike(name, parameters) {
                 Some((unit, names)) => Some(format!("write --set NAME=VALUE; in {unit}: {}", names.join(", "))),
                 None => quantity::unit_of(name).map(|unit| {
-                    format!("no parameter here is in {unit}; a parameter of the model is changed by --set NAME=VALUE, and 'list MODEL' prints them")
+                    format!("no parameter here is in {unit}; 'show MODEL/SCENE' prints the parameters, and --set NAME=VALUE changes one")
                 }),
             };
             lead.into_iter().collect()
@@ -482,7 +482,7 @@ mod tests {
             ("show a/b --tex", "use '--format latex'"),
             ("list --model a", "without '--model'"),
             ("run a/b --format json", "use '--json'"),
-            ("list --all", "lists everything"),
+            ("list --all", "without a name take all models"),
             ("results a/b", "no command reads results"),
             ("run a/b --gravity 9.81", "no parameter here is in m/s^2"),
             ("run a/b --realtime", "has the speed"),

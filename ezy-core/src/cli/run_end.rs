@@ -279,7 +279,7 @@ fn energy_remark(energy: EnergyError, steps: u64, method: Method, radau_runs: bo
     };
     if share > explained {
         return format!(
-            "remark: energy and work {difference}, more than the tolerance explains: works do not choose the steps, so take a smaller \
+            "remark: energy and work {difference}, more than the tolerance explains: step control does not look at works, so take a smaller \
              tolerance for them; compare with another method, and look at positions where constraints nearly depend on each other\n"
         );
     }

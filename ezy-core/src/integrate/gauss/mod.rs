@@ -208,10 +208,12 @@ impl Gauss {
                 return Ok(None);
             }
             // the first change tells no rate
-            let rate = if n == 1 { 1.0 } else { change / last_change };
-            if n == 1 {
+            let rate = if n == 1 {
                 first = change;
-            }
+                1.0
+            } else {
+                change / last_change
+            };
             // two rates: one may be small by chance, the first one because the first guess lacks high degrees, which hardly move anything
             if change * rate.max(last_rate).min(1.0) <= OF_SWEEPS {
                 return Ok(Some(Convergence::new(n, change / first)));

@@ -320,7 +320,9 @@ impl Case {
             };
             let told_by_run = if motion.n_steps > MANY_STEPS { motion.n_steps as f64 } else { MARGIN };
             let is_right = excess <= told_by_run;
-            let explained = method.tolerance().map_or(f64::INFINITY, |tolerance| told_by_run * tolerance.relative);
+            // from here on `ezy run` remarks on the energy
+            let explained =
+                MARGIN.max(motion.n_steps as f64) * method.tolerance().map_or(f64::INFINITY, |t| t.relative);
             let judgement = match is_right {
                 true => Judgement::Right,
                 false if motion.beside || motion.energy_error > explained => Judgement::Doubtful,

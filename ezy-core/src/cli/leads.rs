@@ -163,10 +163,7 @@ const ABSENT: [(&str, &str); 22] = [
         "forces force reactions reaction multipliers events event",
         "'run' prints multipliers and events by itself; --out writes multipliers at all times, as lambda.NAME",
     ),
-    (
-        "all everything recursive",
-        "'list' and 'gallery' without a name take all models; the other commands need a name",
-    ),
+    ("all everything recursive", "'list' and 'gallery' without a name take all models; the other commands need a name"),
     (
         "results result report read load replay",
         "no command reads results; 'run MODEL/SCENE --out FILE.csv' writes them, 'compare' takes two such files",

@@ -32,6 +32,16 @@ pub(super) enum Shape {
         #[cfg_attr(not(test), allow(dead_code, reason = "tests look for texts that meet"))]
         frame: Frame,
     },
+    /// Equal rectangles of one colour each that fill `frame`, without blur between them.
+    Image { raster: Raster, frame: Frame },
+}
+
+/// Colours of equal rectangles, row by row from the upper left one.
+#[derive(Debug, Clone)]
+pub(super) struct Raster {
+    pub n_across: u32,
+    pub n_down: u32,
+    pub pixels: Vec<Color>,
 }
 
 /// An upright rectangle.
@@ -116,8 +126,18 @@ impl Canvas {
         self.stroke(vec![Segment::Move(from), Segment::Line(to)], color, width, &[]);
     }
 
+    /// Equal rectangles that fill `frame`.
+    pub(super) fn image(&mut self, raster: Raster, frame: Frame) {
+        self.shapes.push(Shape::Image { raster, frame });
+    }
+
     /// A line of text with its base line at `place`, and where it stands.
     pub(super) fn text(&mut self, text: &str, place: Place, anchor: Anchor, size: f64) -> Frame {
+        self.text_in(BLACK, text, place, anchor, size)
+    }
+
+    /// The same in a colour.
+    pub(super) fn text_in(&mut self, color: Color, text: &str, place: Place, anchor: Anchor, size: f64) -> Frame {
         let width = lettering::width(text, size);
         let left = place[0] - shift(anchor, width);
         let outline = lettering::outline(text, size, |[x, y]| [left + x, place[1] - y]);
@@ -127,7 +147,7 @@ impl Canvas {
             top: place[1] - lettering::RISE * size,
             bottom: place[1] + lettering::FALL * size,
         };
-        self.shapes.push(Shape::Text { outline, color: BLACK, text: text.to_owned(), frame });
+        self.shapes.push(Shape::Text { outline, color, text: text.to_owned(), frame });
         frame
     }
 

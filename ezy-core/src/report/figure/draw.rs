@@ -1,7 +1,10 @@
 //! A figure as a picture: where title, panels and legends stand.
 
-use super::canvas::{Anchor, Canvas, Frame};
+use super::canvas::{Anchor, BLACK, Canvas, Frame};
+use super::color_bar::ColorBar;
+use super::contours::draw_map;
 use super::legend::Legend;
+use super::map::Grid;
 use super::panel::{Scales, TICK, TICK_GAP, TICK_SIZE, draw_axes, draw_curves, draw_notes};
 use super::ticks::{self, Ticks};
 use super::{Axes, Figure, FigureError, lettering, range};
@@ -16,13 +19,13 @@ pub(super) enum Width {
 }
 
 const TITLE_SIZE: f64 = 16.0;
-const LABEL_SIZE: f64 = 13.5;
+pub(super) const LABEL_SIZE: f64 = 13.5;
 /// From the edge of the picture to what is on it.
 const MARGIN: f64 = 10.0;
 /// Space between two panels.
 const BETWEEN: f64 = 14.0;
 /// Height of a line of text over the size of its letters.
-const LINE: f64 = 1.3;
+pub(super) const LINE: f64 = 1.3;
 /// Least distance of two ticks with labels: across, and down.
 const TICKS_ACROSS: f64 = 64.0;
 const TICKS_DOWN: f64 = 29.0;
@@ -32,7 +35,7 @@ const LEAST_EQUAL_HEIGHT: f64 = 175.0;
 const LEAST_EQUAL_WIDTH: f64 = 150.0;
 
 impl Width {
-    fn points(self) -> f64 {
+    pub(super) fn points(self) -> f64 {
         match self {
             Self::Wide => 800.0,
             Self::Narrow => 390.0,
@@ -63,10 +66,12 @@ impl Width {
 
 /// Draws the figure.
 pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureError> {
-    let Some((x, mut y)) = range::limits(figure) else {
+    let empty = || {
         let positive = if figure.axes == Axes::LogLog { " above zero, as its logarithmic axes need" } else { "" };
-        return Err(FigureError::Empty { title: figure.title.clone(), positive });
+        FigureError::Empty { title: figure.title.clone(), positive }
     };
+    let map = map(figure, width, &empty)?;
+    let (x, mut y) = range::limits(figure).ok_or_else(empty)?;
     let n_panels = figure.panels.len();
     let n_down = |height: f64| (height / TICKS_DOWN) as usize;
     let mut height = width.height(figure);
@@ -79,7 +84,8 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
     let first_ticks = y.iter().map(|y| axis_ticks(figure.axes, *y, n_down(height)));
     let widest = first_ticks.map(|ticks| tick_width(&ticks)).fold(0.0, f64::max);
     let left = MARGIN + label_width + 4.0 + widest + TICK_GAP + TICK;
-    let mut axes_width = width.points() - left - MARGIN - 12.0;
+    let right = map.as_ref().map_or(0.0, |(_, bar)| bar.beside()) + MARGIN + 12.0;
+    let mut axes_width = width.points() - left - right;
     if figure.axes == Axes::Equal {
         let least = LEAST_EQUAL_HEIGHT / axes_width * (x[1] - x[0]);
         y[0] = range::about(y[0], (y[0][1] - y[0][0]).max(least));
@@ -88,7 +94,7 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
         axes_width = (height / shape).max(LEAST_EQUAL_WIDTH);
         height = axes_width * shape;
     }
-    let total_width = left + axes_width + MARGIN + 12.0;
+    let total_width = left + axes_width + right;
     let x_ticks = axis_ticks(figure.axes, x, (axes_width / TICKS_ACROSS) as usize);
 
     let title = lettering::wrapped(&figure.title, TITLE_SIZE, total_width - 2.0 * MARGIN);
@@ -104,9 +110,9 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
     let mut known_names = Vec::new();
     for (k, panel) in figure.panels.iter().enumerate() {
         let y_ticks = axis_ticks(figure.axes, y[k], n_down(height));
-        if y_ticks.scale.is_some() {
-            top += LINE * TICK_SIZE;
-        }
+        let map = map.as_ref().filter(|_| k == 0);
+        let of_scale = if y_ticks.scale.is_some() { LINE * TICK_SIZE } else { 0.0 };
+        top += map.map_or(0.0, |(_, bar)| bar.above()).max(of_scale);
         let legend = Legend::new(panel).filter(|legend| legend.names() != known_names);
         if let Some(legend) = &legend {
             known_names = legend.names();
@@ -121,14 +127,26 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
         let mut at = scales(top);
         let mut room = draw_curves(&mut trial, &at, panel);
         draw_notes(&mut trial, &at, panel, &mut room);
-        let inside = legend.as_ref().and_then(|legend| legend.inside(&at.frame, &room));
+        // over a map it would hide cells
+        let inside = legend.as_ref().filter(|_| map.is_none()).and_then(|legend| legend.inside(&at.frame, &room));
         if let (Some(legend), None) = (&legend, inside) {
             at = scales(top + legend.height_above(axes_width));
             legend.draw_above(&mut canvas, &at.frame, axes_width);
         }
         let is_lowest = k + 1 == n_panels;
         draw_axes(&mut canvas, &at, &x_ticks, &y_ticks, is_lowest);
-        let mut room = draw_curves(&mut canvas, &at, panel);
+        let mut room = if let Some((grid, bar)) = map {
+            let mut room = draw_curves(&mut Canvas::new(0.0, 0.0), &at, panel);
+            draw_map(&mut canvas, &at, grid, bar, &mut room);
+            canvas.frame(&at.frame, BLACK, 1.0);
+            if width == Width::Wide {
+                bar.draw_beside(&mut canvas, &at.frame);
+            }
+            draw_curves(&mut canvas, &at, panel);
+            room
+        } else {
+            draw_curves(&mut canvas, &at, panel)
+        };
         draw_notes(&mut canvas, &at, panel, &mut room);
         if let (Some(legend), Some(frame)) = (&legend, inside) {
             legend.draw_inside(&mut canvas, &frame);
@@ -150,14 +168,30 @@ pub(super) fn picture(figure: &Figure, width: Width) -> Result<Canvas, FigureErr
         top += LINE * LABEL_SIZE;
         canvas.text(line, [left + 0.5 * axes_width, top - 0.2 * LABEL_SIZE], Anchor::Middle, LABEL_SIZE);
     }
+    if let (Some((_, bar)), Width::Narrow) = (&map, width) {
+        top = bar.draw_below(&mut canvas, [left, left + axes_width], top);
+    }
     canvas.set_height((top + MARGIN).ceil());
     Ok(canvas)
+}
+
+/// The cells of the map and its colour bar; the first panel alone has a map.
+fn map<'f>(
+    figure: &'f Figure,
+    width: Width,
+    empty: &impl Fn() -> FigureError,
+) -> Result<Option<(&'f Grid, ColorBar)>, FigureError> {
+    let Some(map) = &figure.panels[0].map else { return Ok(None) };
+    let fault = |fault: &String| FigureError::Grid { title: figure.title.clone(), fault: fault.clone() };
+    let grid = map.grid.as_ref().map_err(fault)?;
+    let extent = grid.extent().ok_or_else(empty)?;
+    Ok(Some((grid, ColorBar::new(map, grid, extent, width, width.height(figure)))))
 }
 
 fn axis_ticks(axes: Axes, limits: [f64; 2], n: usize) -> Ticks {
     match axes {
         Axes::LogLog => ticks::logarithmic(limits, n),
-        Axes::Series | Axes::Plane | Axes::Equal => ticks::linear(limits, n),
+        Axes::Series | Axes::Plane | Axes::Map | Axes::Equal => ticks::linear(limits, n),
     }
 }
 
@@ -190,7 +224,28 @@ mod tests {
             t[1..].to_vec(),
             t[1..].iter().map(|t| t.powi(4)).collect(),
         );
+        let wave = |hole: f64| {
+            let (x, y) = (t[..60].to_vec(), t[..40].to_vec());
+            let value =
+                |x: f64, y: f64| if x.hypot(y - 1.0) < hole { f64::NAN } else { (3.0 * x).sin() * (4.0 * y).cos() };
+            let z = y.iter().flat_map(|y| x.iter().map(|x| value(*x, *y))).collect();
+            Figure::map("A map", "frequency [Hz]", "amplitude [rad]", "speed [m/s]", x, y, z)
+        };
+        let over = wave(0.4).line("", t[..50].to_vec(), of(|t| 0.3 * t)[..50].to_vec());
+        let over = over.marks("measured", vec![1.0, 2.0], vec![0.5, 1.5]).note(1.0, 0.5, "1").note(1.4, 1.0, "second");
+        let three = Figure::map(
+            "Three",
+            "x",
+            "y",
+            &"name ".repeat(30),
+            t[..3].to_vec(),
+            vec![1.0],
+            of(|t| 12.0 + 1e-6 * t)[..3].to_vec(),
+        );
         vec![
+            wave(0.0),
+            over,
+            three,
             many,
             panels,
             path,

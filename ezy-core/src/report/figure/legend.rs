@@ -25,7 +25,7 @@ pub(super) struct Legend<'f> {
 }
 
 impl<'f> Legend<'f> {
-    /// The legend of a panel; a single curve has none, the axis names it.
+    /// The legend of a panel; a single curve has none, the axis names it if there is no map.
     pub(super) fn new(panel: &'f Panel) -> Option<Self> {
         let named = panel.curves.iter().filter(|curve| !curve.name.is_empty());
         let mut entries: Vec<(&str, &Look)> = Vec::new();
@@ -34,7 +34,7 @@ impl<'f> Legend<'f> {
                 entries.push((&curve.name, &curve.look));
             }
         }
-        (panel.curves.len() > 1 && !entries.is_empty()).then_some(Self { entries })
+        ((panel.curves.len() > 1 || panel.map.is_some()) && !entries.is_empty()).then_some(Self { entries })
     }
 
     /// Names in their order.

@@ -1,6 +1,6 @@
 //! Colours, dashes and markers: distinct in colour, in lightness and in pattern.
 
-use super::canvas::Color;
+use super::canvas::{Color, WHITE};
 
 /// A marker at each point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -65,6 +65,8 @@ const MARKERS: [Marker; N_LOOKS] = [
 
 const LINE: f64 = 1.7;
 const MARKER: f64 = 7.0;
+/// How far the halo of a curve goes beyond it, both sides together.
+const HALO: f64 = 3.0;
 /// Grey of the lightest body, of 255; the lines of the grid are lighter.
 const LIGHTEST_BODY: f64 = 150.0;
 
@@ -81,6 +83,12 @@ impl Look {
 
     pub(super) fn without_line(self) -> Self {
         Self { width: 0.0, size: 4.5, ..self }
+    }
+
+    /// What lies under a curve so that it is seen on any colour.
+    pub(super) fn halo(&self) -> Self {
+        let (width, size) = (self.width + HALO, self.size + HALO);
+        Self { color: WHITE, dash: &[], width, marker: Some(Marker::Circle), size }
     }
 
     pub(super) fn band() -> Self {

@@ -1,18 +1,26 @@
-//! Figures as data: panels, curves, bodies, axes. [`Figure::save`] draws one as SVG and PNG.
+//! Figures as data: panels, curves, bodies, maps, axes. [`Figure::save`] draws one as SVG and PNG.
 //!
 //! Curves differ in dash and in lightness, so that a figure keeps its meaning when it is printed in grey. Text is drawn from an
 //! embedded face, so a figure is the same to the byte on every machine.
 
 mod canvas;
+mod color_bar;
+mod color_scale;
+mod contour;
+mod contour_labels;
+mod contours;
 mod draw;
+mod hatch;
 mod legend;
 pub(super) mod lettering;
 mod look;
+mod map;
 mod marker;
 pub(super) mod outline;
 mod panel;
 pub(super) mod png;
 mod range;
+mod raster;
 mod room;
 mod svg;
 mod thin;
@@ -23,6 +31,7 @@ use std::path::{Path, PathBuf};
 use super::page::Picture;
 use draw::Width;
 use look::Look;
+use map::Map;
 
 /// How the axes are scaled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,6 +42,8 @@ enum Axes {
     Plane,
     /// Both linear, with the same length for one unit: for paths and shapes.
     Equal,
+    /// Both linear; both end with the cells of a map.
+    Map,
     /// Both logarithmic.
     LogLog,
 }
@@ -63,6 +74,8 @@ struct Note {
 struct Panel {
     /// Name and unit of the ordinate.
     y_label: String,
+    /// What lies under the curves.
+    map: Option<Map>,
     /// What is drawn, in this order.
     curves: Vec<Curve>,
     /// Texts over the curves.
@@ -99,13 +112,25 @@ pub struct Figure {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FigureError {
-    /// No point of any curve can be shown.
-    #[error("figure `{title}` has nothing to draw: no finite point{positive}; give at least one curve with values")]
+    /// No point of any curve and no cell of a map can be shown.
+    #[error(
+        "figure `{title}` has nothing to draw: no finite point{positive}; give at least one curve or map with values"
+    )]
     Empty {
         /// Headline of the figure.
         title: String,
         /// ` above zero, as its logarithmic axes need`, or empty.
         positive: &'static str,
+    },
+    /// The places and values of a map are no grid.
+    #[error(
+        "the map of figure `{title}` has no grid: {fault}; give finite ascending x and y, and a z for each pair of them"
+    )]
+    Grid {
+        /// Headline of the figure.
+        title: String,
+        /// What is wrong, such as `z has 3 values in place of 2 × 2`.
+        fault: String,
     },
     /// The picture has more pixels than the machine can keep.
     #[error("figure `{title}` could not be drawn as PNG: {width} × {height} points are too many")]
@@ -151,6 +176,48 @@ impl Figure {
     /// Logarithmic axes, for convergence and growth.
     pub fn log_log(title: &str, x_label: &str, y_label: &str) -> Self {
         Self::new(title, x_label, y_label, Axes::LogLog)
+    }
+
+    /// Values over a rectangular grid of two parameters: a heat map with contours and a colour bar. What is drawn after it lies over it.
+    ///
+    /// | name | shape | meaning |
+    /// |---|---|---|
+    /// | `x` | `n_x`, ascending | centres of the columns |
+    /// | `y` | `n_y`, ascending | centres of the rows |
+    /// | `z` | `n_y · n_x`, `z[i_y * n_x + i_x]` | values; NaN where there is none |
+    ///
+    /// Cells end in the middle between two centres, the outer ones as far beyond their centre. The axes end with them, or with curves that go
+    /// further. Above 256 cells along a side the picture shows at most 256 groups of them, with the mean of those that have a value.
+    ///
+    /// Colours are those of viridis in 128 steps, from dark for the least value to light for the largest. Cells without value are grey and
+    /// hatched, and the colour bar says so. The cells are one image within the SVG.
+    ///
+    /// Contours are drawn at the ticks of the colour bar, by linear interpolation between centres; there is none beside a cell without
+    /// value. Contours in noise are left out: those that extend less than 18 points of the picture, and all if they cover 15 % of the map.
+    ///
+    /// What is no grid (see [`FigureError::Grid`]) is refused when the figure is drawn.
+    ///
+    /// ```
+    /// use ezy_core::report::figure::Figure;
+    ///
+    /// let (x, y) = (vec![1.0, 2.0, 3.0], vec![10.0, 20.0]);
+    /// let speed = vec![0.1, 0.2, 0.3, 0.2, f64::NAN, 0.6];
+    /// let map = Figure::map("Speed", "frequency [Hz]", "amplitude [mm]", "speed [m/s]", x, y, speed);
+    /// let svg = map.picture()?.wide;
+    /// # Ok::<(), ezy_core::report::figure::FigureError>(())
+    /// ```
+    pub fn map(
+        title: &str,
+        x_label: &str,
+        y_label: &str,
+        z_label: &str,
+        x: Vec<f64>,
+        y: Vec<f64>,
+        z: Vec<f64>,
+    ) -> Self {
+        let mut figure = Self::new(title, x_label, y_label, Axes::Map);
+        figure.current().map = Some(Map::new(z_label, x, y, z));
+        figure
     }
 
     fn new(title: &str, x_label: &str, y_label: &str, axes: Axes) -> Self {
@@ -248,7 +315,7 @@ impl Figure {
     /// The figure as SVG for a page, in two widths: for wide and for narrow screens.
     ///
     /// # Errors
-    /// [`FigureError::Empty`].
+    /// [`FigureError::Empty`], [`FigureError::Grid`].
     pub fn picture(&self) -> Result<Picture, FigureError> {
         let [wide, narrow] = [Width::Wide, Width::Narrow].map(|width| draw::picture(self, width));
         Ok(Picture { wide: svg::svg(&wide?), narrow: svg::svg(&narrow?) })
@@ -257,7 +324,7 @@ impl Figure {
     /// The figure as the bytes of a PNG file.
     ///
     /// # Errors
-    /// [`FigureError::Empty`], [`FigureError::TooLarge`].
+    /// [`FigureError::Empty`], [`FigureError::Grid`], [`FigureError::TooLarge`].
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
         let canvas = draw::picture(self, Width::Wide)?;
         let (width, height) = (canvas.width, canvas.height);
@@ -280,6 +347,6 @@ impl Figure {
 
 impl Panel {
     fn new(y_label: &str) -> Self {
-        Self { y_label: y_label.to_owned(), curves: Vec::new(), notes: Vec::new(), n_lines: 0 }
+        Self { y_label: y_label.to_owned(), map: None, curves: Vec::new(), notes: Vec::new(), n_lines: 0 }
     }
 }

@@ -90,6 +90,8 @@ pub(super) fn draw_curves(canvas: &mut Canvas, scales: &Scales, panel: &Panel) -
     let mut room = Room::new(scales.frame);
     for curve in &panel.curves {
         let look = &curve.look;
+        // on the colours of a map any colour of a curve is lost
+        let halo = panel.map.is_some().then(|| look.halo());
         let places: Vec<Option<Place>> =
             range::points(scales.axes, curve).map(|point| point.map(|point| scales.place(point))).collect();
         let pieces: Vec<&[Option<Place>]> = places.split(Option::is_none).collect();
@@ -100,6 +102,9 @@ pub(super) fn draw_curves(canvas: &mut Canvas, scales: &Scales, panel: &Panel) -
                 let mut outline: Vec<Segment> = places.iter().map(|place| Segment::Line(*place)).collect();
                 if let Some(first) = outline.first_mut() {
                     *first = Segment::Move(places[0]);
+                    if let Some(halo) = &halo {
+                        canvas.stroke(outline.clone(), halo.color, halo.width, &[]);
+                    }
                     canvas.stroke(outline, look.color, look.width, look.dash);
                 }
                 places.windows(2).for_each(|pair| room.take_line(pair[0], pair[1]));
@@ -109,6 +114,9 @@ pub(super) fn draw_curves(canvas: &mut Canvas, scales: &Scales, panel: &Panel) -
             let look = dot.as_ref().unwrap_or(look);
             if look.marker.is_some() {
                 for place in places {
+                    if let Some(halo) = &halo {
+                        marker::draw(canvas, halo, place);
+                    }
                     marker::draw(canvas, look, place);
                     let [x, y] = place;
                     room.take(&Frame { left: x, top: y, right: x, bottom: y }.widened(0.5 * look.size));
@@ -139,7 +147,7 @@ pub(super) fn draw_notes(canvas: &mut Canvas, scales: &Scales, panel: &Panel, ro
         let tried = DISTANCES.iter().flat_map(|distance| DIRECTIONS.map(|direction| around(direction, *distance)));
         let tried = tried.filter_map(|frame| Some((room.taken(&frame.widened(2.0))?, frame)));
         let Some((taken, frame)) = tried.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-        if taken > 0.0 {
+        if taken > 0.0 || panel.map.is_some() {
             canvas.fill(&frame.widened(1.0), WHITE);
         }
         let middle = 0.5 * (frame.left + frame.right);

@@ -6,8 +6,11 @@ use super::{Axes, Curve, Figure, Panel, ticks};
 const MARGIN: f64 = 0.04;
 /// A span below this part of the values is rounding: the axis shows one value.
 const ROUNDING: f64 = 1e-13;
+/// Below this a span is too small for powers of ten: values are shown as zero.
+const LEAST_SPAN: f64 = 1e-290;
 /// Part of a value that an axis shows on both sides when it is the only one.
 const AROUND_A_VALUE: f64 = 0.1;
+
 /// Whether a number has a place on an axis of this kind.
 pub(super) fn is_drawable(axes: Axes, value: f64) -> bool {
     value.is_finite() && (axes != Axes::LogLog || value > 0.0)
@@ -23,7 +26,13 @@ pub(super) fn points(axes: Axes, curve: &Curve) -> impl Iterator<Item = Option<[
 fn extent(axes: Axes, panel: &Panel) -> Option<[[f64; 2]; 2]> {
     let points = panel.curves.iter().flat_map(|curve| points(axes, curve).flatten());
     let notes = panel.notes.iter().map(|note| [note.x, note.y]);
-    let mut all = points.chain(notes.filter(|place| place.iter().all(|value| is_drawable(axes, *value))));
+    let map = panel.map.as_ref().and_then(|map| map.grid.as_ref().ok());
+    let corners = map.into_iter().flat_map(|grid| {
+        let ([left, right], [lower, upper]) = (grid.x.limits(), grid.y.limits());
+        [[left, lower], [right, upper]]
+    });
+    let mut all =
+        corners.chain(points).chain(notes.filter(|place| place.iter().all(|value| is_drawable(axes, *value))));
     let [x, y] = all.next()?;
     Some(all.fold([[x, x], [y, y]], |[[x0, x1], [y0, y1]], [x, y]| [[x0.min(x), x1.max(x)], [y0.min(y), y1.max(y)]]))
 }
@@ -40,6 +49,7 @@ pub(super) fn limits(figure: &Figure) -> Option<([f64; 2], Vec<[f64; 2]>)> {
         Axes::LogLog => {
             (ticks::log_limits(x), y.map(|y| if y[0] > 0.0 { ticks::log_limits(y) } else { [0.1, 10.0] }).collect())
         }
+        Axes::Map => (widened(x, 0.0), y.map(|y| widened(y, 0.0)).collect()),
         // time runs to the edges of its axis
         Axes::Series => (widened(x, 0.0), y.map(|y| widened(y, MARGIN)).collect()),
         Axes::Plane | Axes::Equal => (widened(x, MARGIN), y.map(|y| widened(y, MARGIN)).collect()),
@@ -47,14 +57,19 @@ pub(super) fn limits(figure: &Figure) -> Option<([f64; 2], Vec<[f64; 2]>)> {
 }
 
 /// A range with `part` of its span more on each side, and with some room around a single value.
-fn widened([low, high]: [f64; 2], part: f64) -> [f64; 2] {
+pub(super) fn widened([low, high]: [f64; 2], part: f64) -> [f64; 2] {
     let size = low.abs().max(high.abs());
-    if high - low <= ROUNDING * size || high == low {
-        let room = if size > 0.0 { AROUND_A_VALUE * size } else { 1.0 };
+    if is_single([low, high]) {
+        let room = if size > LEAST_SPAN { AROUND_A_VALUE * size } else { 1.0 };
         return about([low, high], 2.0 * room);
     }
     let margin = part * (high - low);
     [low - margin, high + margin]
+}
+
+/// Whether the values of a range differ by rounding at most.
+pub(super) fn is_single([low, high]: [f64; 2]) -> bool {
+    high - low <= LEAST_SPAN.max(ROUNDING * low.abs().max(high.abs()))
 }
 
 /// A range of this span with the same middle.
@@ -72,6 +87,12 @@ mod tests {
         let figure = Figure::log_log("gap", "h", "gap").points("gap", vec![0.1, 1.0, 10.0], vec![0.0, 1e-3, f64::NAN]);
         let (x, y) = limits(&figure).unwrap();
         assert_eq!(y[0].map(|y| format!("{y:e}")), ["1e-4", "1e-2"], "{x:?}");
+    }
+
+    #[test]
+    fn invariant_values_without_powers_of_ten_are_shown_about_zero() {
+        let figure = Figure::plane("little", "t", "v").line("v", vec![0.0, 1.0], vec![0.0, 1e-310]);
+        assert_eq!(limits(&figure).unwrap().1, [[-1.0, 1.0]]);
     }
 
     #[test]

@@ -6,6 +6,7 @@ use super::canvas::{Frame, Place};
 const CELL: f64 = 3.0;
 
 /// Which cells of a frame are taken.
+#[derive(Debug, Clone)]
 pub(super) struct Room {
     frame: Frame,
     n_across: usize,

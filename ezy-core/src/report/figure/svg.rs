@@ -1,8 +1,10 @@
-//! A picture as SVG: outlines alone, so that it needs no font and looks the same in every program.
+//! A picture as SVG: outlines, and the cells of maps as images within the text, so that it needs neither fonts nor other files and
+//! looks the same in every program.
 
 use std::fmt::Write as _;
 
 use super::canvas::{Canvas, Color, Place, Segment, Shape};
+use super::png;
 use crate::report::page::escape;
 
 /// The picture as a document.
@@ -33,7 +35,29 @@ fn element(shape: &Shape) -> String {
             let (d, color, text) = (path(outline), hexadecimal(*color), escape(text));
             format!("<path aria-label=\"{text}\" fill=\"{color}\" d=\"{d}\"/>\n")
         }
+        Shape::Image { raster, frame } => {
+            let [x, y, width, height] = [frame.left, frame.top, frame.width(), frame.height()].map(number);
+            let bytes = base64(&png::of_raster(raster).unwrap_or_default());
+            format!(
+                "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" \
+                 style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{bytes}\"/>\n"
+            )
+        }
     }
+}
+
+/// Bytes in letters (RFC 4648, section 4).
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let bits = (0..3).fold(0, |bits, k| bits << 8 | u32::from(three.get(k).copied().unwrap_or(0)));
+        for k in 0..4 {
+            let letter = LETTERS[(bits >> (18 - 6 * k)) as usize & 63];
+            text.push(if k <= three.len() { char::from(letter) } else { '=' });
+        }
+    }
+    text
 }
 
 fn path(outline: &[Segment]) -> String {
@@ -59,4 +83,20 @@ fn number(value: f64) -> String {
 
 fn hexadecimal([red, green, blue]: Color) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reference_base64_is_that_of_rfc_4648() {
+        // section 10
+        let known =
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")];
+        for (text, expected) in known {
+            assert_eq!(base64(text.as_bytes()), expected);
+        }
+        assert_eq!(base64(&[0xff, 0xef, 0xbe]), "/+++");
+    }
 }

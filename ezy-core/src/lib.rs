@@ -79,6 +79,8 @@ pub mod record;
 pub mod report;
 pub mod scalar;
 pub mod simulate;
+#[cfg(feature = "sweep")]
+pub mod sweep;
 pub mod testing;
 
 #[doc(inline)]

@@ -242,6 +242,8 @@ pub struct SceneInfo {
     pub name: &'static str,
     /// Doc comment of the scene.
     pub documentation: &'static str,
+    /// Hash of the words of the model file, without comments and documentation (FNV-1a, 64 bits); 0 of a scene written by hand.
+    pub fingerprint: u64,
     /// Bodies in declared order; body `i` has the coordinates x, y and φ at `3 i`, `3 i + 1`, `3 i + 2`.
     pub bodies: List<Name>,
     /// `n_q` coordinates.

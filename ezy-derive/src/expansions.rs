@@ -255,7 +255,11 @@ fn invariant_expansion_does_not_depend_on_the_count() {
     let text = model_text("mechanisms/chain.rs").to_string();
     let with = |n: &str| {
         let text = text.replace("count n = 10", &format!("count n = {n}"));
-        expand(text.parse().expect("the text has tokens")).to_string()
+        let expanded = expand(text.parse().expect("the text has tokens")).to_string();
+        // the hash of the text, which is another one
+        let mut parts = expanded.split("fingerprint : ");
+        let first = parts.next().unwrap_or_default().to_owned();
+        parts.fold(first, |all, part| all + part.trim_start_matches(|c: char| c.is_ascii_alphanumeric()))
     };
     let (small, large) = (with("3"), with("777777"));
     assert!(large.contains("777777") && !large.contains("compile_error"), "{large}");

@@ -36,6 +36,7 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     model: "",
     name: "",
     documentation: "",
+    fingerprint: 0,
     bodies: List::Borrowed(&[]),
     coordinates: List::Borrowed(&[]),
     points: List::Borrowed(&[]),

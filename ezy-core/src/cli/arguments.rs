@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::motion_arguments::MotionArguments;
+use super::sweep_arguments::SweepArguments;
 use super::value::{Assignment, parse_assignment, parse_number};
 use super::vary::{Variation, parse_variation};
 
@@ -17,6 +18,8 @@ pub(super) enum Command {
     Run(RunArguments),
     Plot(PlotArguments),
     Compare(CompareArguments),
+    Sweep(SweepArguments),
+    Merge(MergeArguments),
     Animate(AnimateArguments),
     Sketch(SketchArguments),
     Gallery(GalleryArguments),
@@ -221,6 +224,25 @@ pub(super) struct CompareArguments {
     pub json: bool,
     #[command(flatten)]
     pub motion: MotionArguments,
+}
+
+/// Joins the results of a sweep, and checks that each case is there once
+///
+/// Shares of a sweep may be in one folder or in several. Without --out the results are only checked.
+#[derive(Debug, Args)]
+pub(super) struct MergeArguments {
+    /// Folders that `sweep --out` named
+    #[arg(value_name = "DIR", required = true)]
+    pub folders: Vec<PathBuf>,
+    /// The table as one file, .csv or .parquet
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Join what is there, though parts are missing
+    #[arg(long)]
+    pub incomplete: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Prints what a shell needs to complete commands and options; bash and zsh complete models and scenes, too

@@ -11,7 +11,7 @@ use super::examples::Examples;
 use super::failure::Failure;
 use super::interruption::Interruption;
 use super::leads::lead_on;
-use super::{Models, accuracy, animate, check, compare, gallery, list, plot, run, shell, show, sketch};
+use super::{Models, accuracy, animate, check, compare, gallery, list, merge, plot, run, shell, show, sketch, sweep};
 use crate::model::ModelInfo;
 
 /// What a command of the caller does with its arguments.
@@ -119,6 +119,8 @@ impl<'m> CommandLine<'m> {
             Command::Run(arguments) => run::run(self.models, &arguments),
             Command::Plot(arguments) => plot::plot(self.models, &arguments),
             Command::Compare(arguments) => compare::compare(self.models, &arguments),
+            Command::Merge(arguments) => merge::merge(&arguments),
+            Command::Sweep(arguments) => sweep::sweep(self.models, &arguments),
             Command::Animate(arguments) => animate::animate(self.models, &arguments),
             Command::Sketch(arguments) => sketch::sketch(self.models, &arguments),
             Command::Gallery(arguments) => gallery::gallery(self.models, &arguments),
@@ -144,6 +146,7 @@ impl<'m> CommandLine<'m> {
                 "run" => command.after_help(examples.of_run()),
                 "plot" => command.after_help(examples.of_plot()),
                 "compare" => command.after_help(examples.of_compare()),
+                "sweep" => command.after_help(examples.of_sweep()),
                 "animate" => command.after_help(examples.of_animate()),
                 "sketch" => command.after_help(examples.of_sketch()),
                 "check" => command.after_help(examples.of_check()),

@@ -4,6 +4,7 @@ use super::Models;
 use super::selection::{first_scene, path, typed};
 use crate::model::coordinate::is_angle;
 use crate::model::{SceneEntry, SceneInfo};
+use crate::scalar::rounded;
 use std::sync::Arc;
 
 /// Examples: commands, each with what it does.
@@ -106,6 +107,21 @@ impl Examples {
             examples.push((vary, "with two values of a parameter"));
         }
         self.lines(&examples)
+    }
+
+    pub(super) fn of_sweep(&self) -> String {
+        let Self { scene, velocity, .. } = self;
+        let first = self.info.as_ref().and_then(|info| info.parameters.first());
+        let (name, value) = first.map_or(("NAME", 1.0), |parameter| (parameter.name, parameter.default));
+        let [low, high, step] = [0.5 * value, 1.5 * value, 0.01 * value].map(|x| rounded(x, 3));
+        self.lines(&[
+            (format!("sweep {scene} --vary {name}={low}:{high}:{step}"), "a hundred values of a parameter"),
+            (
+                format!("sweep {scene} --sample {name}={low}:{high} --samples 1000 --keep max:{velocity}"),
+                "a thousand samples, and the largest velocity of each",
+            ),
+            (format!("sweep {scene} --vary {name}={low}:{high}:{step} --resume"), "goes on after an interruption"),
+        ])
     }
 
     pub(super) fn of_compare(&self) -> String {

@@ -31,14 +31,21 @@ impl Failure {
         Self::Stopped(message.to_string())
     }
 
+    /// What it says.
+    pub(super) fn message(&self) -> &str {
+        match self {
+            Self::Use(message) | Self::Stopped(message) | Self::Interrupted { message, .. } => message,
+        }
+    }
+
     /// Prints the message and gives the exit status.
     pub(crate) fn report(&self) -> ExitCode {
-        let (message, status) = match self {
-            Self::Use(message) => (message, 2),
-            Self::Stopped(message) => (message, 1),
-            Self::Interrupted { message, status } => (message, *status),
+        let status = match self {
+            Self::Use(_) => 2,
+            Self::Stopped(_) => 1,
+            Self::Interrupted { status, .. } => *status,
         };
-        print_error(&format!("error: {message}\n"));
+        print_error(&format!("error: {}\n", self.message()));
         ExitCode::from(status)
     }
 }

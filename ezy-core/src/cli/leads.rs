@@ -22,7 +22,7 @@ const OPTIONS: [(&str, &[&str]); 21] = [
     ("ic ics init initial initial-condition initial-conditions x0 q0 v0 y0 state start-value", &["--start"]),
     ("m solver integrator integration integrate ode scheme algorithm", &["--method"]),
     (
-        "sample sampling sample-rate sample-time output-step output-interval dt-out print-step save-every interval fps rate resolution points samples",
+        "sampling sample-rate sample-time output-step output-interval dt-out print-step save-every interval fps rate resolution points",
         &["--every"],
     ),
     ("saveat times t-eval t-span", &["--at", "--every", "--until"]),
@@ -76,7 +76,11 @@ const COMMANDS: [(&str, &str, &str); 13] = [
     ("draw picture diagram drawing view viewer svg image", "sketch", "sketch MODEL/SCENE"),
     ("gif animation anim movie video render play player film", "animate", "animate MODEL/SCENE"),
     ("graph chart figure curve curves visualize visualise", "plot", "plot MODEL/SCENE COLUMN"),
-    ("sweep scan vary range batch parametric", "plot", "plot MODEL/SCENE COLUMN --vary NAME=A,B"),
+    (
+        "scan vary range batch parametric montecarlo ensemble doe",
+        "sweep",
+        "sweep MODEL/SCENE --vary NAME=START:END:STEP",
+    ),
     (
         "bench benchmark convergence precision work-precision error errors tolerance methods",
         "accuracy",
@@ -102,8 +106,8 @@ const ABSENT: [(&str, &str); 22] = [
         "no command linearises; 'show' prints the equations of motion, and programs have the derivatives of a run (ezy_core::simulate)",
     ),
     (
-        "optimise optimize fit identify calibrate montecarlo ensemble",
-        "no command optimises; --vary of 'plot' runs a scene with several values, and programs loop over scenes, whose parameters are fields",
+        "optimise optimize fit identify calibrate",
+        "no command optimises; 'sweep' runs a scene with many values, and programs loop over scenes, whose parameters are fields",
     ),
     (
         "equilibrium equilibria trim static statics steady steady-state",
@@ -138,10 +142,13 @@ const ABSENT: [(&str, &str); 22] = [
         "speed playback slow slowmotion realtime fast rtf loop zoom camera pause",
         "the page of 'animate' has the speed, the pause and the view beside the picture",
     ),
-    ("seed random rng", "runs and checks have nothing random that changes: each repetition gives the same numbers"),
+    (
+        "seed random rng",
+        "runs and checks have nothing random that changes: each repetition gives the same numbers; 'sweep' has --samples and their --seed",
+    ),
     (
         "threads thread jobs j cores cpus parallel gpu",
-        "one run takes one core; start several commands for several runs",
+        "one run takes one core; 'sweep' runs a scene for many values on all cores",
     ),
     (
         "t0 tstart start-time from begin",
@@ -470,7 +477,7 @@ mod tests {
             ("animate a/b --t-end 3", "use '--until <S>'"),
             ("run a/b -o x.csv", "use '--out <FILE.csv>'"),
             ("run a/b --plot", "use the command 'ezy plot'"),
-            ("sketch a/b --dt 1", "`--step` is an option of run, plot, compare, animate, not of sketch"),
+            ("sketch a/b --dt 1", "`--step` is an option of run, plot, compare, sweep, animate, not of sketch"),
             ("run a/b m0=3", "write --set m0=3"),
             ("run a/b --method ode45", "use '--method dop853': Method of Dormand"),
             ("run a/b --method ode15s", "use '--method radau': Implicit"),

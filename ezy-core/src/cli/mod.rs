@@ -30,6 +30,7 @@ mod interruption;
 mod json;
 mod leads;
 mod list;
+mod merge;
 mod motion;
 mod motion_arguments;
 mod motion_table;
@@ -48,6 +49,10 @@ mod selection;
 mod shell;
 mod show;
 mod sketch;
+mod slurm;
+mod sweep;
+mod sweep_arguments;
+mod sweep_maps;
 mod value;
 mod vary;
 

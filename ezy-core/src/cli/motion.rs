@@ -46,7 +46,7 @@ fn tolerance(method: &str, arguments: &MotionArguments) -> Result<Tolerance, Fai
 }
 
 /// Inputs of the file, then those of the command line, which win.
-fn inputs(arguments: &MotionArguments, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, Failure> {
+pub(super) fn inputs(arguments: &MotionArguments, info: &SceneInfo) -> Result<Vec<(String, InputTable)>, Failure> {
     let mut all = Vec::new();
     if let Some(path) = &arguments.inputs {
         let of_file = |what: &dyn std::fmt::Display| Failure::wrong_use(format!("`{}`: {what}", path.display()));
@@ -74,6 +74,16 @@ pub(super) fn simulation<'s>(
     scene: &'s (dyn Scene + 's),
     method: Method,
 ) -> Result<Simulation<'s, dyn Scene + 's>, Failure> {
+    Ok(simulation_with(arguments, scene, method, inputs(arguments, &scene.info())?))
+}
+
+/// As [`simulation`], with inputs that were read before.
+pub(super) fn simulation_with<'s>(
+    arguments: &MotionArguments,
+    scene: &'s (dyn Scene + 's),
+    method: Method,
+    inputs: impl IntoIterator<Item = (String, InputTable)>,
+) -> Simulation<'s, dyn Scene + 's> {
     let info = scene.info();
     let mut simulation = Simulation::new(scene)
         .method(method)
@@ -83,7 +93,7 @@ pub(super) fn simulation<'s>(
     if info.n_outputs() > 0 {
         simulation = simulation.outputs();
     }
-    for (name, table) in inputs(arguments, &info)? {
+    for (name, table) in inputs {
         simulation = simulation.input(name, table);
     }
     if let Some(residual) = arguments.max_drift {
@@ -101,7 +111,7 @@ pub(super) fn simulation<'s>(
     if arguments.project_start {
         simulation = simulation.project_start();
     }
-    Ok(simulation)
+    simulation
 }
 
 /// Why a run was refused, by exit status.

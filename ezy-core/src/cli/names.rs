@@ -54,7 +54,7 @@ pub(super) fn scene_with(model: &ModelInfo, entry: &SceneEntry, set: &[Assignmen
 const LARGEST_COUNT: f64 = 1e15;
 
 /// The value of a count: `--set n=1000`.
-fn whole_number(assignment: &Assignment) -> Result<usize, Failure> {
+pub(super) fn whole_number(assignment: &Assignment) -> Result<usize, Failure> {
     let (name, value) = (&assignment.name, assignment.value);
     if value.fract() == 0.0 && (1.0..=LARGEST_COUNT).contains(&value) {
         return Ok(value as usize);

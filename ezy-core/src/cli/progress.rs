@@ -25,6 +25,22 @@ impl Progress {
         })
     }
 
+    /// A bar of `n` cases, with those done, their rate and the time that is left.
+    pub(super) fn of_cases(n: u64) -> Self {
+        let style = ProgressStyle::with_template("{bar:30} {human_pos} of {human_len}  {per_sec}  {eta} left  {msg}");
+        let bar = ProgressBar::new(n);
+        Self(match style {
+            Ok(style) => bar.with_style(style),
+            Err(_) => bar,
+        })
+    }
+
+    /// Shows how many cases of how many are done.
+    pub(super) fn tell_cases(&self, n_done: u64, n: u64) {
+        self.0.set_length(n);
+        self.0.set_position(n_done);
+    }
+
     /// Shows the fraction that is done.
     pub fn tell(&self, fraction: f64) {
         self.0.set_position((fraction * N_PARTS as f64) as u64);

@@ -7,7 +7,7 @@ use super::leads;
 use super::motion_arguments::MotionArguments;
 use super::value::{Assignment, parse_number};
 use crate::model::SceneInfo;
-use crate::record::find_name;
+use crate::record::{UnknownName, find_name};
 use crate::scalar::rounded;
 
 /// A name and the values that it takes, one after the other.
@@ -17,14 +17,23 @@ pub(super) struct Variation {
     pub values: Vec<String>,
 }
 
-/// Reads `NAME=A,B,…`, where a part may be a range, START:END:STEP.
+/// Reads `NAME=A,B,…`, where a part may be a range, START:END:STEP, of a thousand values at most.
 pub(super) fn parse_variation(text: &str) -> Result<Variation, String> {
+    variation(text, MOST_VALUES)
+}
+
+/// As [`parse_variation`], with ranges of a million values.
+pub(super) fn parse_axis(text: &str) -> Result<Variation, String> {
+    variation(text, MOST_OF_AN_AXIS)
+}
+
+fn variation(text: &str, most_values: f64) -> Result<Variation, String> {
     let example = "write NAME=A,B or NAME=START:END:STEP, such as l=0.4,0.5, l=0.4:0.6:0.05 or method=rk4,dop853";
     let (name, values) = text.split_once('=').ok_or_else(|| format!("it has no `=`; {example}"))?;
     let mut all = Vec::new();
     for value in values.split(',').map(str::trim) {
         match value.contains(':') {
-            true => all.extend(range(value)?),
+            true => all.extend(range(value, most_values)?),
             false => all.push(value.to_owned()),
         }
     }
@@ -36,13 +45,14 @@ pub(super) fn parse_variation(text: &str) -> Result<Variation, String> {
 
 /// Values of one range at most: each is a run.
 const MOST_VALUES: f64 = 1000.0;
+const MOST_OF_AN_AXIS: f64 = 1e6;
 /// An end that is missed by this part of a step is met: START + n STEP is rounded.
 const MET: f64 = 1e-6;
 /// Digits of a value: enough for what people type, too few for the rounding of START + n STEP.
 const DIGITS: usize = 12;
 
 /// Values from START on, STEP apart, with END where a step meets it.
-fn range(text: &str) -> Result<Vec<String>, String> {
+fn range(text: &str, most_values: f64) -> Result<Vec<String>, String> {
     let parts = text.split(':').map(parse_number).collect::<Result<Vec<f64>, String>>()?;
     let [start, end, step] = parts[..] else {
         return Err(format!("`{text}` is no range; write START:END:STEP, such as 40:60:5"));
@@ -53,8 +63,8 @@ fn range(text: &str) -> Result<Vec<String>, String> {
             "a step of {step} does not lead from {start} to {end}; write START:END:STEP, such as 40:60:5"
         ));
     }
-    if n >= MOST_VALUES {
-        return Err(format!("`{text}` has more than {MOST_VALUES} values, each of them a run; give a longer step"));
+    if n >= most_values {
+        return Err(format!("`{text}` has more than {most_values} values, each of them a run; give a longer step"));
     }
     Ok((0..=(n + MET) as u32).map(|i| rounded(start + f64::from(i) * step, DIGITS)).collect())
 }
@@ -84,8 +94,39 @@ pub(super) fn varied(
     Ok(all)
 }
 
+/// What a value that is varied belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Target {
+    /// Place among the parameters.
+    Parameter(usize),
+    /// Place among the counts.
+    Count(usize),
+    Input,
+    /// A coordinate or a velocity.
+    Start,
+    /// A method, a tolerance, a step.
+    Setting,
+}
+
+/// What `name` belongs to.
+pub(super) fn target(name: &str, info: &SceneInfo) -> Result<Target, UnknownName> {
+    let parameters = || info.parameters.iter().map(|parameter| parameter.name);
+    let counts = || info.counts().iter().map(|count| count.name);
+    let inputs = || info.inputs.iter().map(|input| input.name);
+    let starts = || info.coordinates.iter().flat_map(|c| [&*c.name, &*c.velocity_name]);
+    let found = parameters().position(|known| known == name).map(Target::Parameter);
+    let found = found.or_else(|| counts().position(|known| known == name).map(Target::Count));
+    let found = found.or_else(|| inputs().any(|known| known == name).then_some(Target::Input));
+    let found = found.or_else(|| starts().any(|known| known == name).then_some(Target::Start));
+    let known = || parameters().chain(counts()).chain(inputs()).chain(starts()).chain(SETTINGS);
+    match found {
+        Some(target) => Ok(target),
+        None => find_name("value to vary", name, known()).map(|_| Target::Setting),
+    }
+}
+
 /// Gives `name` its value, in place of an earlier one.
-fn set(arguments: &mut MotionArguments, name: &str, value: &str, info: &SceneInfo) -> Result<(), Failure> {
+pub(super) fn set(arguments: &mut MotionArguments, name: &str, value: &str, info: &SceneInfo) -> Result<(), Failure> {
     let wrong = |message: String| Failure::wrong_use(format!("--vary {name}: {message}"));
     let number = || parse_number(value).map_err(wrong);
     let word = |known: Result<(), String>| known.map_err(|message| wrong(format!("`{value}`: {message}")));
@@ -102,20 +143,11 @@ fn set(arguments: &mut MotionArguments, name: &str, value: &str, info: &SceneInf
         "atol" => arguments.atol = Some(number()?),
         "angle-tol" => arguments.angle_tol = Some(number()?),
         _ => {
-            let parameters = info.parameters.iter().map(|parameter| parameter.name);
-            let parameters: Vec<&str> = parameters.chain(info.counts().iter().map(|count| count.name)).collect();
-            let inputs: Vec<&str> = info.inputs.iter().map(|input| input.name).collect();
-            let starts = info.coordinates.iter().flat_map(|c| [&*c.name, &*c.velocity_name]);
-            let starts: Vec<&str> = starts.collect();
-            let place = match name {
-                name if parameters.contains(&name) => &mut arguments.set,
-                name if inputs.contains(&name) => &mut arguments.input,
-                name if starts.contains(&name) => &mut arguments.start,
-                _ => {
-                    let known = parameters.iter().chain(&inputs).chain(&starts).chain(&SETTINGS);
-                    find_name("value to vary", name, known.copied())?;
-                    return Ok(());
-                }
+            let place = match target(name, info)? {
+                Target::Parameter(_) | Target::Count(_) => &mut arguments.set,
+                Target::Input => &mut arguments.input,
+                Target::Start => &mut arguments.start,
+                Target::Setting => return Ok(()),
             };
             place.retain(|assignment| assignment.name != name);
             place.push(Assignment { name: name.to_owned(), value: number()? });

@@ -1,7 +1,7 @@
 //! One file.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, Seek as _, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// A file that replaces an older one when it is complete.
@@ -55,13 +55,28 @@ impl OutputFile {
         Ok(Self { path, partial, file, state: State::Unwritten { is_new } })
     }
 
+    /// As [`OutputFile::create`], but goes on behind the first bytes of an older `NAME.partial`: `keep` is handed all of them, and says how
+    /// many are good. A pipe or a device is written from its start.
+    ///
+    /// # Errors
+    /// Those of [`OutputFile::create`].
+    pub fn resume(path: &Path, keep: impl FnOnce(&[u8]) -> usize) -> io::Result<Self> {
+        let mut of = Self::create(path)?;
+        if let State::Unwritten { is_new: false } = of.state {
+            let n_kept = keep(&fs::read(&of.partial)?) as u64;
+            of.file.set_len(n_kept)?;
+            of.file.seek(SeekFrom::End(0))?;
+            of.state = State::Written;
+        }
+        Ok(of)
+    }
+
     /// Writes `bytes` over the first ones of the file; later writes go on behind its last. Not for a pipe or a device.
     ///
     /// # Errors
     /// The error of the system.
     #[cfg(feature = "cli")]
     pub(crate) fn write_over_start(&mut self, bytes: &[u8]) -> io::Result<()> {
-        use std::io::{Seek as _, SeekFrom};
         self.file.rewind()?;
         self.file.write_all(bytes)?;
         self.file.seek(SeekFrom::End(0)).map(|_| ())
@@ -252,6 +267,25 @@ mod tests {
         assert_eq!((read(&path), read(&partial)), ("old".into(), "new".into()));
         drop(OutputFile::create(&path).unwrap());
         assert_eq!(read(&partial), "new");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn invariant_resumed_file_goes_on_behind_what_is_good() {
+        let folder = folder("resumed");
+        let path = folder.join("a.csv");
+        let mut nothing = OutputFile::resume(&path, |_| panic!("there is nothing to keep")).unwrap();
+        nothing.write_all(b"1\n2\n3").unwrap();
+        drop(nothing);
+        let mut file = OutputFile::resume(&path, |bytes| {
+            assert_eq!(bytes, b"1\n2\n3");
+            4
+        })
+        .unwrap();
+        assert_eq!(OutputFile::resume(&path, <[u8]>::len).unwrap_err().kind(), ErrorKind::ResourceBusy);
+        file.write_all(b"4\n").unwrap();
+        file.complete().unwrap();
+        assert_eq!(read(&path), "1\n2\n4\n");
         fs::remove_dir_all(folder).unwrap();
     }
 

@@ -22,7 +22,7 @@ use std::sync::atomic::AtomicBool;
 /// # }
 /// ```
 pub struct Simulation<'s, S: Scene + ?Sized> {
-    pub(super) scene: &'s S,
+    pub(crate) scene: &'s S,
     pub(super) settings: Settings,
     pub(super) hooks: Hooks<'s>,
 }
@@ -130,6 +130,18 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     #[must_use]
     pub fn at(mut self, times_s: impl IntoIterator<Item = f64>) -> Self {
         self.settings.sample_times = SampleTimes::At(times_s.into_iter().collect());
+        self
+    }
+
+    /// Keeps samples `every_s` seconds, or `n` of the run, unless their times were given before.
+    #[cfg(feature = "sweep")]
+    pub(crate) fn sampled(mut self, every_s: Option<f64>, n: f64) -> Self {
+        let span = self.settings.until_s;
+        if let (SampleTimes::Never, Some(every_s)) =
+            (&self.settings.sample_times, every_s.or((span > 0.0).then_some(span / n)))
+        {
+            self.settings.sample_times = SampleTimes::Every(every_s);
+        }
         self
     }
 

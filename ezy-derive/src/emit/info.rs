@@ -22,6 +22,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let model_name = model.name.to_string();
     let name = scene.name.to_string();
     let documentation = &scene.documentation;
+    let fingerprint = model.fingerprint;
     let bodies = model.bodies.iter().map(|body| name_of(&body.name.to_string()));
     let coordinates = coordinates(equations);
     let points: Vec<_> = (equations.points.iter())
@@ -76,6 +77,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             model: #model_name,
             name: #name,
             documentation: #documentation,
+            fingerprint: #fingerprint,
             bodies: #bodies,
             coordinates: #coordinates,
             points: #points,

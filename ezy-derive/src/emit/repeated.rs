@@ -65,6 +65,7 @@ pub fn access_to_counts(model: &Model) -> TokenStream {
 fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: usize) -> TokenStream {
     let (scene, templates) = (&derived.scene, &of.templates);
     let (model_name, name, documentation) = (model.name.to_string(), scene.name.to_string(), &scene.documentation);
+    let fingerprint = model.fingerprint;
     let parameters = info::parameters(model, &templates.parameters, &templates.symbols);
     let integrated_inputs = info::integrated_inputs(model, &templates.inputs);
     let inputs = info::inputs(model, &templates.inputs, &templates.symbols);
@@ -86,6 +87,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
             model: #model_name,
             name: #name,
             documentation: #documentation,
+            fingerprint: #fingerprint,
             bodies: #none,
             coordinates: #none,
             points: #none,

@@ -70,6 +70,8 @@ pub struct Model {
     /// Name of the model as written, CamelCase.
     pub name: Ident,
     pub documentation: String,
+    /// Hash of the text.
+    pub fingerprint: u64,
     /// Numbers of a run that say how often things are repeated.
     pub counts: Vec<Count>,
     /// Names of the indices of `for`.

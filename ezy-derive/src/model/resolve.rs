@@ -302,6 +302,7 @@ impl Model {
             visibility: ast.visibility.clone(),
             name: ast.name.clone(),
             documentation: ast.documentation.clone(),
+            fingerprint: ast.fingerprint,
             counts: Vec::new(),
             indices: Vec::new(),
             quotients: Vec::new(),

@@ -12,6 +12,8 @@ pub struct Model {
     pub visibility: syn::Visibility,
     pub name: Ident,
     pub documentation: String,
+    /// Of the whole text.
+    pub fingerprint: u64,
     pub items: Vec<Item>,
     /// Names of items that could not be parsed: their uses give no further errors.
     pub broken: Vec<Ident>,

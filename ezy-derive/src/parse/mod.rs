@@ -4,6 +4,7 @@ pub mod ast;
 mod declaration;
 mod event;
 mod expression;
+mod fingerprint;
 mod integrated;
 mod item;
 mod place;
@@ -49,6 +50,7 @@ pub fn parse(tokens: TokenStream, diag: &mut Diagnostics) -> ast::Model {
         visibility: syn::Visibility::Inherited,
         name: Ident::new("Model", Span::call_site()),
         documentation: String::new(),
+        fingerprint: fingerprint::of(&tokens),
         items: Vec::new(),
         broken: Vec::new(),
         loops: Vec::new(),

@@ -309,9 +309,9 @@ fn invariant_check_passes_on_every_scene() {
 
 #[test]
 fn invariant_help_of_every_command_has_its_usage() {
-    for command in
-        ["list", "show", "run", "plot", "compare", "animate", "sketch", "gallery", "check", "accuracy", "study"]
-    {
+    for command in [
+        "list", "show", "run", "plot", "compare", "sweep", "animate", "sketch", "gallery", "check", "accuracy", "study",
+    ] {
         let help = output(&[command, "--help"]);
         assert!(help.contains(&format!("Usage: ezy {command}")), "{help}");
     }
@@ -530,6 +530,7 @@ fn invariant_each_command_has_a_manual_page() {
         "list",
         "show",
         "run",
+        "sweep",
         "animate",
         "sketch",
         "gallery",

@@ -16,6 +16,8 @@ mod show;
 mod signals;
 mod starts;
 mod study;
+#[cfg(unix)]
+mod sweeps;
 mod words;
 
 use run::{assert_wrong_use, directory, ezy, text};

@@ -31,11 +31,13 @@ const CORE: &[(&str, &[&str])] = &[
         "accuracy",
         &["accuracy", "simulate", "integrate", "dynamics", "linalg", "output", "record", "report", "model", "scalar"],
     ),
+    ("sweep", &["sweep", "simulate", "dynamics", "linalg", "output", "record", "model"]),
     (
         "cli",
         &[
             "cli",
             "accuracy",
+            "sweep",
             "testing",
             "simulate",
             "integrate",

@@ -2,13 +2,15 @@
 
 use super::canvas::{Anchor, BLACK, Canvas, Frame};
 use super::color_scale::ColorScale;
-use super::draw::{LABEL_SIZE, LINE, Width};
 use super::legend::SIZE;
 use super::map::{Grid, Map};
 use super::panel::{TICK, TICK_GAP, TICK_SIZE};
+use super::sheet::{LABEL_SIZE, LINE, Width};
 use super::ticks::{self, Ticks};
-use super::{contours, hatch, lettering, range, raster};
+use super::{hatch, lettering, range, raster};
 
+/// Width of contours in points, and of their marks in the bar.
+pub(super) const CONTOUR_WIDTH: f64 = 0.9;
 /// Thickness of the bar, and its distance from the axes beside it and from the text above it.
 const THICKNESS: f64 = 16.0;
 const BESIDE: f64 = 18.0;
@@ -86,7 +88,7 @@ impl ColorBar {
         let mut right = 0.0_f64;
         for (value, label) in &self.ticks.major {
             let y = bar.bottom - self.scale.part(*value) * bar.height();
-            canvas.line([bar.left, y], [bar.right, y], contours::ink(&self.scale, *value), contours::WIDTH);
+            canvas.line([bar.left, y], [bar.right, y], self.scale.ink(*value), CONTOUR_WIDTH);
             canvas.line([bar.right, y], [bar.right + TICK, y], BLACK, 1.0);
             let place = [bar.right + TICK + TICK_GAP, y + 0.36 * TICK_SIZE];
             right = right.max(canvas.text(label, place, Anchor::Start, TICK_SIZE).right);
@@ -109,7 +111,7 @@ impl ColorBar {
         let mut bottom = bar.bottom + TICK + TICK_GAP + LINE * TICK_SIZE;
         for (value, label) in &self.ticks.major {
             let x = bar.left + self.scale.part(*value) * bar.width();
-            canvas.line([x, bar.top], [x, bar.bottom], contours::ink(&self.scale, *value), contours::WIDTH);
+            canvas.line([x, bar.top], [x, bar.bottom], self.scale.ink(*value), CONTOUR_WIDTH);
             canvas.line([x, bar.bottom], [x, bar.bottom + TICK], BLACK, 1.0);
             let base = bar.bottom + TICK + TICK_GAP + lettering::RISE * TICK_SIZE;
             canvas.text(label, [x, base], Anchor::Middle, TICK_SIZE);

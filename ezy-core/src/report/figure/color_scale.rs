@@ -1,6 +1,6 @@
 //! Colours of values: from dark to light, so that a map keeps its meaning in grey print and for colour-blind readers.
 
-use super::canvas::Color;
+use super::canvas::{BLACK, Color, WHITE};
 
 /// Every 17th of the 256 colours of viridis (S. van der Walt and N. J. Smith, 2015, for matplotlib; public domain, CC0). What is
 /// interpolated between them differs from the original by 7 of 255 at most.
@@ -26,6 +26,9 @@ const ANCHORS: [Color; 16] = [
 /// Colours that are told apart: steps that the eye does not see, and few enough for small files.
 pub(super) const N_COLORS: usize = 128;
 
+/// Lightness L* above which a ground takes dark lines.
+const LIGHT: f64 = 55.0;
+
 /// The colours of values within limits.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ColorScale {
@@ -37,6 +40,11 @@ impl ColorScale {
     /// The colour of a value.
     pub(super) fn color(&self, value: f64) -> Color {
         color((self.part(value) * N_COLORS as f64) as usize)
+    }
+
+    /// What is seen on the colour of a value: black or white.
+    pub(super) fn ink(&self, value: f64) -> Color {
+        if lightness(self.color(value)) > LIGHT { BLACK } else { WHITE }
     }
 
     /// Where a value lies between the limits, from 0 to 1.

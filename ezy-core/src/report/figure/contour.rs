@@ -2,7 +2,21 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::canvas::Place;
 use super::map::Grid;
+
+/// A contour in a picture.
+pub(super) struct Contour {
+    pub value: f64,
+    /// The value as the colour bar writes it.
+    pub label: String,
+    pub pieces: Vec<Vec<Place>>,
+}
+
+/// The length of a line.
+pub(super) fn length(places: &[Place]) -> f64 {
+    places.windows(2).map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1])).sum()
+}
 
 /// The pieces of the line on which the values are `level`, in the coordinates of the grid.
 ///

@@ -2,7 +2,7 @@
 
 use super::canvas::{Anchor, Canvas, Frame, Place};
 use super::color_bar::ColorBar;
-use super::contours::{Contour, ink, length};
+use super::contour::{Contour, length};
 use super::lettering;
 use super::room::Room;
 
@@ -36,7 +36,7 @@ pub(super) fn draw(canvas: &mut Canvas, contours: &[Contour], bar: &ColorBar, ro
             if taken <= MOST_TAKEN {
                 canvas.fill(&frame, bar.scale.color(contour.value));
                 let place = [0.5 * (frame.left + frame.right), frame.bottom - PADDING];
-                canvas.text_in(ink(&bar.scale, contour.value), &contour.label, place, Anchor::Middle, SIZE);
+                canvas.text_in(bar.scale.ink(contour.value), &contour.label, place, Anchor::Middle, SIZE);
                 room.take(&frame.widened(PADDING));
             }
         }

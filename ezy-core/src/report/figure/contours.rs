@@ -1,30 +1,17 @@
 //! A map within its axes: cells and contours.
 
-use super::canvas::{BLACK, Canvas, Color, Frame, Place, Segment, WHITE};
-use super::color_bar::ColorBar;
-use super::color_scale::{ColorScale, lightness};
-use super::contour::contour;
+use super::canvas::{Canvas, Frame, Place, Segment};
+use super::color_bar::{CONTOUR_WIDTH, ColorBar};
+use super::contour::{Contour, contour, length};
 use super::map::Grid;
 use super::panel::Scales;
 use super::room::Room;
 use super::{contour_labels, hatch, range, raster};
 
-/// Width of contours in points.
-pub(super) const WIDTH: f64 = 0.9;
 /// What extends less, in points, is a speck of noise.
 const LEAST: f64 = 18.0;
 /// Contours that cover a larger part of the map than this hide the noise that they are drawn over, and make the file large.
 const MOST_COVERED: f64 = 0.15;
-/// Lightness L* above which a ground takes dark lines.
-const LIGHT: f64 = 55.0;
-
-/// A contour in a picture.
-pub(super) struct Contour {
-    pub value: f64,
-    /// The value as the colour bar writes it.
-    pub label: String,
-    pub pieces: Vec<Vec<Place>>,
-}
 
 /// Draws cells and contours; `room` knows what will lie over them, and in the end the labels of contours, too.
 pub(super) fn draw_map(canvas: &mut Canvas, scales: &Scales, grid: &Grid, bar: &ColorBar, room: &mut Room) {
@@ -44,7 +31,7 @@ pub(super) fn draw_map(canvas: &mut Canvas, scales: &Scales, grid: &Grid, bar: &
             let lines = places[1..].iter().map(|place| Segment::Line(*place));
             std::iter::once(Segment::Move(places[0])).chain(lines)
         });
-        canvas.stroke(outline.collect(), ink(&bar.scale, contour.value), WIDTH, &[]);
+        canvas.stroke(outline.collect(), bar.scale.ink(contour.value), CONTOUR_WIDTH, &[]);
     }
     contour_labels::draw(canvas, &contours, bar, room);
 }
@@ -61,7 +48,7 @@ fn contours(scales: &Scales, grid: &Grid, bar: &ColorBar) -> Vec<Contour> {
         Contour { value: *value, label: label.clone(), pieces: pieces.filter(|piece| extent(piece) >= LEAST).collect() }
     };
     let all: Vec<Contour> = bar.ticks.major.iter().map(at).filter(|contour| !contour.pieces.is_empty()).collect();
-    let covered: f64 = all.iter().flat_map(|contour| &contour.pieces).map(|piece| WIDTH * length(piece)).sum();
+    let covered: f64 = all.iter().flat_map(|contour| &contour.pieces).map(|piece| CONTOUR_WIDTH * length(piece)).sum();
     let is_seen = covered <= MOST_COVERED * scales.frame.width() * scales.frame.height();
     if is_seen { all } else { Vec::new() }
 }
@@ -75,20 +62,11 @@ fn extent(places: &[Place]) -> f64 {
     span(0).hypot(span(1))
 }
 
-/// The length of a line.
-pub(super) fn length(places: &[Place]) -> f64 {
-    places.windows(2).map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1])).sum()
-}
-
-/// What is seen on the colour of a value.
-pub(super) fn ink(scale: &ColorScale, value: f64) -> Color {
-    if lightness(scale.color(value)) > LIGHT { BLACK } else { WHITE }
-}
-
 #[cfg(test)]
 mod tests {
     use crate::report::figure::canvas::{Frame, Shape};
-    use crate::report::figure::draw::{Width, picture};
+    use crate::report::figure::draw::picture;
+    use crate::report::figure::sheet::Width;
     use crate::report::figure::{Figure, FigureError, color_scale, png, raster};
 
     /// What a page carries without a thought.

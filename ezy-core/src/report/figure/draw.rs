@@ -6,26 +6,15 @@ use super::contours::draw_map;
 use super::legend::Legend;
 use super::map::Grid;
 use super::panel::{Scales, TICK, TICK_GAP, TICK_SIZE, draw_axes, draw_curves, draw_notes};
+use super::sheet::{LABEL_SIZE, LINE, Width};
 use super::ticks::{self, Ticks};
 use super::{Axes, Figure, FigureError, lettering, range};
 
-/// How wide a picture is, in points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Width {
-    /// For a page, a slide, a paper.
-    Wide,
-    /// For the screen of a telephone.
-    Narrow,
-}
-
 const TITLE_SIZE: f64 = 16.0;
-pub(super) const LABEL_SIZE: f64 = 13.5;
 /// From the edge of the picture to what is on it.
 const MARGIN: f64 = 10.0;
 /// Space between two panels.
 const BETWEEN: f64 = 14.0;
-/// Height of a line of text over the size of its letters.
-pub(super) const LINE: f64 = 1.3;
 /// Least distance of two ticks with labels: across, and down.
 const TICKS_ACROSS: f64 = 64.0;
 const TICKS_DOWN: f64 = 29.0;
@@ -35,13 +24,6 @@ const LEAST_EQUAL_HEIGHT: f64 = 175.0;
 const LEAST_EQUAL_WIDTH: f64 = 150.0;
 
 impl Width {
-    pub(super) fn points(self) -> f64 {
-        match self {
-            Self::Wide => 800.0,
-            Self::Narrow => 390.0,
-        }
-    }
-
     /// Height of the axes of a panel.
     fn height(self, figure: &Figure) -> f64 {
         let alone = match self {

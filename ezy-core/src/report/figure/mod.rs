@@ -22,6 +22,7 @@ pub(super) mod png;
 mod range;
 mod raster;
 mod room;
+mod sheet;
 mod svg;
 mod thin;
 mod ticks;
@@ -29,9 +30,9 @@ mod ticks;
 use std::path::{Path, PathBuf};
 
 use super::page::Picture;
-use draw::Width;
 use look::Look;
 use map::Map;
+use sheet::Width;
 
 /// How the axes are scaled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

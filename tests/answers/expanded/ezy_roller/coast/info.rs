@@ -40,6 +40,7 @@ impl Coast {
         model: "EzyRoller",
         name: "coast",
         documentation: "No forces: the bar stands across, the seat moves at 1 m/s.",
+        fingerprint: 4958805213051706263u64,
         bodies: ezy::List::Borrowed(
             &[ezy::Name::Borrowed("seat"), ezy::Name::Borrowed("bar")],
         ),

@@ -1,0 +1,166 @@
+//! One case of a sweep, and what became of it.
+
+use super::kept::Reader;
+use super::plan::{Plan, Value};
+use crate::model::Scene;
+use crate::record::{Column, UnknownName};
+use crate::simulate::{Outcome, Run, SetupError, Simulation};
+use std::fmt;
+use std::sync::atomic::AtomicBool;
+
+/// A number that the caller reads from a run, with its column.
+pub(super) type OwnNumber<'a> = (Column, Box<dyn Fn(&Run) -> f64 + Sync + 'a>);
+
+/// A case: its number and its values.
+pub struct Case<'a> {
+    pub(super) index: u64,
+    pub(super) plan: &'a Plan,
+    pub(super) values: Vec<Value<'a>>,
+    pub(super) reader: &'a Reader,
+    pub(super) own: &'a [OwnNumber<'a>],
+    pub(super) every_s: Option<f64>,
+    pub(super) interrupts: [&'a AtomicBool; 2],
+}
+
+/// Samples of a run from which extremes are taken, besides the first, when no interval is given.
+const N_SAMPLES: f64 = 1000.0;
+
+impl<'a> Case<'a> {
+    /// Its number, from 0 on.
+    pub fn index(&self) -> u64 {
+        self.index
+    }
+
+    /// A value by its name in the plan.
+    ///
+    /// # Errors
+    /// [`UnknownName`] when the plan does not vary it, or varies words.
+    pub fn get(&self, name: &str) -> Result<f64, UnknownName> {
+        match self.values[self.plan.index(name)?] {
+            Value::Number(x) => Ok(x),
+            Value::Word(_) => Err(self.of_other_kind("number", name)),
+        }
+    }
+
+    /// A word by its name in the plan.
+    ///
+    /// # Errors
+    /// [`UnknownName`] when the plan does not vary it, or varies numbers.
+    pub fn word(&self, name: &str) -> Result<&'a str, UnknownName> {
+        match self.values[self.plan.index(name)?] {
+            Value::Word(word) => Ok(word),
+            Value::Number(_) => Err(self.of_other_kind("word", name)),
+        }
+    }
+
+    fn of_other_kind(&self, kind: &'static str, name: &str) -> UnknownName {
+        let is_asked = |value: &Value<'_>| matches!(value, Value::Word(_)) == (kind == "word");
+        let known = self.plan.names().into_iter().zip(&self.values).filter(|(_, value)| is_asked(value));
+        let known = known.map(|(name, _)| name.to_owned()).collect();
+        UnknownName { kind, name: name.to_owned(), nearest: None, known, remedy: None }
+    }
+
+    /// Values in the order of [`Plan::names`].
+    pub fn values(&self) -> &[Value<'a>] {
+        &self.values
+    }
+
+    /// Runs `simulation` with what the sweep keeps, and keeps that.
+    ///
+    /// # Errors
+    /// [`SetupError`] when the run cannot start; the case is then a row without numbers that says why.
+    pub fn run<'s, S: Scene + ?Sized>(&self, simulation: Simulation<'s, S>) -> Result<Finished, SetupError>
+    where
+        'a: 's,
+    {
+        let scene = simulation.scene;
+        let mut simulation = simulation.outputs();
+        for flag in self.interrupts {
+            simulation = simulation.interrupted_by(flag);
+        }
+        if self.reader.needs_work {
+            simulation = simulation.work();
+        }
+        if self.reader.needs_error {
+            simulation = simulation.estimate_error();
+        }
+        if self.reader.needs_samples {
+            simulation = simulation.sampled(self.every_s, N_SAMPLES);
+        }
+        let run = simulation.run()?;
+        let (outcome, message) = match &run.outcome {
+            Outcome::ReachedEnd => (Ended::ReachedEnd, String::new()),
+            Outcome::ReachedEvent { name, .. } => (Ended::ReachedEvent(name), String::new()),
+            other @ Outcome::Untrusted { .. } => (Ended::Untrusted, other.to_string()),
+            other @ Outcome::Stopped { .. } => (Ended::Stopped, other.to_string()),
+            Outcome::Interrupted { .. } => (Ended::Interrupted, String::new()),
+        };
+        let mut numbers = self.reader.numbers(scene, &run)?;
+        numbers.extend(self.own.iter().map(|(_, read)| read(&run)));
+        Ok(Finished { numbers, t: run.last().t, n_steps: run.cost.steps, outcome, message })
+    }
+}
+
+/// What is kept of a run.
+#[derive(Debug)]
+pub struct Finished {
+    pub(super) numbers: Vec<f64>,
+    pub(super) t: f64,
+    pub(super) n_steps: u64,
+    pub(super) outcome: Ended,
+    pub(super) message: String,
+}
+
+/// How a case ended, in one word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ended {
+    /// `end`: at the time that was asked for.
+    ReachedEnd,
+    /// `event:NAME`: at an event that ends the run.
+    ReachedEvent(&'static str),
+    /// `untrusted`: with fixed steps too long for the motion ([`Outcome::Untrusted`]).
+    Untrusted,
+    /// `stopped`: before its end; its numbers are those of the last good state.
+    Stopped,
+    /// `refused`: it could not start; it has no numbers.
+    Refused,
+    /// It is run again when the sweep continues.
+    Interrupted,
+}
+
+impl Ended {
+    /// Whether the run is complete and nothing speaks against its result.
+    pub const fn is_good(self) -> bool {
+        matches!(self, Self::ReachedEnd | Self::ReachedEvent(_))
+    }
+}
+
+impl fmt::Display for Ended {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ReachedEnd => f.write_str("end"),
+            Self::ReachedEvent(name) => write!(f, "event:{name}"),
+            Self::Untrusted => f.write_str("untrusted"),
+            Self::Stopped => f.write_str("stopped"),
+            Self::Refused => f.write_str("refused"),
+            Self::Interrupted => f.write_str("interrupted"),
+        }
+    }
+}
+
+/// Why a case has no run: any error that its closure met.
+#[derive(Debug)]
+pub struct Refused(pub(super) String);
+
+impl Refused {
+    /// Because of `why`.
+    pub fn new(why: impl Into<String>) -> Self {
+        Self(why.into())
+    }
+}
+
+impl<E: std::error::Error> From<E> for Refused {
+    fn from(error: E) -> Self {
+        Self(error.to_string())
+    }
+}

@@ -1,0 +1,198 @@
+//! What a sweep keeps of each run.
+
+use crate::dynamics::System;
+use crate::linalg::Backend;
+use crate::model::{Scene, SceneInfo};
+use crate::record::{Column, UnknownName, Wanted, columns, find_name};
+use crate::simulate::{Run, SetupError};
+use std::fmt;
+use std::str::FromStr;
+
+/// One thing to keep of each run; as text `seat.vx`, `max:output.speed`, `event:landed`, `error`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Kept {
+    /// A column at the end of the run, by the names of [`columns`] or of a point: `A.x`.
+    End(String),
+    /// The least value of a column among the samples.
+    Smallest(String),
+    /// The largest value of a column among the samples.
+    Largest(String),
+    /// When an event takes place first, s.
+    FirstTime(String),
+    /// How often an event takes place.
+    Count(String),
+    /// The estimated error of positions, velocities and multipliers, the largest of each unit, and how much the motion amplifies errors.
+    /// Each run is then computed three times.
+    Error,
+}
+
+impl FromStr for Kept {
+    type Err = std::convert::Infallible;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let named = |name: &str| name.trim().to_owned();
+        Ok(match text.split_once(':') {
+            Some(("end", name)) => Self::End(named(name)),
+            Some(("min", name)) => Self::Smallest(named(name)),
+            Some(("max", name)) => Self::Largest(named(name)),
+            Some(("event", name)) => Self::FirstTime(named(name)),
+            Some(("count", name)) => Self::Count(named(name)),
+            _ if text.trim() == "error" => Self::Error,
+            _ => Self::End(named(text)),
+        })
+    }
+}
+
+impl From<&str> for Kept {
+    fn from(text: &str) -> Self {
+        text.parse().unwrap_or_else(|never| match never {})
+    }
+}
+
+impl fmt::Display for Kept {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::End(name) => write!(f, "{name}"),
+            Self::Smallest(name) => write!(f, "min:{name}"),
+            Self::Largest(name) => write!(f, "max:{name}"),
+            Self::FirstTime(name) => write!(f, "event:{name}"),
+            Self::Count(name) => write!(f, "count:{name}"),
+            Self::Error => write!(f, "error"),
+        }
+    }
+}
+
+/// Where the numbers of [`Kept`] are found in the runs of a scene.
+#[derive(Debug)]
+pub(super) struct Reader {
+    pub(super) columns: Vec<Column>,
+    places: Vec<Place>,
+    /// Places of the columns of runs with works in those of runs without.
+    without_work: Vec<Option<usize>>,
+    pub(super) needs_work: bool,
+    has_points: bool,
+    pub(super) needs_samples: bool,
+    pub(super) needs_error: bool,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Place {
+    /// Column of a sample at the end.
+    End(usize),
+    Smallest(usize),
+    Largest(usize),
+    /// A coordinate of a point at the end.
+    Point(usize),
+    FirstTime(String),
+    Count(String),
+    /// The errors of the unit, and the amplification where there is none.
+    Error(Option<String>),
+}
+
+/// What runs are asked for besides the motion, where it is kept.
+const OUTPUTS: Wanted = Wanted { outputs: true, work: false };
+const ALL: Wanted = Wanted { outputs: true, work: true };
+
+impl Reader {
+    /// # Errors
+    /// [`UnknownName`] of a column, point or event.
+    pub(super) fn new(info: &SceneInfo, kept: &[Kept]) -> Result<Self, UnknownName> {
+        let (all, without) = (columns(info, ALL), columns(info, OUTPUTS));
+        let place = |name: &str| without.iter().position(|column| column.name == name);
+        let without_work: Vec<Option<usize>> = all.iter().map(|column| place(&column.name)).collect();
+        let points: Vec<String> =
+            info.points.iter().flat_map(|point| ["x", "y"].map(|axis| format!("{}.{axis}", point.name))).collect();
+        let mut of = Self {
+            columns: Vec::new(),
+            places: Vec::new(),
+            without_work,
+            needs_work: false,
+            has_points: false,
+            needs_samples: false,
+            needs_error: false,
+        };
+        let column = |name: &str| find_name("column", name, all.iter().map(|column| column.name.as_str()));
+        let event =
+            |name: &str| find_name("event", name, info.events.iter().map(|event| event.name)).map(|_| name.to_owned());
+        for kept in kept {
+            let mut push = |unit: &str, place: Place| {
+                of.columns.push(Column { name: kept.to_string(), unit: unit.to_owned() });
+                of.places.push(place);
+            };
+            match kept {
+                Kept::End(name) => match points.iter().position(|point| point == name) {
+                    Some(i) if column(name).is_err() => {
+                        push("m", Place::Point(i));
+                        of.has_points = true;
+                    }
+                    _ => column(name).map(|i| push(&all[i].unit, Place::End(i)))?,
+                },
+                Kept::Smallest(name) => column(name).map(|i| push(&all[i].unit, Place::Smallest(i)))?,
+                Kept::Largest(name) => column(name).map(|i| push(&all[i].unit, Place::Largest(i)))?,
+                Kept::FirstTime(name) => event(name).map(|name| push("s", Place::FirstTime(name)))?,
+                Kept::Count(name) => event(name).map(|name| push("", Place::Count(name)))?,
+                Kept::Error => {
+                    let lengths = info.coordinates.iter().map(|coordinate| coordinate.unit);
+                    let units = lengths.clone().map(str::to_owned).chain(lengths.map(|unit| format!("{unit}/s")));
+                    let units = units.chain(info.rows.iter().map(|row| row.multiplier_unit.to_owned()));
+                    let mut seen: Vec<String> = Vec::new();
+                    for unit in units {
+                        if !seen.contains(&unit) {
+                            of.columns.push(Column { name: format!("error:{unit}"), unit: unit.clone() });
+                            of.places.push(Place::Error(Some(unit.clone())));
+                            seen.push(unit);
+                        }
+                    }
+                    of.columns.push(Column { name: "error:amplification".to_owned(), unit: String::new() });
+                    of.places.push(Place::Error(None));
+                    of.needs_error = true;
+                }
+            }
+            if let Some(Place::End(i) | Place::Smallest(i) | Place::Largest(i)) = of.places.last() {
+                of.needs_work |= of.without_work[*i].is_none();
+            }
+            of.needs_samples |= matches!(kept, Kept::Smallest(_) | Kept::Largest(_) | Kept::Error);
+        }
+        Ok(of)
+    }
+
+    /// The numbers of a run, NaN where it has none.
+    ///
+    /// # Errors
+    /// [`SetupError`] when the scene has no points, though they are kept.
+    pub(super) fn numbers<S: Scene + ?Sized>(&self, scene: &S, run: &Run) -> Result<Vec<f64>, SetupError> {
+        let mut points = Vec::new();
+        if self.has_points {
+            let system = System::new(scene, Backend::Auto)?;
+            let last = run.last();
+            points.resize(2 * scene.info().points.len(), 0.0);
+            scene.points(system.fixed(), last.t, last.coordinates, &mut points);
+        }
+        let has_work = run.first().wanted.work;
+        let column = |i: usize| if has_work { Some(i) } else { self.without_work[i] };
+        let last: Vec<f64> = run.last().numbers().collect();
+        let extreme = |i: usize, choose: fn(f64, f64) -> f64| {
+            let of_sample = |sample: crate::record::Sample<'_>| sample.numbers().nth(column(i)?);
+            run.samples().filter_map(of_sample).reduce(choose).unwrap_or(f64::NAN)
+        };
+        let events =
+            |name: &str| run.events().iter().filter(move |occurred| occurred.event.name == name).collect::<Vec<_>>();
+        let number = |place: &Place| match place {
+            Place::End(i) => column(*i).map_or(f64::NAN, |i| last[i]),
+            Place::Smallest(i) => extreme(*i, f64::min),
+            Place::Largest(i) => extreme(*i, f64::max),
+            Place::Point(i) => points[*i],
+            Place::FirstTime(name) => events(name).first().map_or(f64::NAN, |occurred| occurred.state.t),
+            Place::Count(name) => events(name).len() as f64,
+            Place::Error(unit) => match (&run.error_estimate, unit) {
+                (Some(Ok(estimate)), Some(unit)) => {
+                    let of_unit = estimate.errors.iter().filter(|error| error.unit == *unit && error.quantity != "end");
+                    of_unit.map(|error| error.largest).reduce(f64::max).unwrap_or(f64::NAN)
+                }
+                (Some(Ok(estimate)), None) => estimate.amplification.unwrap_or(f64::NAN),
+                _ => f64::NAN,
+            },
+        };
+        Ok(self.places.iter().map(number).collect())
+    }
+}

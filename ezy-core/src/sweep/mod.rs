@@ -1,0 +1,25 @@
+//! Many runs of a scene: which cases, what is kept of each, on all cores, into files that survive.
+
+mod builder;
+mod case;
+mod format;
+mod kept;
+mod manifest;
+mod parquet;
+mod part;
+mod plan;
+mod results;
+mod row;
+mod samples;
+#[cfg(test)]
+mod tests;
+mod workers;
+
+pub use builder::{Progress, Sweep, SweepError, Table, Written};
+pub use case::{Case, Ended, Finished, Refused};
+pub use format::Format;
+pub use kept::Kept;
+pub use plan::{Plan, PlanError, Value};
+pub use results::{Results, ResultsError};
+pub use row::{Cell, Column, Kind, Row};
+pub use samples::{Design, Samples};

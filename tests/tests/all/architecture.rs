@@ -26,6 +26,7 @@ const CORE: &[(&str, &[&str])] = &[
     ("output", &["output"]),
     ("record", &["record", "model"]),
     ("simulate", &["simulate", "integrate", "dynamics", "linalg", "record", "model", "scalar"]),
+    ("optimise", &["optimise", "simulate", "integrate", "record", "model", "scalar"]),
     ("report", &["report", "output", "record", "model"]),
     (
         "accuracy",

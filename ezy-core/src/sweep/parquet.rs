@@ -74,10 +74,10 @@ mod with {
         for piece in rows {
             let piece = piece?;
             let mut group = writer.next_row_group().map_err(of)?;
-            for i in 0..columns.len() {
-                let Some(mut column) = group.next_column().map_err(of)? else { break };
-                write_column(&mut column, &piece, i, columns[i].kind).map_err(of)?;
-                column.close().map_err(of)?;
+            for (i, column) in columns.iter().enumerate() {
+                let Some(mut cells) = group.next_column().map_err(of)? else { break };
+                write_column(&mut cells, &piece, i, column.kind).map_err(of)?;
+                cells.close().map_err(of)?;
             }
             group.close().map_err(of)?;
         }

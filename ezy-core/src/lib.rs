@@ -48,6 +48,7 @@
 //!   `animate`, `sketch`, `check`, `accuracy`.
 //! - [`accuracy`] measures what accuracy costs; [`simulate::Ensemble`] runs many scenes at once; [`simulate::Sensitivities`] gives
 //!   derivatives of a run.
+//! - With the feature `sweep`, `sweep` runs thousands of cases on all cores, into files that survive a kill.
 //! - With the feature `optimise`, `optimise::Fit` finds parameters from measurements and `optimise::Search` the best ones.
 //! - [`report`] prints equations, tables and, with the feature `figures`, plots; [`report::drawing`] draws the mechanism.
 //! - [`dynamics::System`] answers for one state: accelerations, multipliers, projections, energies.

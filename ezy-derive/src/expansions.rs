@@ -9,6 +9,7 @@ use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
 use crate::golden;
 use crate::model::case::snake_case;
+use crate::parse::Hash;
 use crate::pipeline::expand;
 
 /// The models whose expansion is compared. Together they have every word of the language.
@@ -144,17 +145,12 @@ fn take_page(attributes: &mut Vec<syn::Attribute>) -> String {
 
 /// What a part is, without its text: a row of the table of digests.
 fn digest(name: &str, text: &str) -> String {
-    let (hash, lines) = (fnv(text), text.lines().count());
+    let (hash, lines) = (Hash::of(text.bytes()), text.lines().count());
     let Counts { functions, statements, sums, products, fused } = match name.ends_with(".rs") {
         true => count(text.parse().expect("the part has tokens"), false),
         false => Counts::default(),
     };
     format!("| {name} | {hash:016x} | {lines} | {functions} | {statements} | {sums} | {products} | {fused} |\n")
-}
-
-/// FNV-1a (Fowler, Noll, Vo), the same on every machine.
-fn fnv(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
 }
 
 #[derive(Default)]
@@ -308,7 +304,7 @@ fn invariant_scene_without_an_effect_has_no_cosine_of_time() {
 fn analytic_digest_tells_statements_and_operations() {
     let code = "fn f(a: [f64; 2]) -> f64 { let x = a[0] * a[1] + a[0]; let y = T::fused(x, x, -x); { x / y } }";
     let row = digest("f.rs", code);
-    assert_eq!(row, format!("| f.rs | {:016x} | 1 | 1 | 2 | 2 | 2 | 1 |\n", fnv(code)));
+    assert_eq!(row, format!("| f.rs | {:016x} | 1 | 1 | 2 | 2 | 2 | 1 |\n", Hash::of(code.bytes())));
     // the value for "a" of the reference
-    assert_eq!(fnv("a"), 0xaf63_dc4c_8601_ec8c);
+    assert_eq!(Hash::of(*b"a"), 0xaf63_dc4c_8601_ec8c);
 }

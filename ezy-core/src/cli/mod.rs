@@ -1,4 +1,4 @@
-//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `animate`, `sketch`, `gallery`,
+//! The command line of a crate with models: `list`, `show`, `run`, `plot`, `compare`, `sweep`, `merge`, `animate`, `sketch`, `gallery`,
 //! `check`, `accuracy`, `completions`, `man` and `help`.
 //!
 //! A crate gets a program of its own in one line:

@@ -26,9 +26,8 @@ pub(super) fn write(folder: &Path, name: &str, n: u64) -> Result<String, Failure
 }
 
 /// The words of the command without those that ask for the script.
-fn without_slurm(words: impl Iterator<Item = String>) -> Vec<String> {
+fn without_slurm(mut words: impl Iterator<Item = String>) -> Vec<String> {
     let mut kept = Vec::new();
-    let mut words = words.peekable();
     while let Some(word) = words.next() {
         match word.as_str() {
             "--slurm" => _ = words.next(),

@@ -34,6 +34,8 @@ pub(super) fn sweep(models: Models<'_>, arguments: &SweepArguments) -> Result<()
     let scene = scene_with(model, entry, &motion.set)?;
     let info = scene.info();
     let plan = plan(arguments, &info)?;
+    // a start that no case has is said before they run
+    motion.start.iter().try_for_each(|start| target(&start.name, &info).map(|_| ()))?;
     let targets = plan.names().into_iter().map(|name| target(name, &info)).collect::<Result<Vec<_>, _>>()?;
     let runs = Runs { arguments: motion, targets, names: plan.names(), inputs: inputs(motion, &info)?, info: &info };
     runs.check_settings(&plan)?;
@@ -49,10 +51,6 @@ pub(super) fn sweep(models: Models<'_>, arguments: &SweepArguments) -> Result<()
     if arguments.plot {
         drawing::check()?;
         sweep_maps::check(&plan)?;
-    }
-    if let Some(n) = arguments.slurm {
-        let name = format!("sweep-{}", path(model, entry).replace('/', "-"));
-        return print(&format!("{}\n", slurm::write(&folder, &name, n)?));
     }
     let make = || scene_with(model, entry, &motion.set);
     let mut sweep = Sweep::new(&*scene, plan.clone(), |case| runs.run(&make, case))
@@ -83,6 +81,11 @@ pub(super) fn sweep(models: Models<'_>, arguments: &SweepArguments) -> Result<()
     if arguments.resume {
         sweep = sweep.resume();
     }
+    if let Some(n) = arguments.slurm {
+        sweep.check().map_err(refused)?;
+        let name = format!("sweep-{}", path(model, entry).replace('/', "-"));
+        return print(&format!("{}\n", slurm::write(&folder, &name, n)?));
+    }
     let written = sweep.write(&folder);
     drop(progress);
     let written = written.map_err(refused)?;
@@ -91,15 +94,13 @@ pub(super) fn sweep(models: Models<'_>, arguments: &SweepArguments) -> Result<()
     } else {
         print(&text_of(&written, &folder))?;
     }
-    if arguments.plot {
-        sweep_maps::write(&folder, &plan, &path(model, entry))?;
-    }
     let [n_complete, n_parts] = written.n_parts;
     match (&written.first_failure, interruption.is_asked() && n_complete < n_parts) {
         (_, true) => Err(interruption.failure("the sweep was interrupted; the same command with --resume goes on")),
         (Some((case, why)), _) if written.progress.n_failed == written.progress.n_done => {
             Err(Failure::stopped(format!("every run failed; case {case}: {why}")))
         }
+        _ if arguments.plot => sweep_maps::write(&folder, &plan, &path(model, entry)),
         _ => Ok(()),
     }
 }

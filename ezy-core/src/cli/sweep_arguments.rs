@@ -1,5 +1,6 @@
 //! The arguments of `sweep`.
 
+use std::convert::Infallible;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -61,13 +62,13 @@ pub(super) struct SweepArguments {
     #[arg(long, value_enum, ignore_case = true, default_value_t)]
     pub format: Format,
     /// Draw what is kept over one or two values of --vary: curves or maps, and a page
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["shard", "slurm"])]
     pub plot: bool,
     /// Cases of each file [default: 1000, or more beyond a million cases]
-    #[arg(long, value_name = "N", value_parser = parse_count)]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub part: Option<u64>,
     /// Number of threads [default: as many as the machine runs at once]
-    #[arg(long, value_name = "N", value_parser = parse_count)]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub threads: Option<u64>,
     /// Print one JSON object
     #[arg(long)]
@@ -101,8 +102,8 @@ fn parse_shard(text: &str) -> Result<[u64; 2], String> {
         .ok_or_else(|| format!("`{text}` is no share; write I/N with I from 1 to N, such as 3/100"))
 }
 
-fn parse_kept(text: &str) -> Result<Kept, std::convert::Infallible> {
-    text.parse()
+fn parse_kept(text: &str) -> Result<Kept, Infallible> {
+    Ok(Kept::from(text))
 }
 
 impl ValueEnum for Design {

@@ -271,6 +271,16 @@ impl<'a> Sweep<'a> {
         self
     }
 
+    /// That plan and names can be used, without a run.
+    ///
+    /// # Errors
+    /// [`SweepError`] as of [`Sweep::run`].
+    pub fn check(&self) -> Result<(), SweepError> {
+        self.plan.n_cases()?;
+        Reader::new(&self.info, &self.kept)?;
+        Ok(())
+    }
+
     /// Computes all cases, or those of the share, into memory. After an interruption the table ends early.
     ///
     /// # Errors
@@ -519,8 +529,7 @@ fn unit(info: &SceneInfo, name: &str) -> String {
     let parameters = info.parameters.iter().chain(info.inputs).map(|known| (known.name, known.unit.to_owned()));
     let positions = info.coordinates.iter().map(|c| (&*c.name, c.unit.to_owned()));
     let velocities = info.coordinates.iter().map(|c| (&*c.velocity_name, format!("{}/s", c.unit)));
-    let settings = [("step", "s".to_owned()), ("until", "s".to_owned())];
-    let mut all = parameters.chain(positions).chain(velocities).chain(settings);
+    let mut all = parameters.chain(positions).chain(velocities).chain([("step", "s".to_owned())]);
     all.find(|(known, _)| *known == name).map_or_else(String::new, |(_, unit)| unit)
 }
 

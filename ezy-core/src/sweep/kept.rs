@@ -6,7 +6,6 @@ use crate::model::{Scene, SceneInfo};
 use crate::record::{Column, UnknownName, Wanted, columns, find_name};
 use crate::simulate::{Run, SetupError};
 use std::fmt;
-use std::str::FromStr;
 
 /// One thing to keep of each run; as text `seat.vx`, `max:output.speed`, `event:landed`, `error`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,12 +25,10 @@ pub enum Kept {
     Error,
 }
 
-impl FromStr for Kept {
-    type Err = std::convert::Infallible;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
+impl From<&str> for Kept {
+    fn from(text: &str) -> Self {
         let named = |name: &str| name.trim().to_owned();
-        Ok(match text.split_once(':') {
+        match text.split_once(':') {
             Some(("end", name)) => Self::End(named(name)),
             Some(("min", name)) => Self::Smallest(named(name)),
             Some(("max", name)) => Self::Largest(named(name)),
@@ -39,13 +36,7 @@ impl FromStr for Kept {
             Some(("count", name)) => Self::Count(named(name)),
             _ if text.trim() == "error" => Self::Error,
             _ => Self::End(named(text)),
-        })
-    }
-}
-
-impl From<&str> for Kept {
-    fn from(text: &str) -> Self {
-        text.parse().unwrap_or_else(|never| match never {})
+        }
     }
 }
 
@@ -159,7 +150,7 @@ impl Reader {
     /// The numbers of a run, NaN where it has none.
     ///
     /// # Errors
-    /// [`SetupError`] when the scene has no points, though they are kept.
+    /// [`SetupError`] when points are kept, and the scene cannot be used.
     pub(super) fn numbers<S: Scene + ?Sized>(&self, scene: &S, run: &Run) -> Result<Vec<f64>, SetupError> {
         let mut points = Vec::new();
         if self.has_points {

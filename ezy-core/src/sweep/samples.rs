@@ -51,13 +51,16 @@ impl Samples {
         let (_, low, high) = self.ranges[k];
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         random.set_stream(k as u64);
-        let keys = [0; N_ROUNDS].map(|_| random.next_u64());
         // two words of 32 bits a sample, behind the keys
         random.set_word_pos(2 * (N_ROUNDS as u128 + u128::from(i)));
         let uniform = unit(random.next_u64());
         let part = match self.design {
             Design::Random => uniform,
-            Design::LatinHypercube => (permuted(i, self.n, &keys) as f64 + uniform) / self.n as f64,
+            Design::LatinHypercube => {
+                random.set_word_pos(0);
+                let keys = [0; N_ROUNDS].map(|_| random.next_u64());
+                (permuted(i, self.n, &keys) as f64 + uniform) / self.n as f64
+            }
         };
         // in this form both ends are met, and no overflow lies between them
         low * (1.0 - part) + high * part

@@ -4,14 +4,32 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// FNV-1a (Fowler, Noll, Vo), the same on every machine.
 #[derive(Debug)]
-struct Hash(u64);
+pub struct Hash(u64);
+
+impl Default for Hash {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
 
 impl Hash {
-    fn add(&mut self, text: &str) {
-        // the end of a word, so that `a b` is not `ab`
-        for byte in text.bytes().chain([0]) {
+    /// Of these bytes.
+    #[cfg(test)]
+    pub fn of(bytes: impl IntoIterator<Item = u8>) -> u64 {
+        let mut hash = Self::default();
+        hash.add_bytes(bytes);
+        hash.0
+    }
+
+    fn add_bytes(&mut self, bytes: impl IntoIterator<Item = u8>) {
+        for byte in bytes {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
         }
+    }
+
+    fn add(&mut self, text: &str) {
+        // the end of a word, so that `a b` is not `ab`
+        self.add_bytes(text.bytes().chain([0]));
     }
 
     /// All tokens but documentation, which changes no motion, and the path of the crate.
@@ -46,7 +64,7 @@ fn is_documentation(token: &TokenTree) -> bool {
 
 /// A hash of all words of the text; comments, documentation and spaces do not count.
 pub fn of(tokens: &TokenStream) -> u64 {
-    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
+    let mut hash = Hash::default();
     hash.add_all(tokens.clone());
     hash.0
 }

@@ -15,6 +15,8 @@ mod statement;
 mod token;
 mod unit;
 
+#[cfg(test)]
+pub use fingerprint::Hash;
 pub use token::is_rust_keyword;
 
 use crate::diag::{Diagnostics, syntax};

@@ -112,6 +112,12 @@ fn invariant_sweep_that_cannot_be_done_says_why() {
         ("sweep ezyroller/driven --vary m0=1,2 --shard 4/3", "is no share; write I/N"),
         ("sweep ezyroller/driven --list nowhere.csv", "`nowhere.csv`: "),
         ("sweep ezyroller --vary m0=1,2", "names no scene"),
+        ("sweep ezyroller/driven --vary m0=1,2 --start seat.z=1", "`seat.z` is not known (did you mean `seat."),
+        ("sweep ezyroller/driven --vary m0=1,2 --threads 0", "--threads"),
+        ("sweep ezyroller/driven --vary m0=1,2 --part 0", "--part"),
+        ("sweep ezyroller/driven --vary m0=1,2 --plot --shard 1/2", "cannot be used with"),
+        ("sweep ezyroller/driven --vary m0=1,2 --plot --slurm 2", "cannot be used with"),
+        ("sweep ezyroller/driven --vary m0=1,2 --keep seat.v --slurm 2", "did you mean `seat.v"),
     ] {
         let words = with_out(words);
         assert_wrong_use(&with(&words, &[]), expected);

@@ -23,7 +23,7 @@ mod plain;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
-pub(crate) use lanes::in_widest;
+pub(crate) use lanes::{in_widest, packed};
 pub(crate) use plain::{legible, legible_time, rounded};
 
 use std::fmt::Debug;
@@ -62,6 +62,13 @@ pub trait Scalar:
     #[inline(always)]
     fn fused_in_loop(self, factor: Self, summand: Self) -> Self {
         self.fused(factor, summand)
+    }
+
+    /// What `f` returns. For numbers that travel together it is compiled for the widest vector registers of the machine, as far as it is
+    /// inlined; the result has the same bits.
+    #[inline(always)]
+    fn in_widest<R>(f: impl FnOnce() -> R) -> R {
+        f()
     }
 
     /// Sine and cosine.

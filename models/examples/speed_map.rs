@@ -17,12 +17,6 @@ fn evenly(n: usize, low: f64, high: f64) -> Vec<f64> {
     (0..n).map(|i| low + (high - low) * i as f64 / (n - 1).max(1) as f64).collect()
 }
 
-/// Of the seat, m/s.
-fn speed(run: &Run) -> f64 {
-    let velocities = run.last().velocities;
-    velocities[0].hypot(velocities[1])
-}
-
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut words = std::env::args().skip(1);
     let n = words.next().map_or(Ok(100), |n| n.parse())?;
@@ -30,11 +24,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (torques, swings) = (evenly(n, 0.5, 5.0), evenly(n, 0.15, 1.0));
     let plan = Plan::new().grid("m0", torques.iter().copied()).grid("swings", swings.iter().copied());
     let progress = Progress::new();
-    let sweep = Sweep::new(&Driven::default(), plan, |case| {
+    let of_names = Driven::default();
+    let sweep = Sweep::new(&of_names, plan, |case| {
         let scene = Driven { m0: case.get("m0")?, omega: TAU * case.get("swings")?, ..Driven::default() };
         Ok(case.run(Simulation::new(&scene).method(Method::dop853(1e-6)))?)
     });
-    let sweep = sweep.keep_number("speed", "m/s", speed).resume().on_progress(|of| {
+    let sweep = sweep.keep(["seat.vx", "seat.vy"]).in_lanes(&of_names).resume().on_progress(|of| {
         progress.tell(of.n_done as f64 / of.n_cases as f64);
     });
     let written = sweep.write(&folder)?;
@@ -46,7 +41,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut speeds = Vec::new();
     for part in results.parts() {
         // behind both varied values
-        speeds.extend(part?.iter().map(|row| if let Cell::Number(speed) = row.cells[2] { speed } else { f64::NAN }));
+        speeds.extend(part?.iter().map(|row| match row.cells[2..4] {
+            [Cell::Number(vx), Cell::Number(vy)] => vx.hypot(vy),
+            _ => f64::NAN,
+        }));
     }
     let fastest = speeds.iter().copied().fold(0.0, f64::max);
     let i = speeds.iter().position(|speed| *speed == fastest).unwrap_or(0);

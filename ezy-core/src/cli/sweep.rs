@@ -25,7 +25,7 @@ use crate::integrate::Method;
 use crate::model::{Scene, SceneInfo};
 use crate::record::LimitedReader;
 use crate::simulate::InputTable;
-use crate::sweep::{Case, Finished, Format, Kept, Plan, Refused, Samples, Sweep, SweepError, Value, Written};
+use crate::sweep::{Case, Finished, Format, Kept, Plan, RanAlone, Refused, Samples, Sweep, SweepError, Value, Written};
 
 pub(super) fn sweep(models: Models<'_>, arguments: &SweepArguments) -> Result<(), Failure> {
     let (model, entry) = scene_entry(models, &arguments.path)?;
@@ -68,6 +68,9 @@ pub(super) fn sweep(models: Models<'_>, arguments: &SweepArguments) -> Result<()
     }
     if let Some(every_s) = arguments.every {
         sweep = sweep.every(every_s);
+    }
+    if arguments.lanes {
+        sweep = sweep.in_lanes(&*scene);
     }
     if let Some(n) = arguments.threads {
         sweep = sweep.threads(n as usize);
@@ -286,10 +289,13 @@ fn folder(arguments: &SweepArguments, scene: &str) -> Result<PathBuf, Failure> {
 }
 
 fn text_of(written: &Written, folder: &Path) -> String {
-    let Written { progress, n_found, first_failure, n_parts: [n_complete, n_parts] } = written;
+    let Written { progress, n_found, first_failure, n_parts: [n_complete, n_parts], alone } = written;
     let mut text = format!("{} cases computed", progress.n_done);
     if *n_found > 0 {
         text += &format!(", {n_found} were there");
+    }
+    if let Some(RanAlone { n_cases, first, why }) = alone {
+        text += &format!("; {n_cases} ran by themselves, the first one is case {first}: {why}");
     }
     if let Some((case, why)) = first_failure {
         text += &format!("; {} failed, the first one is case {case}: {why}", progress.n_failed);
@@ -298,13 +304,14 @@ fn text_of(written: &Written, folder: &Path) -> String {
 }
 
 fn json_of(written: &Written, folder: &Path) -> serde_json::Value {
-    let Written { progress, n_found, first_failure, n_parts: [n_complete, n_parts] } = written;
+    let Written { progress, n_found, first_failure, n_parts: [n_complete, n_parts], alone } = written;
     json!({
         "folder": folder.display().to_string(),
         "computed": progress.n_done,
         "found": n_found,
         "failed": progress.n_failed,
         "first_failure": first_failure.as_ref().map(|(case, why)| json!({ "case": case, "why": why })),
+        "alone": alone.map(|RanAlone { n_cases, first, why }| json!({ "cases": n_cases, "first": first, "why": why })),
         "parts_complete": n_complete,
         "parts": n_parts,
     })

@@ -40,10 +40,10 @@ pub(super) struct SweepArguments {
     #[arg(long, value_name = "FILE.csv")]
     pub list: Option<PathBuf>,
     /// What to keep of each run: a column of `run --out` or a point at the end (seat.vx, A.x), max:COLUMN, min:COLUMN, the time of an
-    /// event (event:NAME), how often it takes place (count:NAME), error; may be repeated [default: coordinates, velocities and outputs at the end]
+    /// event (event:NAME), how often it takes place (count:NAME), error, samples (all of them, a file each run); may be repeated [default: coordinates, velocities and outputs at the end]
     #[arg(long, value_name = "WHAT,…", value_parser = parse_kept, value_delimiter = ',')]
     pub keep: Vec<Kept>,
-    /// Seconds between the samples of a run from which max: and min: are taken [default: a thousandth of the run]
+    /// Seconds between the samples of a run that are kept, and from which max: and min: are taken [default: a thousandth of the run]
     #[arg(long, value_name = "DT", value_parser = parse_number, allow_negative_numbers = true)]
     pub every: Option<f64>,
     /// Folder of the table; made if it does not exist [default: out/sweep-MODEL-SCENE]
@@ -64,6 +64,9 @@ pub(super) struct SweepArguments {
     /// Draw what is kept over one or two values of --vary: curves or maps, and a page
     #[arg(long, conflicts_with_all = ["shard", "slurm"])]
     pub plot: bool,
+    /// Let eight neighbouring cases step together by dop853, about three times as fast; only ends can be kept
+    #[arg(long)]
+    pub lanes: bool,
     /// Cases of each file [default: 1000, or more beyond a million cases]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub part: Option<u64>,

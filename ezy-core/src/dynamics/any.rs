@@ -25,6 +25,15 @@ pub(crate) trait Dynamics<T: Scalar> {
     }
 }
 
+/// What a motion in numbers `T` needs besides a method.
+pub(crate) trait Projecting<T: Scalar>: Dynamics<T> {
+    /// Brings `q` and `v` back onto the rows, in the metric of the masses: positions, then velocities at the projected positions.
+    ///
+    /// # Errors
+    /// As [`System::project`].
+    fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError>;
+}
+
 impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
     #[inline]
     fn accelerations(
@@ -66,16 +75,42 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
         Self { scene, info, fixed, residual, delta }
     }
 
-    /// Brings `q` and `v` back onto the rows, in the metric of the masses: positions, then velocities at the projected
-    /// positions. Derivatives follow the rows, too.
-    ///
-    /// # Errors
-    /// As [`System::project`].
-    pub(crate) fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError> {
+    /// Correction for the residual in the buffer, into the buffer.
+    fn correct(&mut self, t: f64, q: &[T]) -> Result<(), MotionError> {
+        let time = T::from_f64(t);
+        let Self { scene, fixed, residual, delta, .. } = self;
+        let pivots = T::in_widest(
+            #[inline(always)]
+            || scene.correction(fixed, time, q, residual, delta),
+        );
+        check_pivots(&self.info, pivots, t)
+    }
+}
+
+impl<S: Equations<T> + ?Sized, T: Scalar> Dynamics<T> for SystemOf<'_, S, T> {
+    #[inline]
+    fn accelerations(&mut self, t: f64, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Result<(), MotionError> {
+        let pivots = T::in_widest(
+            #[inline(always)]
+            || self.scene.accelerations(&self.fixed, T::from_f64(t), q, v, a, lambda),
+        );
+        check_pivots(&self.info, pivots, t)
+    }
+
+    fn power(&self, _t: f64, _q: &[T], _v: &[T], _lambda: &[T], _out: &mut [T]) {}
+}
+
+impl<S: Equations<T> + ?Sized, T: Scalar> Projecting<T> for SystemOf<'_, S, T> {
+    /// Derivatives follow the rows, too.
+    fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError> {
         let n_h = self.info.n_position_rows;
         let mut passes = 0;
         loop {
-            self.scene.position_constraint(&self.fixed, T::from_f64(t), q, &mut self.residual[..n_h]);
+            let Self { scene, fixed, residual, .. } = self;
+            T::in_widest(
+                #[inline(always)]
+                || scene.position_constraint(fixed, T::from_f64(t), q, &mut residual[..n_h]),
+            );
             let (residual, tolerance) = (largest(&self.residual[..n_h]), tolerance_at(largest(q)));
             if residual <= tolerance {
                 break;
@@ -93,34 +128,25 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> SystemOf<'s, S, T> {
             q.iter_mut().zip(&self.delta).for_each(|(q, delta)| *q = *q + *delta);
             passes += 1;
         }
-        self.scene.velocity_constraint(&self.fixed, T::from_f64(t), q, v, &mut self.residual);
+        let Self { scene, fixed, residual, .. } = self;
+        T::in_widest(
+            #[inline(always)]
+            || scene.velocity_constraint(fixed, T::from_f64(t), q, v, residual),
+        );
         self.correct(t, q)?;
         v.iter_mut().zip(&self.delta).for_each(|(v, delta)| *v = *v + *delta);
         Ok(())
     }
-
-    /// Correction for the residual in the buffer, into the buffer.
-    fn correct(&mut self, t: f64, q: &[T]) -> Result<(), MotionError> {
-        let time = T::from_f64(t);
-        let pivots = self.scene.correction(&self.fixed, time, q, &self.residual, &mut self.delta);
-        self.check(pivots, t)
-    }
-
-    fn check(&self, pivots: Pivots, t: f64) -> Result<(), MotionError> {
-        let Some(vanished) = pivots.first_vanished() else { return Ok(()) };
-        let row = vanished.min(self.info.n_rows().saturating_sub(1));
-        Err(MotionError::LostPivot { t, row: self.info.rows[row].name.clone() })
-    }
 }
 
-impl<S: Equations<T> + ?Sized, T: Scalar> Dynamics<T> for SystemOf<'_, S, T> {
-    #[inline]
-    fn accelerations(&mut self, t: f64, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Result<(), MotionError> {
-        let pivots = self.scene.accelerations(&self.fixed, T::from_f64(t), q, v, a, lambda);
-        self.check(pivots, t)
-    }
-
-    fn power(&self, _t: f64, _q: &[T], _v: &[T], _lambda: &[T], _out: &mut [T]) {}
+/// That an elimination kept all pivots.
+///
+/// # Errors
+/// [`MotionError::LostPivot`].
+pub(crate) fn check_pivots(info: &SceneInfo, pivots: Pivots, t: f64) -> Result<(), MotionError> {
+    let Some(vanished) = pivots.first_vanished() else { return Ok(()) };
+    let row = vanished.min(info.n_rows().saturating_sub(1));
+    Err(MotionError::LostPivot { t, row: info.rows[row].name.clone() })
 }
 
 /// Largest extent; NaN when there is one.

@@ -34,7 +34,9 @@ mod tests;
 mod tolerances;
 mod worst;
 
-pub(crate) use any::{Dynamics, SystemOf};
+#[cfg(feature = "sweep")]
+pub(crate) use any::check_pivots;
+pub(crate) use any::{Dynamics, Projecting, SystemOf};
 pub(crate) use eight_states::EightStates;
 pub use error::{MotionError, StartError, SystemError};
 pub(crate) use integrated_inputs::Jump;

@@ -61,12 +61,19 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     /// # Errors
     /// [`SystemError`] naming the parameter, count or body that cannot be used.
     pub fn new(scene: &'s S, backend: Backend) -> Result<Self, SystemError> {
+        Self::with_parameters(scene, &scene.parameters(), backend)
+    }
+
+    /// As [`System::new`], with these parameters in place of those of the scene.
+    ///
+    /// # Errors
+    /// As [`System::new`].
+    pub(crate) fn with_parameters(scene: &'s S, parameters: &[f64], backend: Backend) -> Result<Self, SystemError> {
         let info = scene.info();
         if let Some(fault) = info.repeats.as_ref().and_then(|repeats| repeats.fault.as_ref()) {
             return Err(fault.clone().into());
         }
-        let parameters = scene.parameters();
-        for (parameter, &value) in info.parameters.iter().zip(&parameters) {
+        for (parameter, &value) in info.parameters.iter().zip(parameters) {
             if !value.is_finite() {
                 return Err(SystemError::ParameterNotFinite { name: parameter.name, value });
             }
@@ -74,7 +81,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
         let mut fixed = vec![0.0; info.n_fixed()];
         fixed.iter_mut().zip(info.inputs).for_each(|(value, input)| *value = input.default);
         let integrated = info.integrated_inputs.iter().map(|&i| [fixed[i], fixed[i + 1], fixed[i + 3]]).collect();
-        scene.constants(&parameters, &mut fixed);
+        scene.constants(parameters, &mut fixed);
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let mut mass = vec![0.0; n_q];
         scene.mass_matrix(&fixed, &mut mass);

@@ -44,6 +44,11 @@ impl<const L: usize> Lanes<L> {
     }
 }
 
+/// Numbers of several runs side by side.
+pub(crate) fn packed<const L: usize>(runs: [&[f64]; L]) -> Vec<Lanes<L>> {
+    (0..runs[0].len()).map(|i| Lanes(runs.map(|run| run[i]))).collect()
+}
+
 operator!([const L: usize] Lanes<L>, Add::add, inline(always), |a, b| a.zip(b, f64::add));
 operator!([const L: usize] Lanes<L>, Sub::sub, inline(always), |a, b| a.zip(b, f64::sub));
 operator!([const L: usize] Lanes<L>, Mul::mul, inline(always), |a, b| a.zip(b, f64::mul));
@@ -81,6 +86,11 @@ impl<const L: usize> Scalar for Lanes<L> {
     #[inline(always)]
     fn from_f64(x: f64) -> Self {
         Self([x; L])
+    }
+
+    #[inline(always)]
+    fn in_widest<R>(f: impl FnOnce() -> R) -> R {
+        in_widest(f)
     }
 
     #[inline(always)]

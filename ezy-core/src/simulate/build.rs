@@ -11,7 +11,7 @@ use super::simulation::{Hooks, Settings};
 use super::stepper_state::StepperState;
 use super::tolerances::orders::{LARGEST_TOLERANCE, MAX_NUMBERS, MAX_STEPS};
 use super::{Run, SetupError, Simulation, Stepper, estimated_run};
-use crate::dynamics::{StartError, System};
+use crate::dynamics::{StartError, State, System};
 use crate::integrate::{Clock, Method, Tolerance};
 use crate::memory;
 use crate::model::{Name, Scene, SceneInfo, Start};
@@ -202,6 +202,15 @@ impl Settings {
     }
 
     fn free_start_values<S: Scene + ?Sized>(&self, scene: &S) -> Result<Vec<Name>, SetupError> {
+        let (mut system, start, state) = self.assembled(scene)?;
+        Ok(system.free_values(&start, &state))
+    }
+
+    /// The scene with its constant inputs, its start, and the consistent state that belongs to it.
+    pub(super) fn assembled<'s, S: Scene + ?Sized>(
+        &self,
+        scene: &'s S,
+    ) -> Result<(System<'s, S>, Start, State), SetupError> {
         let mut system = System::new(scene, self.backend)?;
         let start = self.start_values(&system)?;
         for (name, table) in &self.inputs {
@@ -212,7 +221,7 @@ impl Settings {
         }
         system.begin_inputs(start.t);
         let state = system.consistent_start(&start)?;
-        Ok(system.free_values(&start, &state))
+        Ok((system, start, state))
     }
 }
 

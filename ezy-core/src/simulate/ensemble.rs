@@ -6,7 +6,7 @@ use crate::dynamics::{MotionError, State, System, SystemOf};
 use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::{Equations, Scene};
-use crate::scalar::Lanes;
+use crate::scalar::{Lanes, packed};
 use std::array::from_fn;
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// of them. Steps are shared; those of `dop853` keep to the tolerance in every run. Positions and velocities are projected
 /// after each step. With `rk4` a run has the numbers that it has by itself, to rounding.
 ///
-/// Built for vector registers (`-C target-cpu=x86-64-v3`) eight runs cost little more than two.
+/// Eight runs cost little more than two, in the vector registers that the machine has.
 ///
 /// ```
 /// use ezy_core::prelude::*;
@@ -44,7 +44,7 @@ use std::sync::Arc;
 /// # }
 /// ```
 pub struct Ensemble<'s, S, const L: usize> {
-    trajectory: Trajectory<'s, S, Lanes<L>>,
+    trajectory: Trajectory<SystemOf<'s, S, Lanes<L>>, Lanes<L>>,
 }
 
 impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
@@ -93,9 +93,4 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         let State { t, q, v, .. } = &self.trajectory.now;
         State { t: *t, q: of_lane(q), v: of_lane(v), work: Vec::new() }
     }
-}
-
-/// Numbers of all runs side by side.
-fn packed<const L: usize>(runs: [&[f64]; L]) -> Vec<Lanes<L>> {
-    (0..runs[0].len()).map(|i| Lanes(runs.map(|run| run[i]))).collect()
 }

@@ -36,6 +36,8 @@ mod snapshot;
 mod step_limit;
 mod stepper;
 mod stepper_state;
+#[cfg(feature = "sweep")]
+mod together;
 mod tolerances;
 mod trajectory;
 
@@ -55,3 +57,5 @@ pub use sensitivity::{Sensitivities, Tangent};
 pub use simulation::Simulation;
 pub use singularity_crossing::SingularityCrossed;
 pub use stepper::Stepper;
+#[cfg(feature = "sweep")]
+pub(crate) use together::{Alone, End, N_TOGETHER, Waiting, run_together};

@@ -51,7 +51,7 @@ pub struct Tangent {
 /// # }
 /// ```
 pub struct Sensitivities<'s, S: ?Sized, const N: usize> {
-    trajectory: Trajectory<'s, S, Dual<N>>,
+    trajectory: Trajectory<SystemOf<'s, S, Dual<N>>, Dual<N>>,
 }
 
 /// What a name stands for.

@@ -4,14 +4,14 @@ use super::SetupError;
 use super::adaptive::Adaptive;
 use super::discontinuities::Passage;
 use super::stepper_state::check_angles;
-use crate::dynamics::{Dynamics, MotionError, State, SystemOf, not_finite};
+use crate::dynamics::{MotionError, Projecting, State, not_finite};
 use crate::integrate::{Clock, Method, Node, Rk4};
-use crate::model::{Equations, SceneInfo};
+use crate::model::SceneInfo;
 use crate::scalar::Scalar;
 use std::sync::Arc;
 
-pub(super) struct Trajectory<'s, S: ?Sized, T> {
-    system: SystemOf<'s, S, T>,
+pub(super) struct Trajectory<D, T> {
+    pub system: D,
     info: Arc<SceneInfo>,
     method: Steps<T>,
     pub now: State<T>,
@@ -25,14 +25,9 @@ enum Steps<T> {
     Dop853(Box<Adaptive<T>>),
 }
 
-impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
+impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
     /// From `start`, which meets the rows.
-    pub(super) fn new(
-        system: SystemOf<'s, S, T>,
-        info: Arc<SceneInfo>,
-        start: State<T>,
-        method: Method,
-    ) -> Result<Self, SetupError> {
+    pub(super) fn new(system: D, info: Arc<SceneInfo>, start: State<T>, method: Method) -> Result<Self, SetupError> {
         SetupError::refuse_modes(&info)?;
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let method = match method.lifted() {
@@ -70,7 +65,7 @@ impl<'s, S: Equations<T> + ?Sized, T: Scalar> Trajectory<'s, S, T> {
     }
 
     /// A step of length `h` to `t_next`; a method that chooses its steps may stop before.
-    fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+    pub(super) fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let Self { system, info, method, now, next, a, lambda } = self;
         system.accelerations(now.t, &now.q, &now.v, a, lambda)?;
         let from = Node { state: now, a, power: &[] };

@@ -1,26 +1,26 @@
 //! A sweep: its settings, then [`Sweep::run`] into memory or [`Sweep::write`] into files.
 
-use super::case::{Case, Ended, Finished, OwnNumber, Refused};
+use super::case::{Case, Finished, OwnNumber, Refused};
 use super::format::Format;
+use super::group::{Computed, Group, Runner, Together};
 use super::kept::{Kept, Reader};
 use super::manifest::{self, CASES_PER_PART, Manifest};
 use super::part::{self, Part};
 use super::plan::{Factor, Plan, PlanError, Value};
 use super::row::{Cell, Column, Row, columns, heading};
+use super::trajectories::Trajectories;
 use super::workers::in_order;
 use crate::model::{Scene, SceneInfo};
 use crate::record::{self, UnknownName, find_name};
-use crate::simulate::Run;
+use crate::simulate::{N_TOGETHER, Run, run_together};
 use serde_json::{Map, json};
 use std::convert::Infallible;
 use std::io;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::thread;
-
-/// Runs one case.
-type Runner<'a> = dyn Fn(&Case<'_>) -> Result<Finished, Refused> + Sync + 'a;
 
 /// Many runs of a scene, on all cores, in order.
 ///
@@ -68,6 +68,7 @@ pub struct Sweep<'a> {
     format: Format,
     resumes: bool,
     settings: Map<String, serde_json::Value>,
+    together: Option<(Arc<SceneInfo>, Box<Together<'a>>)>,
     interrupt: Option<&'a AtomicBool>,
     on_progress: Box<dyn FnMut(Progress) + 'a>,
 }
@@ -103,6 +104,19 @@ pub struct Written {
     pub first_failure: Option<(u64, String)>,
     /// Parts of the share that are complete, and all of them.
     pub n_parts: [u64; 2],
+    /// Of a sweep in lanes, what this call computed without them.
+    pub alone: Option<RanAlone>,
+}
+
+/// Cases of a sweep in lanes that ran by themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RanAlone {
+    /// How many.
+    pub n_cases: u64,
+    /// Number of the first one.
+    pub first: u64,
+    /// Why it did.
+    pub why: &'static str,
 }
 
 /// Why a sweep was not begun, or not finished. What was computed is kept.
@@ -115,6 +129,15 @@ pub enum SweepError {
     /// What is kept.
     #[error(transparent)]
     Name(#[from] UnknownName),
+    /// What is kept, of cases in lanes.
+    #[error("of cases in lanes only ends are known, and `{kept}` needs more; keep ends alone, or leave lanes out")]
+    BeyondEnd {
+        /// What needs more.
+        kept: String,
+    },
+    /// Whole trajectories in memory.
+    #[error("`samples` are files beside the rows; write the sweep into a folder")]
+    NoFolder,
     /// Share `i` of `n`, where `i` is not from 1 to `n`.
     #[error("there is no share {i} of {n}; shares are numbered from 1 to their number")]
     Shard {
@@ -183,6 +206,7 @@ impl<'a> Sweep<'a> {
             format: Format::default(),
             resumes: false,
             settings: Map::new(),
+            together: None,
             interrupt: None,
             on_progress: Box::new(|_| {}),
         }
@@ -236,6 +260,19 @@ impl<'a> Sweep<'a> {
         self
     }
 
+    /// Runs cases in lanes: eight neighbours step together, by dop853 with steps that keep to the tolerance in each of them, about three times
+    /// as fast. Only their ends can be kept. `scene`: one of the scenes that the cases make.
+    ///
+    /// A case runs by itself where something on its way has to be located, as a discontinuity of a law, where it is not run by dop853, and
+    /// where its neighbours come close to a singular position or stop early; [`Written::alone`] says how many. Steps, and so the last digits
+    /// within the tolerance, depend on the neighbours, and on nothing else.
+    #[must_use]
+    pub fn in_lanes<S: Scene + ?Sized>(mut self, scene: &'a S) -> Self {
+        let together: Box<Together<'a>> = Box::new(move |runs, interrupts| run_together(scene, runs, interrupts));
+        self.together = Some((scene.info(), together));
+        self
+    }
+
     /// How the files are written.
     #[must_use]
     pub fn format(mut self, format: Format) -> Self {
@@ -276,9 +313,17 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// [`SweepError`] as of [`Sweep::run`].
     pub fn check(&self) -> Result<(), SweepError> {
-        self.plan.n_cases()?;
-        Reader::new(&self.info, &self.kept)?;
-        Ok(())
+        self.begin().map(|_| ())
+    }
+
+    /// Number of cases, and where what is kept is found.
+    fn begin(&self) -> Result<(u64, Reader), SweepError> {
+        let (n, reader) = (self.plan.n_cases()?, Reader::new(&self.info, &self.kept)?);
+        let own = self.own.first().map(|(column, _)| column.name.as_str());
+        match reader.beyond_end().or(own) {
+            Some(kept) if self.together.is_some() => Err(SweepError::BeyondEnd { kept: kept.to_owned() }),
+            _ => Ok((n, reader)),
+        }
     }
 
     /// Computes all cases, or those of the share, into memory. After an interruption the table ends early.
@@ -286,15 +331,16 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// [`SweepError`] when the sweep cannot begin.
     pub fn run(mut self) -> Result<Table, SweepError> {
-        let n = self.plan.n_cases()?;
-        let reader = Reader::new(&self.info, &self.kept)?;
+        let (n, reader) = self.begin()?;
+        if reader.keeps_samples {
+            return Err(SweepError::NoFolder);
+        }
         let n_per_part = self.cases_of_a_part(n, None);
         let parts = self.parts(n, n_per_part)?;
         let mut rows = Vec::new();
-        let cases = parts.iter().flat_map(|part| cases_of(*part, n, n_per_part));
-        let n_cases = parts.iter().map(|part| n_rows(*part, n, n_per_part)).sum();
-        let done = self.compute(&reader, cases, n_cases, |result| {
-            rows.extend(result.map(|(row, _)| row));
+        let cases = parts.iter().map(|part| cases_of(*part, n, n_per_part));
+        let done = self.compute(&reader, None, cases, n, |computed| {
+            rows.extend(computed.map(|computed| computed.row));
             Ok::<(), Infallible>(())
         });
         done.unwrap_or_else(|never| match never {});
@@ -307,8 +353,7 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// [`SweepError`] when the sweep cannot begin, or a row cannot be written. Rows before it are in the files.
     pub fn write(mut self, folder: &Path) -> Result<Written, SweepError> {
-        let n = self.plan.n_cases()?;
-        let reader = Reader::new(&self.info, &self.kept)?;
+        let (n, reader) = self.begin()?;
         let columns = self.columns(&reader);
         let manifest = self.claim(folder, n, &columns)?;
         let n_per_part = manifest.number(CASES_PER_PART).unwrap_or(CASES);
@@ -330,7 +375,6 @@ impl<'a> Sweep<'a> {
             written.n_found += n_found;
             pending.push((part, n_found));
         }
-        let n_cases = pending.iter().map(|(part, n_found)| n_rows(*part, n, n_per_part) - n_found).sum();
         let mut open: Option<(u64, Part)> = None;
         let begin = |part: u64, n_found: u64| {
             let path = part::path(folder, part, Format::Csv);
@@ -353,17 +397,29 @@ impl<'a> Sweep<'a> {
             }
         }
         let found: std::collections::HashMap<u64, u64> = pending.iter().copied().collect();
-        let cases = pending.iter().flat_map(|(part, n_found)| cases_of(*part, n, n_per_part).skip(*n_found as usize));
+        let cases = pending.iter().map(|(part, n_found)| {
+            let cases = cases_of(*part, n, n_per_part);
+            cases.start + n_found..cases.end
+        });
         let mut lines = String::new();
-        let (mut n_complete, mut first_failure) = (0, None);
-        let progress = self.compute(&reader, cases, n_cases, |result| {
-            let Some((row, failure)) = result else {
+        let (mut n_complete, mut first_failure, mut alone) = (0, None, None);
+        let trajectories = Trajectories { folder, format, n_per_part, manifest: &manifest };
+        let trajectories = reader.keeps_samples.then_some(trajectories);
+        let progress = self.compute(&reader, trajectories, cases, n, |computed| {
+            let Some(Computed { row, failure, alone: why_alone, unwritten }) = computed else {
                 if let Some((number, part)) = &mut open {
                     part.write(&lines).map_err(|cause| of_file(&part::path(folder, *number, format), cause))?;
                 }
                 lines.clear();
                 return Ok(());
             };
+            // the row of a case without its file would be found when the sweep goes on; those before it are written
+            if let Some((path, cause)) = unwritten {
+                if let Some((_, part)) = &mut open {
+                    let _ = part.write(&lines);
+                }
+                return Err(of_file(&path, cause));
+            }
             let number = row.index / n_per_part;
             let path = || part::path(folder, number, format);
             if open.is_none() {
@@ -372,6 +428,9 @@ impl<'a> Sweep<'a> {
             row.write_line(&mut lines);
             if first_failure.is_none() {
                 first_failure = failure.map(|why| (row.index, why));
+            }
+            if let Some(why) = why_alone {
+                alone.get_or_insert(RanAlone { n_cases: 0, first: row.index, why }).n_cases += 1;
             }
             if row.index + 1 == (number * n_per_part).saturating_add(n_per_part).min(n)
                 && let Some((_, mut part)) = open.take()
@@ -384,50 +443,62 @@ impl<'a> Sweep<'a> {
             Ok::<(), SweepError>(())
         })?;
         written.n_parts[0] += n_complete;
-        Ok(Written { progress, first_failure, ..written })
+        Ok(Written { progress, first_failure, alone, ..written })
     }
 
-    /// Runs `cases`, and hands over each row with the reason where it failed, or `None` where no row waits.
+    /// Runs `cases`, which are neighbours in each range, and hands over what became of each, or `None` where nothing waits. `n`: cases of
+    /// the plan.
     fn compute<E>(
         &mut self,
         reader: &Reader,
-        cases: impl Iterator<Item = u64> + Send,
-        n_cases: u64,
-        mut take: impl FnMut(Option<(Row, Option<String>)>) -> Result<(), E>,
+        trajectories: Option<Trajectories<'_>>,
+        cases: impl Iterator<Item = Range<u64>> + Clone + Send,
+        n: u64,
+        mut take: impl FnMut(Option<Computed>) -> Result<(), E>,
     ) -> Result<Progress, E> {
         let over = AtomicBool::new(false);
         let interrupt = self.interrupt.unwrap_or(&over);
-        let (plan, runner, own, every_s) = (&self.plan, &self.runner, &self.own[..], self.every_s);
-        let n_kept = reader.columns.len() + own.len();
         let on_progress = &mut self.on_progress;
-        let work = |index: u64| {
-            if interrupt.load(Ordering::Relaxed) {
-                return None;
-            }
-            let values = plan.values(index);
-            let case = Case { index, plan, values, reader, own, every_s, interrupts: [interrupt, &over] };
-            let run = runner(&case);
-            let failure = match &run {
-                Ok(Finished { outcome: Ended::Interrupted, .. }) => return None,
-                Ok(run) if run.outcome.is_good() => None,
-                Ok(run) => Some(run.message.clone()),
-                Err(Refused(why)) => Some(why.clone()),
-            };
-            let row = Row::new(index, &case.values, n_kept, run.map_err(|Refused(why)| why));
-            Some((row, failure))
+        let group = Group {
+            plan: &self.plan,
+            runner: &*self.runner,
+            together: self.together.as_ref().map(|(info, together)| (&**info, &**together)),
+            reader,
+            own: &self.own,
+            every_s: self.every_s,
+            trajectories,
+            interrupts: [interrupt, &over],
         };
+        let n_of_group = if self.together.is_some() { N_TOGETHER as u64 } else { 1 };
+        // groups are the same whatever is computed of them
+        let groups = cases.clone().flat_map(|cases| {
+            let first = cases.start / n_of_group;
+            (first..cases.end.div_ceil(n_of_group)).map(move |i| {
+                let whole = i * n_of_group..(i + 1).saturating_mul(n_of_group).min(n);
+                let asked = cases.start.max(whole.start)..cases.end.min(whole.end);
+                (whole, asked)
+            })
+        });
         let n_threads = self.n_threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
-        let mut progress = Progress { n_cases, ..Progress::default() };
-        in_order(cases, n_threads, &over, work, |result| {
-            let n_failed = result.as_ref().map(|(_, failure)| u64::from(failure.is_some()));
-            take(result)?;
-            if let Some(n_failed) = n_failed {
-                progress.n_done += 1;
-                progress.n_failed += n_failed;
-                on_progress(progress);
-            }
-            Ok::<(), E>(())
-        })?;
+        let mut progress =
+            Progress { n_cases: cases.map(|cases| cases.end - cases.start).sum(), ..Progress::default() };
+        in_order(
+            groups,
+            n_threads,
+            &over,
+            |(whole, asked)| group.compute(whole, &asked),
+            |computed| {
+                let Some(computed) = computed else { return take(None) };
+                for computed in computed {
+                    let n_failed = u64::from(computed.failure.is_some());
+                    take(Some(computed))?;
+                    progress.n_done += 1;
+                    progress.n_failed += n_failed;
+                    on_progress(progress);
+                }
+                Ok(())
+            },
+        )?;
         Ok(progress)
     }
 
@@ -503,8 +574,9 @@ impl<'a> Sweep<'a> {
             }
         }
         let own = self.own.iter().map(|(column, _)| column.name.clone());
-        of.set("kept", json!(self.kept.iter().map(ToString::to_string).chain(own).collect::<Vec<_>>()));
+        of.set(manifest::KEPT, json!(self.kept.iter().map(ToString::to_string).chain(own).collect::<Vec<_>>()));
         of.set("every", json!(self.every_s));
+        of.set("lanes", json!(self.together.as_ref().map(|_| N_TOGETHER)));
         of.set_columns(columns);
         of.set("format", self.format.name());
         of.set("cases", n);
@@ -514,7 +586,7 @@ impl<'a> Sweep<'a> {
 }
 
 /// The cases of a part.
-fn cases_of(part: u64, n: u64, n_per_part: u64) -> std::ops::Range<u64> {
+fn cases_of(part: u64, n: u64, n_per_part: u64) -> Range<u64> {
     let first = part * n_per_part;
     first..first.saturating_add(n_per_part).min(n)
 }

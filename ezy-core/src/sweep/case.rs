@@ -2,10 +2,14 @@
 
 use super::kept::Reader;
 use super::plan::{Plan, Value};
-use crate::model::Scene;
+use super::trajectories::Trajectories;
+use crate::model::{Scene, SceneInfo};
 use crate::record::{Column, UnknownName};
-use crate::simulate::{Outcome, Run, SetupError, Simulation};
+use crate::simulate::{Alone, Outcome, Run, SetupError, Simulation, Waiting};
+use std::cell::RefCell;
 use std::fmt;
+use std::io;
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 /// A number that the caller reads from a run, with its column.
@@ -20,7 +24,14 @@ pub struct Case<'a> {
     pub(super) own: &'a [OwnNumber<'a>],
     pub(super) every_s: Option<f64>,
     pub(super) interrupts: [&'a AtomicBool; 2],
+    /// When cases run in lanes.
+    pub(super) left: Option<Left<'a>>,
+    /// When whole trajectories are kept.
+    pub(super) trajectories: Option<Trajectories<'a>>,
 }
+
+/// The scene that cases in lanes are of, and where a run is left to wait for others, or why it is not.
+pub(super) type Left<'a> = (&'a SceneInfo, &'a RefCell<Result<Waiting, Alone>>);
 
 /// Samples of a run from which extremes are taken, besides the first, when no interval is given.
 const N_SAMPLES: f64 = 1000.0;
@@ -74,6 +85,14 @@ impl<'a> Case<'a> {
         'a: 's,
     {
         let scene = simulation.scene;
+        if let Some((info, left)) = self.left {
+            let of = scene.info();
+            let is_same = (of.model, of.name, of.fingerprint) == (info.model, info.name, info.fingerprint);
+            *left.borrow_mut() = if is_same { simulation.waiting() } else { Err("it is of another scene") };
+            if left.borrow().is_ok() {
+                return Ok(Finished::under_way());
+            }
+        }
         let mut simulation = simulation.outputs();
         for flag in self.interrupts {
             simulation = simulation.interrupted_by(flag);
@@ -97,7 +116,12 @@ impl<'a> Case<'a> {
         };
         let mut numbers = self.reader.numbers(scene, &run)?;
         numbers.extend(self.own.iter().map(|(_, read)| read(&run)));
-        Ok(Finished { numbers, t: run.last().t, n_steps: run.cost.steps, outcome, message })
+        let written = match self.trajectories {
+            Some(trajectories) if outcome != Ended::Interrupted => trajectories.write(self.index, &run),
+            _ => Ok(()),
+        };
+        let (t, n_steps) = (run.last().t, run.cost.steps);
+        Ok(Finished { numbers, t, n_steps, outcome, message, unwritten: written.err() })
     }
 }
 
@@ -109,6 +133,27 @@ pub struct Finished {
     pub(super) n_steps: u64,
     pub(super) outcome: Ended,
     pub(super) message: String,
+    /// A file that could not be written.
+    pub(super) unwritten: Option<(PathBuf, io::Error)>,
+}
+
+impl Finished {
+    /// What a run is before its end.
+    pub(super) fn under_way() -> Self {
+        Self {
+            numbers: Vec::new(),
+            t: f64::NAN,
+            n_steps: 0,
+            outcome: Ended::Interrupted,
+            message: String::new(),
+            unwritten: None,
+        }
+    }
+
+    /// At the end that was asked for.
+    pub(super) fn at_end(numbers: Vec<f64>, t: f64, n_steps: u64) -> Self {
+        Self { numbers, t, n_steps, outcome: Ended::ReachedEnd, message: String::new(), unwritten: None }
+    }
 }
 
 /// How a case ended, in one word.

@@ -4,10 +4,10 @@ use crate::dynamics::System;
 use crate::linalg::Backend;
 use crate::model::{Scene, SceneInfo};
 use crate::record::{Column, UnknownName, Wanted, columns, find_name};
-use crate::simulate::{Run, SetupError};
+use crate::simulate::{End, Run, SetupError};
 use std::fmt;
 
-/// One thing to keep of each run; as text `seat.vx`, `max:output.speed`, `event:landed`, `error`.
+/// One thing to keep of each run; as text `seat.vx`, `max:output.speed`, `event:landed`, `error`, `samples`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Kept {
     /// A column at the end of the run, by the names of [`columns`] or of a point: `A.x`.
@@ -23,6 +23,8 @@ pub enum Kept {
     /// The estimated error of positions, velocities and multipliers, the largest of each unit, and how much the motion amplifies errors.
     /// Each run is then computed three times.
     Error,
+    /// All samples of the run, in a file of its own: `runs/part-000000/case-000017.csv` beside the rows.
+    Samples,
 }
 
 impl From<&str> for Kept {
@@ -35,6 +37,7 @@ impl From<&str> for Kept {
             Some(("event", name)) => Self::FirstTime(named(name)),
             Some(("count", name)) => Self::Count(named(name)),
             _ if text.trim() == "error" => Self::Error,
+            _ if text.trim() == "samples" => Self::Samples,
             _ => Self::End(named(text)),
         }
     }
@@ -49,6 +52,7 @@ impl fmt::Display for Kept {
             Self::FirstTime(name) => write!(f, "event:{name}"),
             Self::Count(name) => write!(f, "count:{name}"),
             Self::Error => write!(f, "error"),
+            Self::Samples => write!(f, "samples"),
         }
     }
 }
@@ -64,6 +68,7 @@ pub(super) struct Reader {
     has_points: bool,
     pub(super) needs_samples: bool,
     pub(super) needs_error: bool,
+    pub(super) keeps_samples: bool,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -101,6 +106,7 @@ impl Reader {
             has_points: false,
             needs_samples: false,
             needs_error: false,
+            keeps_samples: false,
         };
         let column = |name: &str| find_name("column", name, all.iter().map(|column| column.name.as_str()));
         let event =
@@ -138,11 +144,12 @@ impl Reader {
                     of.places.push(Place::Error(None));
                     of.needs_error = true;
                 }
+                Kept::Samples => of.keeps_samples = true,
             }
             if let Some(Place::End(i) | Place::Smallest(i) | Place::Largest(i)) = of.places.last() {
                 of.needs_work |= of.without_work[*i].is_none();
             }
-            of.needs_samples |= matches!(kept, Kept::Smallest(_) | Kept::Largest(_) | Kept::Error);
+            of.needs_samples |= matches!(kept, Kept::Smallest(_) | Kept::Largest(_) | Kept::Error | Kept::Samples);
         }
         Ok(of)
     }
@@ -185,5 +192,25 @@ impl Reader {
             },
         };
         Ok(self.places.iter().map(number).collect())
+    }
+
+    /// The numbers at the end of a run of which no more is known: those of a sample without works, and the points.
+    pub(super) fn numbers_of_end(&self, End { numbers, points, .. }: &End) -> Vec<f64> {
+        let number = |place: &Place| match place {
+            Place::End(i) => self.without_work[*i].map_or(f64::NAN, |i| numbers[i]),
+            Place::Point(i) => points[*i],
+            _ => f64::NAN,
+        };
+        self.places.iter().map(number).collect()
+    }
+
+    /// The first of what is kept that is not known from the end of a run alone.
+    pub(super) fn beyond_end(&self) -> Option<&str> {
+        let is_beyond = |place: &Place| match place {
+            Place::End(i) => self.without_work[*i].is_none(),
+            place => !matches!(place, Place::Point(_)),
+        };
+        let column = self.places.iter().position(is_beyond).map(|i| self.columns[i].name.as_str());
+        column.or(self.keeps_samples.then_some("samples"))
     }
 }

@@ -15,6 +15,8 @@ pub(super) struct Manifest(pub Map<String, Value>);
 /// Name of the file.
 pub(super) const FILE: &str = "sweep.json";
 const COLUMNS: &str = "columns";
+/// What is kept of each run.
+pub(super) const KEPT: &str = "kept";
 /// Cases of one part.
 pub(super) const CASES_PER_PART: &str = "cases per part";
 
@@ -78,6 +80,12 @@ impl Manifest {
     /// A text.
     pub(super) fn text(&self, name: &str) -> Option<&str> {
         self.0.get(name).and_then(Value::as_str)
+    }
+
+    /// Whether this was asked for.
+    pub(super) fn has_kept(&self, what: &str) -> bool {
+        let kept = self.0.get(KEPT).and_then(Value::as_array);
+        kept.is_some_and(|kept| kept.iter().any(|kept| kept == what))
     }
 
     /// The columns of the rows.

@@ -3,6 +3,7 @@
 mod builder;
 mod case;
 mod format;
+mod group;
 mod kept;
 mod manifest;
 mod parquet;
@@ -13,9 +14,10 @@ mod row;
 mod samples;
 #[cfg(test)]
 mod tests;
+mod trajectories;
 mod workers;
 
-pub use builder::{Progress, Sweep, SweepError, Table, Written};
+pub use builder::{Progress, RanAlone, Sweep, SweepError, Table, Written};
 pub use case::{Case, Ended, Finished, Refused};
 pub use format::Format;
 pub use kept::Kept;

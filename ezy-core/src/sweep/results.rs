@@ -1,9 +1,11 @@
 //! The results of a sweep, in one folder or in several.
 
 use super::format::Format;
+use super::kept::Kept;
 use super::manifest::{CASES_PER_PART, Manifest};
 use super::part;
 use super::row::{Column, Row};
+use super::trajectories;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -177,10 +179,29 @@ impl Results {
                     );
                     io::Error::new(io::ErrorKind::InvalidData, what)
                 };
-                if is_whole { Ok(rows) } else { Err(wrong()) }
+                if !is_whole {
+                    return Err(wrong());
+                }
+                let lacking = self.keeps_samples().then(|| self.first_without_samples(path, &rows)).flatten();
+                lacking.map_or(Ok(rows), |case| {
+                    let what = format!("the samples of case {case} are missing; remove this file and compute it again");
+                    Err(io::Error::new(io::ErrorKind::NotFound, what))
+                })
             });
             Some(rows.map_err(of_file))
         })
+    }
+
+    /// Whether each case has a file with its samples.
+    fn keeps_samples(&self) -> bool {
+        self.manifest.has_kept(&Kept::Samples.to_string())
+    }
+
+    /// The first case of a part that ran, and whose samples are not beside it.
+    fn first_without_samples(&self, part: &Path, rows: &[Row]) -> Option<u64> {
+        let folder = part.parent()?;
+        let samples = |row: &Row| trajectories::path(folder, row.index, self.n_per_part, self.format);
+        rows.iter().find(|row| row.has_run() && !samples(row).exists()).map(|row| row.index)
     }
 
     /// Writes all rows that are there into one file, part by part, and returns how many these are.

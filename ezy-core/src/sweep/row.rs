@@ -100,6 +100,7 @@ impl Row {
             n_steps: 0,
             outcome: Ended::Refused,
             message: why,
+            unwritten: None,
         });
         cells.extend(run.numbers.into_iter().map(Cell::Number));
         cells.extend([
@@ -115,6 +116,12 @@ impl Row {
     pub fn is_good(&self) -> bool {
         let outcome = self.cells.len().checked_sub(2).map(|i| &self.cells[i]);
         matches!(outcome, Some(Cell::Text(outcome)) if outcome == "end" || outcome.starts_with("event:"))
+    }
+
+    /// Whether the case could start.
+    pub(super) fn has_run(&self) -> bool {
+        let end = self.cells.len().checked_sub(LAST_COLUMNS.len()).map(|i| &self.cells[i]);
+        matches!(end, Some(Cell::Number(t)) if !t.is_nan())
     }
 
     /// The row as a line of CSV. Numbers are as short as gives back the same `f64`.

@@ -1,5 +1,9 @@
 //! Sweeps of the program: killed at any moment, continued, refused.
 
+use ezy_core::prelude::*;
+use ezy_core::sweep::{Case, Cell, Kept, Plan, Sweep};
+use ezy_models::registry::MODELS;
+
 use crate::run::{assert_wrong_use, directory, ezy, random, start, text};
 use crate::{json, output};
 use std::fs;
@@ -163,4 +167,52 @@ fn invariant_run_that_fails_is_a_row_and_all_that_fail_are_an_error() {
         done.status.code() == Some(1) && why.contains("every run failed; case 0: `n` is a count, but was given 2.5"),
         "{why}"
     );
+}
+
+/// Of every scene of the garage that steps in lanes, three neighbours end where they end alone: each step adds the tolerance at most, and the
+/// motion amplifies that as it does in the estimate of the error.
+#[test]
+fn cross_scenes_of_the_garage_end_in_lanes_where_they_end_alone() {
+    const TOLERANCE: f64 = 1e-9;
+    let mut n_in_lanes = 0;
+    for entry in MODELS.iter().flat_map(|model| model.scenes) {
+        let info = (entry.info)();
+        if info.parameters.is_empty() || info.n_coordinates() > 60 {
+            continue;
+        }
+        let names = || info.coordinates.iter().flat_map(|c| [c.name.to_string(), c.velocity_name.to_string()]);
+        let scene = (entry.new)();
+        let plan = || Plan::new().grid("lengthened", [1.0, 1.001, 1.002]);
+        let run = |case: &Case<'_>| {
+            let mut scene = (entry.new)();
+            let value = scene.parameters()[0] * case.get("lengthened")?;
+            scene.set_parameter(0, value);
+            Ok(case.run(Simulation::new(&*scene).method(Method::dop853(TOLERANCE)).until(info.until_s.min(1.0)))?)
+        };
+        let sweep = || Sweep::new(&*scene, plan(), run).keep(names().map(Kept::End));
+        let lanes = sweep().in_lanes(&*scene).run().unwrap();
+        let alone = sweep().keep(["error"]).run().unwrap();
+        let amplification = alone.numbers("error:amplification").unwrap();
+        for (k, (lane, single)) in lanes.rows.iter().zip(&alone.rows).enumerate() {
+            let numbers = |cells: &[Cell]| -> Vec<f64> {
+                let number = |cell: &Cell| if let Cell::Number(x) = cell { *x } else { f64::NAN };
+                cells[1..=2 * info.n_coordinates()].iter().map(number).collect()
+            };
+            let (lane_numbers, single_numbers) = (numbers(&lane.cells), numbers(&single.cells));
+            n_in_lanes += usize::from(lane_numbers != single_numbers);
+            let size = single_numbers.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+            let n_steps = alone.numbers("steps").unwrap()[k];
+            let tolerated = n_steps * TOLERANCE * size * amplification[k].max(1.0);
+            let off = lane_numbers.iter().zip(&single_numbers).fold(0.0, |off: f64, (a, b)| off.max((a - b).abs()));
+            println!("{}/{} {k}: {off:.1e} of {tolerated:.1e}", info.model, info.name);
+            assert!(
+                off <= tolerated || lane == single,
+                "{}/{}, case {k}: {off:e} > {tolerated:e}",
+                info.model,
+                info.name
+            );
+        }
+    }
+    // of some 24 scenes that can
+    assert!(n_in_lanes >= 60, "{n_in_lanes}");
 }

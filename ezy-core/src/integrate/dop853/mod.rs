@@ -107,9 +107,11 @@ impl<T: Scalar> Dop853<T> {
         let length = T::from_f64(h);
         self.next_rest.copy_from_slice(&self.rest);
         let starts = self.start.as_flattened().iter().zip(self.next_rest.as_flattened_mut());
-        for ((start, rest), stage) in starts.zip(self.stage.as_flattened_mut()) {
-            *stage = compensated::add(*start, length * *stage, rest);
-        }
+        let ends = starts.zip(self.stage.as_flattened_mut());
+        T::in_widest(
+            #[inline(always)]
+            || ends.for_each(|((start, rest), stage)| *stage = compensated::add(*start, length * *stage, rest)),
+        );
         write(self.stage.as_flattened(), to);
         to.t = from.state.t + h;
         Ok(self.error(h, tolerance))
@@ -168,8 +170,11 @@ impl<T: Scalar> Dop853<T> {
     fn combine(&mut self, h: f64, sum: Sum<T>) {
         let h = T::from_f64(h);
         sum(&self.slopes, &mut self.stage);
-        let starts = self.start.as_flattened();
-        self.stage.as_flattened_mut().iter_mut().zip(starts).for_each(|(stage, start)| *stage = *start + h * *stage);
+        let stages = self.stage.as_flattened_mut().iter_mut().zip(self.start.as_flattened());
+        T::in_widest(
+            #[inline(always)]
+            || stages.for_each(|(stage, start)| *stage = *start + h * *stage),
+        );
     }
 
     /// The slope of a stage.
@@ -248,7 +253,10 @@ impl<T: Scalar> Dop853<T> {
     fn weighted_error(&self, h: f64, tolerance: Tolerance) -> f64 {
         // apart, since a test of each number would keep the loop from running in lanes
         match tolerance.angle {
-            None => self.error_by(h, tolerance, |_, size| scale(tolerance, size)),
+            None => T::in_widest(
+                #[inline(always)]
+                || self.error_by(h, tolerance, |_, size| scale(tolerance, size)),
+            ),
             Some(_) => self.error_by(h, tolerance, |i, size| scale_of(tolerance, i, self.n_q, size)),
         }
     }

@@ -16,16 +16,21 @@ pub(super) type Sum<T> = fn(&[Block<T>], &mut [Block<T>]);
 )]
 #[inline(always)]
 pub(super) fn sum<const N: usize, T: Scalar>(weights: [(usize, f64); N], slopes: &[Block<T>], out: &mut [Block<T>]) {
-    let length = out.len();
-    let rows: [&[Block<T>]; N] = std::array::from_fn(|k| &slopes[weights[k].0 * length..][..length]);
-    for (i, out) in out.iter_mut().enumerate() {
-        let mut sum = [T::from_f64(0.0); WIDTH];
-        for (row, (_, weight)) in rows.iter().zip(weights) {
-            let block = row[i];
-            for k in 0..WIDTH {
-                sum[k] = sum[k] + T::from_f64(weight) * block[k];
+    T::in_widest(
+        #[inline(always)]
+        || {
+            let length = out.len();
+            let rows: [&[Block<T>]; N] = std::array::from_fn(|k| &slopes[weights[k].0 * length..][..length]);
+            for (i, out) in out.iter_mut().enumerate() {
+                let mut sum = [T::from_f64(0.0); WIDTH];
+                for (row, (_, weight)) in rows.iter().zip(weights) {
+                    let block = row[i];
+                    for k in 0..WIDTH {
+                        sum[k] = sum[k] + T::from_f64(weight) * block[k];
+                    }
+                }
+                *out = sum;
             }
-        }
-        *out = sum;
-    }
+        },
+    );
 }

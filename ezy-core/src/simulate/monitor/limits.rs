@@ -5,7 +5,7 @@ use crate::simulate::SetupError;
 use crate::simulate::tolerances::monitors::MAX_CHOSEN_STEPS;
 
 /// Limits as set; infinite where none was.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::simulate) struct Limits {
     /// Largest residual of a row, m or rad, m/s or rad/s.
     pub drift: f64,
@@ -30,6 +30,12 @@ impl Limits {
             }
         }
         Ok(self)
+    }
+
+    /// Whether a run is watched by more than it is by itself.
+    #[cfg(feature = "sweep")]
+    pub(crate) fn are_given(&self) -> bool {
+        *self != Self::default()
     }
 
     /// Largest number of steps of a run.

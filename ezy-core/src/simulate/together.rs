@@ -1,0 +1,203 @@
+//! Runs of one scene with parameters and starts of their own that step together, eight at once; only their ends are known.
+
+use super::sampler::Sampler;
+use super::snapshot::Snapshot;
+use super::tolerances::monitors::ATTEMPTS_OF_A_PACE;
+use super::tolerances::singular::TOO_NEAR;
+use super::trajectory::Trajectory;
+use super::{InputTable, Simulation};
+use crate::dynamics::{Dynamics, Metric, MotionError, Projecting, Projection, State, System, check_pivots};
+use crate::integrate::{Method, Tolerance};
+use crate::linalg::Backend;
+use crate::model::{Eight, EquationsInLanes, EventKind, Scene};
+use crate::record::Wanted;
+use crate::scalar::{Scalar, packed};
+use std::array::from_fn;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Runs that step together.
+pub(crate) const N_TOGETHER: usize = 8;
+
+/// A run that waits for others to step with.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Waiting {
+    parameters: Vec<f64>,
+    inputs: Vec<f64>,
+    start: State,
+    until_s: f64,
+    tolerance: Tolerance,
+}
+
+/// The end of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct End {
+    /// Those of the columns of a sample with outputs and without works.
+    pub numbers: Vec<f64>,
+    /// Its time, s.
+    pub t: f64,
+    /// x and y of each point, m.
+    pub points: Vec<f64>,
+    /// Steps of all runs together.
+    pub n_steps: u64,
+}
+
+/// Why a run steps by itself.
+pub(crate) type Alone = &'static str;
+
+impl<S: Scene + ?Sized> Simulation<'_, S> {
+    /// The run as one that waits for others.
+    ///
+    /// # Errors
+    /// Why it has to step by itself, also to say what is wrong with it.
+    pub(crate) fn waiting(&self) -> Result<Waiting, Alone> {
+        let (settings, info) = (&self.settings, self.scene.info());
+        let Method::Dop853(tolerance) = settings.method else { return Err("only dop853 steps in lanes") };
+        let is_located = |kind| kind != EventKind::Mark;
+        let is_usual = (settings.projection, settings.metric) == (Projection::default(), Metric::default());
+        let changes = |(_, table): &(String, InputTable)| table.constant().is_none();
+        let reasons = [
+            (!self.scene.modes().is_empty(), "its constraints change"),
+            (
+                info.events.iter().any(|event| is_located(event.kind)),
+                "what ends it, or is not smooth, has to be located",
+            ),
+            (
+                settings.wanted.work || settings.estimated || settings.limits.are_given(),
+                "more than its end is asked for",
+            ),
+            (!is_usual, "projections are not the usual ones"),
+            (self.hooks.law.is_some() || settings.inputs.iter().any(changes), "its inputs change"),
+            (!info.integrated_inputs.is_empty(), "its inputs are integrated"),
+            (self.scene.in_lanes().is_none(), WITHOUT_ELIMINATION),
+        ];
+        if let Some((_, reason)) = reasons.into_iter().find(|(holds, _)| *holds) {
+            return Err(reason);
+        }
+        super::build::check_tolerance(tolerance).map_err(|_| CANNOT_START)?;
+        let (system, _, start) = settings.assembled(self.scene).map_err(|_| CANNOT_START)?;
+        if !system.uses_elimination() {
+            return Err(WITHOUT_ELIMINATION);
+        }
+        let until_s = settings.until_s;
+        let can_end = until_s.is_finite() && until_s >= start.t;
+        let (parameters, inputs) = (self.scene.parameters(), system.inputs().to_vec());
+        if can_end { Ok(Waiting { parameters, inputs, start, until_s, tolerance }) } else { Err(CANNOT_START) }
+    }
+}
+
+const CANNOT_START: Alone = "it cannot start";
+const WITHOUT_ELIMINATION: Alone = "the scene has no elimination of its own";
+const STOPS: Alone = "one of the eight stops early, or comes close to a singular position";
+
+/// The ends of one to eight runs.
+///
+/// # Errors
+/// Why they have to step by themselves, one by one; also once a flag is set.
+pub(crate) fn run_together<S: Scene + ?Sized>(
+    scene: &S,
+    runs: &[Waiting],
+    interrupts: &[&AtomicBool],
+) -> Result<Vec<End>, Alone> {
+    let first = runs.first().ok_or(CANNOT_START)?;
+    let is_same =
+        |run: &Waiting| (run.start.t, run.until_s, run.tolerance) == (first.start.t, first.until_s, first.tolerance);
+    if !runs.iter().all(is_same) {
+        return Err("the eight have different times or tolerances");
+    }
+    let (info, kernels) = (scene.info(), scene.in_lanes().ok_or(WITHOUT_ELIMINATION)?);
+    let mut systems = Vec::with_capacity(runs.len());
+    for run in runs {
+        let mut system = System::with_parameters(scene, &run.parameters, Backend::Auto).map_err(|_| CANNOT_START)?;
+        system.inputs_mut().copy_from_slice(&run.inputs);
+        systems.push(system);
+    }
+    // the last run fills what is left
+    let of_run = |lane: usize| lane.min(runs.len() - 1);
+    let fixed = packed(from_fn(|lane| systems[of_run(lane)].fixed()));
+    let q = packed(from_fn(|lane| &runs[of_run(lane)].start.q[..]));
+    let v = packed(from_fn(|lane| &runs[of_run(lane)].start.v[..]));
+    let start = State { t: first.start.t, q, v, work: Vec::new() };
+    let (q, v) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_coordinates()]);
+    let together = Together { kernels, systems, fixed, q, v, first_pivot: None, is_near_singular: false };
+    let mut trajectory = Trajectory::new(together, Arc::clone(&info), start, Method::Dop853(first.tolerance))
+        .map_err(|_| CANNOT_START)?;
+    let mut n_steps = 0;
+    while trajectory.now.t < first.until_s {
+        let is_over = interrupts.iter().any(|flag| flag.load(Ordering::Relaxed));
+        if is_over || n_steps == ATTEMPTS_OF_A_PACE {
+            return Err("the eight take very many steps");
+        }
+        trajectory.step(first.until_s - trajectory.now.t, first.until_s).map_err(|_| STOPS)?;
+        if trajectory.system.is_near_singular {
+            return Err(STOPS);
+        }
+        n_steps += 1;
+    }
+    let Trajectory { system: Together { systems, .. }, now, .. } = trajectory;
+    let end = |(lane, mut system): (usize, System<'_, S>)| {
+        let mut at = Snapshot::zero(&info, false);
+        let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
+        at.state = State { t: now.t, q: of_lane(&now.q), v: of_lane(&now.v), work: Vec::new() };
+        at.evaluate(&mut system).ok()?;
+        let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, work: false }, None, false);
+        sampler.keep(&mut system, &at).ok()?;
+        let numbers = sampler.into_record().samples().next()?.numbers().collect();
+        let mut points = vec![0.0; 2 * info.points.len()];
+        scene.points(system.fixed(), now.t, &at.state.q, &mut points);
+        Some(End { numbers, t: now.t, points, n_steps })
+    };
+    systems.into_iter().enumerate().map(end).collect::<Option<_>>().ok_or(STOPS)
+}
+
+/// Eight runs: accelerations at once, by the elimination of the scene; projections one by one. Fewer runs than eight fill the rest with the
+/// last one.
+struct Together<'s, S: Scene + ?Sized> {
+    kernels: &'s dyn EquationsInLanes,
+    /// One a run.
+    systems: Vec<System<'s, S>>,
+    /// What kernels read as `c`.
+    fixed: Vec<Eight>,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    /// The smallest pivot at the start.
+    first_pivot: Option<f64>,
+    /// Whether a run has come close to a singular position, where steps of another kind are needed.
+    is_near_singular: bool,
+}
+
+impl<S: Scene + ?Sized> Dynamics<Eight> for Together<'_, S> {
+    fn accelerations(
+        &mut self,
+        t: f64,
+        q: &[Eight],
+        v: &[Eight],
+        a: &mut [Eight],
+        lambda: &mut [Eight],
+    ) -> Result<(), MotionError> {
+        let pivots = self.kernels.accelerations_in_lanes(&self.fixed, &Eight::from_f64(t), q, v, a, lambda);
+        let smallest = pivots.smallest();
+        self.is_near_singular |= smallest < TOO_NEAR * *self.first_pivot.get_or_insert(smallest);
+        check_pivots(self.systems[0].info(), pivots, t)
+    }
+
+    fn power(&self, _t: f64, _q: &[Eight], _v: &[Eight], _lambda: &[Eight], _out: &mut [Eight]) {}
+}
+
+impl<S: Scene + ?Sized> Projecting<Eight> for Together<'_, S> {
+    fn project(&mut self, t: f64, q: &mut [Eight], v: &mut [Eight]) -> Result<(), MotionError> {
+        let Self { systems, q: one_q, v: one_v, .. } = self;
+        let n = systems.len();
+        for (lane, system) in systems.iter_mut().enumerate() {
+            let rest = if lane + 1 == n { lane..N_TOGETHER } else { lane..lane + 1 };
+            one_q.iter_mut().zip(&*q).for_each(|(one, eight)| *one = eight.0[lane]);
+            one_v.iter_mut().zip(&*v).for_each(|(one, eight)| *one = eight.0[lane]);
+            system.project(t, one_q, one_v, Projection::default(), Metric::default())?;
+            for lane in rest {
+                q.iter_mut().zip(&*one_q).for_each(|(eight, one)| eight.0[lane] = *one);
+                v.iter_mut().zip(&*one_v).for_each(|(eight, one)| eight.0[lane] = *one);
+            }
+        }
+        Ok(())
+    }
+}

@@ -29,7 +29,7 @@ model! {
         body bob { mass: 1, inertia: 0.01 }
         hinge pin: ground(0, 0) ~ bob(-l, 0);
         gravity (0, -9.81);
-        torque ground ~ bob: -c*bob.omega;
+        torque bob: -c*bob.omega;
         start aside { bob angle 0.3; at rest; }
         scene swing { start aside; until 4 s; }
     }
@@ -139,11 +139,15 @@ fn reference_pendulum_is_identified_from_exact_data() {
     let truth = run(0.8, 0.05, data.times()).unwrap();
     let sampled = truth.column("bob.phi").unwrap();
     let data = data.column("bob.phi", &sampled[1..]);
-    let free = [Free::between("l", 0.3, 2.0), Free::new("c", 0.2).within(0.0, f64::INFINITY)];
-    let fitted = Fit::new(free, &data, |values| run(values[0], values[1], data.times())).solve().unwrap();
-    let [l, c] = &fitted.estimates[..] else { panic!("{fitted:?}") };
-    assert!((l.value - 0.8).abs() <= OF_THE_RUNS && (c.value - 0.05).abs() <= OF_THE_RUNS, "{fitted}");
-    assert!(fitted.undetermined.is_empty() && fitted.end == FitEnd::Converged, "{fitted}");
+    // starts up to three times off: their periods differ by a factor of √3
+    for (length, damping) in [(1.15, 0.2), (0.27, 0.15), (2.4, 0.15), (2.4, 0.017)] {
+        let positive = |name, start| Free::new(name, start).within(0.0, f64::INFINITY);
+        let free = [positive("l", length), positive("c", damping)];
+        let fitted = Fit::new(free, &data, |values| run(values[0], values[1], data.times())).solve().unwrap();
+        let [l, c] = &fitted.estimates[..] else { panic!("{fitted:?}") };
+        assert!((l.value - 0.8).abs() <= OF_THE_RUNS && (c.value - 0.05).abs() <= OF_THE_RUNS, "{fitted}");
+        assert!(fitted.undetermined.is_empty() && fitted.end == FitEnd::Converged, "{fitted}");
+    }
 }
 
 /// Truncation and runs leave ε^(2/3) = 1e-6 of a column each; a factor of ten for the constants of both.

@@ -99,7 +99,7 @@ impl<'f> Fit<'f> {
         let predicted =
             model.predicted(&values).ok_or_else(|| OptimiseError::Start { reason: model.runs.last_failure() })?;
         let r = residuals(&model, &predicted);
-        let scales: Vec<f64> = model.free.iter().zip(&values).map(|(free, x)| free.scale().max(x.abs())).collect();
+        let scales: Vec<f64> = model.free.iter().zip(&values).map(|(free, x)| free.scale_at(*x)).collect();
         let magnitude = norm(&predicted);
         let found = statistics(&r, &model.jacobian(&values), &scales, magnitude, model.derivative_error());
         let Statistics { residual_deviation, standard_errors, correlation, undetermined } = found;

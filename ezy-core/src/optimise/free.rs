@@ -28,6 +28,8 @@ pub struct Free {
 const START_INSIDE: f64 = 1e-3;
 /// A value this near to a bound, in parts of the scale, is at the bound: the transformation never passes it.
 const AT_BOUND: f64 = 1e-6;
+/// Least distance from a bound over which predictions change, in parts of the scale: nearer, differences of runs are lost in their error.
+const BESIDE_A_BOUND: f64 = 1e-3;
 
 impl Free {
     /// A free quantity without bounds.
@@ -65,6 +67,14 @@ impl Free {
             (size, true) => size.min(width),
             (size, false) => size,
         }
+    }
+
+    /// As [`Free::scale`], at a value that the fit has come to. Beside a bound, such as a mass near zero, predictions change over the
+    /// distance from it.
+    pub(super) fn scale_at(&self, value: f64) -> f64 {
+        let scale = self.scale();
+        let from_bound = (value - self.lower).min(self.upper - value);
+        scale.max(value.abs()).min(from_bound.max(BESIDE_A_BOUND * scale))
     }
 
     /// The value that belongs to the unbounded `u`: the transformation of MINUIT (James and Roos, Computer Physics

@@ -131,7 +131,7 @@ impl Model<'_> {
     /// formula, h² f‴/6, are smallest together at h ≈ ε^(1/3) s, when the prediction changes over s. Both are then about ε^(2/3).
     /// (Press et al., "Numerical Recipes" (2007), 5.7.)
     pub(super) fn step(&self, i: usize, value: f64) -> f64 {
-        self.tolerance.cbrt() * self.free[i].scale().max(value.abs())
+        self.tolerance.cbrt() * self.free[i].scale_at(value)
     }
 
     /// Central differences; beside a bound, and where a run fails, differences to one side. Without any run the column is zero.

@@ -394,7 +394,7 @@ crate::model! {
         hinge pivot: ground(0, 0) ~ bob(0, l);
         point tip = bob(0, -l);
         gravity (0, -9.81);
-        torque ground ~ bob: push - 0.01*bob.omega;
+        torque bob: push - 0.01*bob.omega;
         output speed: cm/s = bob.vx;
         start raised { bob angle 0.5; at rest; }
         scene free { start raised; until 3 s; }

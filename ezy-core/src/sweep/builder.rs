@@ -80,7 +80,7 @@ pub struct Progress {
     pub n_done: u64,
     /// Cases that it computes in all: those of its share that were not there.
     pub n_cases: u64,
-    /// Cases done that are not complete and sound ([`Ended::is_good`]).
+    /// Cases done that are not complete and sound ([`Ended::is_good`](super::Ended::is_good)).
     pub n_failed: u64,
 }
 

@@ -67,11 +67,14 @@ def main():
     ezy = sys.argv[1]
     if os.environ.get("EZY_FULL_DISK") is None:
         # a name space of its own, where mounting is allowed and ends with it
-        can = subprocess.run(["unshare", "--map-root-user", "--mount", "true"], capture_output=True) if shutil.which("unshare") else None
-        if can is None or can.returncode != 0:
-            print("there is no `unshare` that may mount a small disk")
+        inside = ["unshare", "--map-root-user", "--mount"]
+        with tempfile.TemporaryDirectory() as folder:
+            mount = "mount -t tmpfs -o size=16k tmpfs . && mount -o remount,size=32k $PWD"
+            can = shutil.which("unshare") and subprocess.run([*inside, "sh", "-c", mount], cwd=folder, capture_output=True).returncode == 0
+        if not can:
+            print("skipped: there is no `unshare` that may mount a small disk")
             sys.exit(77)
-        words = ["unshare", "--map-root-user", "--mount", sys.executable, __file__, ezy]
+        words = [*inside, sys.executable, __file__, ezy]
         sys.exit(subprocess.run(words, env={**os.environ, "EZY_FULL_DISK": "1"}).returncode)
     with tempfile.TemporaryDirectory() as folder:
         disk = pathlib.Path(folder) / "disk"

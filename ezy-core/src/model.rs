@@ -27,6 +27,8 @@ pub use element::{ElementInfo, LoadKind, LocalVector};
 pub use equations::Equations;
 pub(crate) use equations::PreciseScene;
 pub use event::{Direction, EventInfo, EventKind, StickSlipInfo, StopInfo};
+#[cfg(feature = "sweep")]
+pub(crate) use in_lanes::N_LANES;
 pub(crate) use in_lanes::{Eight, EquationsInLanes};
 pub use member::ArrayIndex;
 pub use named::{NamedInputs, NamedScene, NoInputs, NoOutputs};

@@ -3,8 +3,11 @@
 use super::{Equations, Pivots};
 use crate::scalar::{Lanes, in_widest};
 
+/// States that kernels take at once.
+pub(crate) const N_LANES: usize = 8;
+
 /// Eight numbers, one a state.
-pub(crate) type Eight = Lanes<8>;
+pub(crate) type Eight = Lanes<N_LANES>;
 
 /// Kernels of a scene with a generated elimination, at eight states at once, in the widest vector registers of the machine.
 pub trait EquationsInLanes: Send + Sync {

@@ -58,4 +58,4 @@ pub use simulation::Simulation;
 pub use singularity_crossing::SingularityCrossed;
 pub use stepper::Stepper;
 #[cfg(feature = "sweep")]
-pub(crate) use together::{Alone, End, N_TOGETHER, Waiting, run_together};
+pub(crate) use together::{Alone, End, Waiting, run_together};

@@ -9,15 +9,12 @@ use super::{InputTable, Simulation};
 use crate::dynamics::{Dynamics, Metric, MotionError, Projecting, Projection, State, System, check_pivots};
 use crate::integrate::{Method, Tolerance};
 use crate::linalg::Backend;
-use crate::model::{Eight, EquationsInLanes, EventKind, Scene};
+use crate::model::{Eight, EquationsInLanes, EventKind, N_LANES, Scene};
 use crate::record::Wanted;
 use crate::scalar::{Scalar, packed};
 use std::array::from_fn;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-
-/// Runs that step together.
-pub(crate) const N_TOGETHER: usize = 8;
 
 /// A run that waits for others to step with.
 #[derive(Debug, Clone, PartialEq)]
@@ -189,7 +186,7 @@ impl<S: Scene + ?Sized> Projecting<Eight> for Together<'_, S> {
         let Self { systems, q: one_q, v: one_v, .. } = self;
         let n = systems.len();
         for (lane, system) in systems.iter_mut().enumerate() {
-            let rest = if lane + 1 == n { lane..N_TOGETHER } else { lane..lane + 1 };
+            let rest = if lane + 1 == n { lane..N_LANES } else { lane..lane + 1 };
             one_q.iter_mut().zip(&*q).for_each(|(one, eight)| *one = eight.0[lane]);
             one_v.iter_mut().zip(&*v).for_each(|(one, eight)| *one = eight.0[lane]);
             system.project(t, one_q, one_v, Projection::default(), Metric::default())?;

@@ -1,6 +1,7 @@
 //! A sweep: its settings, then [`Sweep::run`] into memory or [`Sweep::write`] into files.
 
-use super::case::{Case, Finished, OwnNumber, Refused};
+use super::case::{Case, OwnNumber, Refused};
+use super::finished::Finished;
 use super::format::Format;
 use super::group::{Computed, Group, Runner, Together};
 use super::kept::{Kept, Reader};
@@ -10,9 +11,9 @@ use super::plan::{Factor, Plan, PlanError, Value};
 use super::row::{Cell, Column, Row, columns, heading};
 use super::trajectories::Trajectories;
 use super::workers::in_order;
-use crate::model::{Scene, SceneInfo};
+use crate::model::{N_LANES, Scene, SceneInfo};
 use crate::record::{self, UnknownName, find_name};
-use crate::simulate::{N_TOGETHER, Run, run_together};
+use crate::simulate::{Run, run_together};
 use serde_json::{Map, json};
 use std::convert::Infallible;
 use std::io;
@@ -469,7 +470,7 @@ impl<'a> Sweep<'a> {
             trajectories,
             interrupts: [interrupt, &over],
         };
-        let n_of_group = if self.together.is_some() { N_TOGETHER as u64 } else { 1 };
+        let n_of_group = if self.together.is_some() { N_LANES as u64 } else { 1 };
         // groups are the same whatever is computed of them
         let groups = cases.clone().flat_map(|cases| {
             let first = cases.start / n_of_group;
@@ -576,7 +577,7 @@ impl<'a> Sweep<'a> {
         let own = self.own.iter().map(|(column, _)| column.name.clone());
         of.set(manifest::KEPT, json!(self.kept.iter().map(ToString::to_string).chain(own).collect::<Vec<_>>()));
         of.set("every", json!(self.every_s));
-        of.set("lanes", json!(self.together.as_ref().map(|_| N_TOGETHER)));
+        of.set("lanes", json!(self.together.as_ref().map(|_| N_LANES)));
         of.set_columns(columns);
         of.set("format", self.format.name());
         of.set("cases", n);

@@ -1,6 +1,7 @@
 //! Neighbouring cases that a thread computes one after the other, or in lanes.
 
-use super::case::{Case, Ended, Finished, Left, OwnNumber, Refused};
+use super::case::{Case, Left, OwnNumber, Refused};
+use super::finished::{Ended, Finished};
 use super::kept::Reader;
 use super::plan::Plan;
 use super::row::Row;

@@ -2,6 +2,7 @@
 
 mod builder;
 mod case;
+mod finished;
 mod format;
 mod group;
 mod kept;
@@ -18,7 +19,8 @@ mod trajectories;
 mod workers;
 
 pub use builder::{Progress, RanAlone, Sweep, SweepError, Table, Written};
-pub use case::{Case, Ended, Finished, Refused};
+pub use case::{Case, Refused};
+pub use finished::{Ended, Finished};
 pub use format::Format;
 pub use kept::Kept;
 pub use plan::{Plan, PlanError, Value};

@@ -1,6 +1,6 @@
 //! A case as a row of a table.
 
-use super::case::{Ended, Finished};
+use super::finished::{Ended, Finished};
 use super::plan::{Plan, Value};
 use crate::record;
 use std::fmt::Write as _;

@@ -43,6 +43,7 @@ pub(crate) use repeats::{Repeats, TemplateInfo};
 pub use series::SeriesInfo;
 pub(crate) use series::{PRODUCT_GROUP, Series, SeriesStore};
 use std::borrow::Cow;
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// A name: text of the program, or made at run time for a member of an array. It prints as text and compares with `"x"`.
@@ -492,6 +493,11 @@ pub trait Scene: Derived {
     /// Outputs, each in its unit. Writes `n_o`.
     fn outputs(&self, c: &[f64], t: f64, q: &[f64], v: &[f64], out: &mut [f64]);
 }
+
+/// A scene that is borrowed or shared: `&S`, `Arc<S>`, `Arc<dyn Scene>`, `Rc<S>`. What holds an `Arc` lives as long as it likes.
+pub trait SceneRef: Deref<Target: Scene> + Clone {}
+
+impl<P: Deref<Target: Scene> + Clone> SceneRef for P {}
 
 /// A scene of a model, for registries.
 #[derive(Debug, Clone, Copy)]

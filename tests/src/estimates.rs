@@ -71,7 +71,7 @@ impl<'s> Question<'s> {
         Self { scene, given: &[], until_s: scene.info().until_s, most_steps: u64::MAX, counts_rounding: true }
     }
 
-    fn order(&self, method: Method) -> Simulation<'s, dyn Scene + 's> {
+    fn order(&self, method: Method) -> Simulation<'s, &'s dyn Scene> {
         let order = Simulation::new(self.scene).method(method).until(self.until_s).every(self.until_s / N_INTERVALS);
         let order = order.without_events().project_start().max_steps(self.most_steps);
         self.given.iter().fold(order, |order, (name, value)| order.start(&**name, *value))

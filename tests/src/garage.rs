@@ -90,10 +90,10 @@ pub fn start_values(body: &Value) -> [(&'static str, &Value); 6] {
 /// # Panics
 /// When a number is missing.
 pub fn start_at<'s, S: Scene + ?Sized + 's>(
-    mut order: Simulation<'s, S>,
+    mut order: Simulation<'s, &'s S>,
     model: &Value,
     names: Names<'_>,
-) -> Simulation<'s, S> {
+) -> Simulation<'s, &'s S> {
     for body in list(&model["bodies"]) {
         let Some((_, name)) = names.iter().find(|(theirs, _)| body["name"] == *theirs) else { continue };
         for (member, value) in start_values(body) {
@@ -109,7 +109,7 @@ pub fn start_at<'s, S: Scene + ?Sized + 's>(
 /// # Panics
 /// When a run cannot start or stops on the way.
 pub fn at_times<'s, S: Scene + ?Sized + 's>(
-    order: impl Fn() -> Simulation<'s, S>,
+    order: impl Fn() -> Simulation<'s, &'s S>,
     every_s: f64,
     times: impl Iterator<Item = f64> + Clone,
     mut compare: impl FnMut(usize, Sample<'_>),
@@ -133,7 +133,7 @@ pub fn at_times<'s, S: Scene + ?Sized + 's>(
 /// # Panics
 /// As [`at_times`], and when a body or a number is missing.
 pub fn from_states<'s, S: Scene + ?Sized + 's>(
-    order: impl Fn() -> Simulation<'s, S>,
+    order: impl Fn() -> Simulation<'s, &'s S>,
     every_s: f64,
     states: &Value,
     names: Names<'_>,

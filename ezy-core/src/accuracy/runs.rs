@@ -62,7 +62,7 @@ impl<'s> Runs<'s> {
         self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
-    fn simulation(&self, method: Method, variant: Variant) -> Simulation<'s, dyn Scene + 's> {
+    fn simulation(&self, method: Method, variant: Variant) -> Simulation<'s, &'s (dyn Scene + 's)> {
         let order = Simulation::new(self.scene)
             .method(method)
             .until(self.until_s)

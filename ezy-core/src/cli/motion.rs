@@ -73,7 +73,7 @@ pub(super) fn simulation<'s>(
     arguments: &MotionArguments,
     scene: &'s (dyn Scene + 's),
     method: Method,
-) -> Result<Simulation<'s, dyn Scene + 's>, Failure> {
+) -> Result<Simulation<'s, &'s (dyn Scene + 's)>, Failure> {
     Ok(simulation_with(arguments, scene, method, inputs(arguments, &scene.info())?))
 }
 
@@ -83,7 +83,7 @@ pub(super) fn simulation_with<'s>(
     scene: &'s (dyn Scene + 's),
     method: Method,
     inputs: impl IntoIterator<Item = (String, InputTable)>,
-) -> Simulation<'s, dyn Scene + 's> {
+) -> Simulation<'s, &'s (dyn Scene + 's)> {
     let info = scene.info();
     let mut simulation = Simulation::new(scene)
         .method(method)

@@ -9,10 +9,10 @@ use crate::linalg::{
     ConditionEstimator, Conditioning, EquationResidual, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, weights,
     write_diagonal,
 };
-use crate::model::{Pivots, Scene, Series, SeriesStore};
+use crate::model::{Equations as _, Pivots, SceneRef, Series, SeriesStore};
 use std::sync::Arc;
 
-impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
+impl<P: SceneRef> Configuration<'_, P> {
     /// Accelerations and multipliers at velocities `v` (`n_q`), as [`System::accelerations`] but not verified.
     ///
     /// # Errors
@@ -125,7 +125,7 @@ impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
     }
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Accelerations and multipliers at one state: solves `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`.
     ///
     /// | name | shape | unit |

@@ -3,7 +3,7 @@
 use super::geometry::tolerance_at;
 use super::tolerances::projection::MAX_PASSES;
 use super::{MotionError, System};
-use crate::model::{Equations, Pivots, Scene, SceneInfo};
+use crate::model::{Equations, Pivots, SceneInfo, SceneRef};
 use crate::scalar::Scalar;
 use std::sync::Arc;
 
@@ -34,7 +34,7 @@ pub(crate) trait Projecting<T: Scalar>: Dynamics<T> {
     fn project(&mut self, t: f64, q: &mut [T], v: &mut [T]) -> Result<(), MotionError>;
 }
 
-impl<S: Scene + ?Sized> Dynamics<f64> for System<'_, S> {
+impl<P: SceneRef> Dynamics<f64> for System<P> {
     #[inline]
     fn accelerations(
         &mut self,

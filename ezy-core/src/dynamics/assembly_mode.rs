@@ -6,7 +6,7 @@ use super::tolerances::rank::NEARLY_DEPENDENT;
 use super::{State, System};
 use crate::linalg::{LARGEST_DIAGNOSED, singular_values};
 use crate::model::coordinate::is_angle;
-use crate::model::{Scene, Start};
+use crate::model::{Equations as _, SceneRef, Start};
 use nalgebra::DMatrix;
 
 /// As many rows as coordinates that they determine, and no smaller part of them does.
@@ -15,7 +15,7 @@ struct Block {
     coordinates: Vec<usize>,
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Whether the coordinates `found` are in the assembly mode of `guess`, where near values are as given.
     ///
     /// # Errors

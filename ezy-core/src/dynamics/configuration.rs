@@ -7,25 +7,25 @@ use crate::linalg::{
     DampedKkt, INDEPENDENT, INDEPENDENT_EXACTLY, Independent, LARGEST_DIAGNOSED, Left, NullSpaceKkt, RankRevealing,
     undetermined_coordinates,
 };
-use crate::model::Scene;
+use crate::model::{Equations as _, SceneRef};
 
 /// A system at one configuration: the factors of K, made once for all that is asked there.
-pub(crate) struct Configuration<'c, 's, S: Scene + ?Sized> {
-    pub(super) system: &'c mut System<'s, S>,
+pub(crate) struct Configuration<'c, P: SceneRef> {
+    pub(super) system: &'c mut System<P>,
     pub(super) t: f64,
     pub(super) q: &'c [f64],
     pub(super) rows: Rows,
 }
 
-impl<'s, S: Scene + ?Sized> System<'s, S> {
+impl<P: SceneRef> System<P> {
     /// The system at the configuration `q` (`n_q`) at time `t`.
-    pub(crate) fn at<'c>(&'c mut self, t: f64, q: &'c [f64]) -> Configuration<'c, 's, S> {
+    pub(crate) fn at<'c>(&'c mut self, t: f64, q: &'c [f64]) -> Configuration<'c, P> {
         Configuration { system: self, t, q, rows: Rows::Exact }
     }
 
     /// As [`System::at`], with these rows; held ones where [`System::hold_rows`] found some.
     #[inline]
-    pub(super) fn at_with<'c>(&'c mut self, t: f64, q: &'c [f64], rows: Rows) -> Configuration<'c, 's, S> {
+    pub(super) fn at_with<'c>(&'c mut self, t: f64, q: &'c [f64], rows: Rows) -> Configuration<'c, P> {
         let rows = if rows == Rows::Held && self.factors.held.is_empty() { Rows::Projected } else { rows };
         Configuration { system: self, t, q, rows }
     }
@@ -84,7 +84,7 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     }
 }
 
-impl<S: Scene + ?Sized> Configuration<'_, '_, S> {
+impl<P: SceneRef> Configuration<'_, P> {
     /// Whether the scene's own elimination may solve here: not where rows are redundant.
     #[inline]
     pub(super) fn may_eliminate(&self) -> bool {

@@ -1,7 +1,7 @@
 //! Accelerations at eight states at once.
 
 use super::{MotionError, System};
-use crate::model::{Eight, EquationsInLanes, Scene};
+use crate::model::{Derived as _, Eight, Scene, SceneRef};
 use crate::scalar::Scalar;
 
 /// Eight states of a scene, one a lane, and what is computed there.
@@ -62,7 +62,7 @@ impl EightStates {
     }
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Takes over the inputs of the present step.
     pub(crate) fn begin_eight(&self, states: &mut EightStates) {
         let EightStates { fixed, .. } = states;
@@ -77,11 +77,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     /// # Errors
     /// [`MotionError`] of any of them.
     pub(crate) fn accelerations_of_eight(&mut self, states: &mut EightStates) -> Result<(), MotionError> {
-        if self.uses_elimination()
-            && self.factors.holds_no_rows()
-            && let Some(scene) = self.scene.in_lanes()
-            && self.eliminate_eight(scene, states)
-        {
+        if self.uses_elimination() && self.factors.holds_no_rows() && self.eliminate_eight(states) {
             return Ok(());
         }
         states.smallest_pivot = f64::INFINITY;
@@ -95,7 +91,9 @@ impl<S: Scene + ?Sized> System<'_, S> {
         Ok(())
     }
 
-    fn eliminate_eight(&mut self, scene: &dyn EquationsInLanes, states: &mut EightStates) -> bool {
+    /// Whether the elimination of the scene solved for all of them.
+    fn eliminate_eight(&mut self, states: &mut EightStates) -> bool {
+        let Some(scene) = self.scene.in_lanes() else { return false };
         let EightStates { t, q, v, a, lambda, smallest_pivot, fixed, .. } = states;
         let pivots = scene.accelerations_in_lanes(fixed, t, q, v, a, lambda);
         self.counters.evaluations += t.0.len() as u64;

@@ -2,9 +2,9 @@
 
 use super::tolerances::geometry::TOLERANCE;
 use super::{MotionError, System, max_abs};
-use crate::model::{Scene, StickSlipInfo, StopInfo};
+use crate::model::{Derived as _, Scene as _, SceneRef, StickSlipInfo, StopInfo};
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Work of the largest multiplier over the tolerance of positions, J: a body that is held gains or loses as much by rounding.
     /// Test: `monitors.rs`, a plate that cannot move.
     pub(crate) fn work_of_rounding(&self, multipliers: &[f64]) -> f64 {

@@ -3,11 +3,11 @@
 use super::System;
 use super::tolerances::start::{DAMPING, LARGEST_DENSE_START, RANK_TOLERANCE};
 use crate::linalg::{HAS_SPARSE, KktFactorization, SparseKkt, singular_values, weights, write_diagonal};
-use crate::model::Scene;
 use crate::model::coordinate::is_angle;
+use crate::model::{Equations as _, SceneRef};
 use nalgebra::{DMatrix, DVector};
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Change of the coordinates (or velocities) that are not given, smallest in the mass matrix, that removes the
     /// residual of the first `n_rows` rows in the buffer to first order, in the least-squares sense.
     pub(super) fn free_correction(&mut self, t: f64, q: &[f64], n_rows: usize, given: &[bool]) -> Option<Vec<f64>> {

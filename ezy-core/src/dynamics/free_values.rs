@@ -3,10 +3,10 @@
 use super::tolerances::start::RANK_TOLERANCE;
 use super::{State, System};
 use crate::model::coordinate::is_angle;
-use crate::model::{Name, Scene, Start};
+use crate::model::{Equations as _, Name, SceneRef, Start};
 use crate::scalar::GOLDEN_RATIO;
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Names of the values of `start` that are not given and that the constraints leave free at `state`, coordinates first; velocities
     /// where one is given that is not 0.
     ///
@@ -44,6 +44,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
 mod tests {
     use super::*;
     use crate::linalg::Backend;
+    use crate::model::Scene;
 
     crate::model! {
         /// A trolley on a rail with a rod that hangs from it, and a stone that nobody placed.

@@ -2,7 +2,7 @@
 //! compute s + ṡ τ + s̈ τ²/2 with τ = t − t₀, so that the constraints have a rate and an acceleration.
 
 use super::System;
-use crate::model::Scene;
+use crate::model::SceneRef;
 
 /// An input that a run integrates was set beside its motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,7 @@ pub(crate) struct Jump {
     pub set: f64,
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Lets integrated inputs move from `t` on, with the present values and rates.
     pub(crate) fn begin_inputs(&mut self, t: f64) {
         for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {

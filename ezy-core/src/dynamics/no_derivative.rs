@@ -2,12 +2,12 @@
 
 use super::residual::Jacobians;
 use super::{MotionError, System};
-use crate::model::{Name, Scene, SceneInfo};
+use crate::model::{Derived as _, Name, SceneInfo, SceneRef};
 
 /// Functions of laws whose derivatives are not finite everywhere, as formulas print them.
 const FUNCTIONS: [&str; 6] = ["sqrt(", "atan2(", "asin(", "acos(", "ln(", "pow("];
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// What to say when a motion cannot be continued from a state with accelerations `a` and multipliers `lambda`: where a force has no
     /// derivative, which one. A scene without Jacobians does not know.
     #[cold]

@@ -3,26 +3,26 @@
 use super::projection::Next;
 use super::solved::Rows;
 use super::{Dynamics, Metric, MotionError, Projection, State, System};
-use crate::model::Scene;
+use crate::model::SceneRef;
 
 /// A system whose accelerations do not depend on how far a state is off the rows.
 ///
 /// On the rows they are those of the state itself. Off the rows, next to a position in which constraints depend on each other,
 /// accelerations of the state itself have a pole; those of the projected state have none.
-pub(crate) struct OnRows<'m, 's, S: Scene + ?Sized> {
-    system: &'m mut System<'s, S>,
+pub(crate) struct OnRows<'m, P: SceneRef> {
+    system: &'m mut System<P>,
     /// The last projected state; without works.
     projected: &'m mut State,
 }
 
-impl<'m, 's, S: Scene + ?Sized> OnRows<'m, 's, S> {
+impl<'m, P: SceneRef> OnRows<'m, P> {
     /// With a buffer for projected states.
-    pub(crate) fn new(system: &'m mut System<'s, S>, projected: &'m mut State) -> Self {
+    pub(crate) fn new(system: &'m mut System<P>, projected: &'m mut State) -> Self {
         Self { system, projected }
     }
 }
 
-impl<S: Scene + ?Sized> Dynamics<f64> for OnRows<'_, '_, S> {
+impl<P: SceneRef> Dynamics<f64> for OnRows<'_, P> {
     fn accelerations(
         &mut self,
         t: f64,

@@ -8,7 +8,7 @@ use super::tolerances::projection::{
 };
 use super::{MotionError, Projected, System, Worst, max_abs};
 use crate::linalg::{INDEPENDENT, Independent};
-use crate::model::Scene;
+use crate::model::{Equations as _, SceneRef};
 
 /// What is projected after each step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -58,7 +58,7 @@ pub(super) struct Next {
     pub accelerates: bool,
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Brings `q` and `v` back onto the rows: positions, then velocities at the projected positions.
     ///
     /// Near rank loss, at the distance σ, what a position constraint leaves is a displacement 1/σ times as large along a motion

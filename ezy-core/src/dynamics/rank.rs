@@ -5,7 +5,7 @@ use super::solved::{Rows, Solved};
 use super::tolerances::rank::{ACCELERATIONS_AGREE, NEARLY_DEPENDENT, VELOCITIES_AGREE};
 use super::{MotionError, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED, Left};
-use crate::model::{Name, Scene};
+use crate::model::{Name, SceneRef};
 use std::sync::Arc;
 
 /// Which constraints depend on each other at one state.
@@ -47,7 +47,7 @@ impl std::fmt::Display for RankLoss {
     }
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Whether rows that a step goes on with nearly depend on each other.
     pub(crate) fn is_nearly_singular(&mut self, t: f64, q: &[f64]) -> bool {
         self.independence(t, q).is_some_and(|independence| independence <= NEARLY_DEPENDENT * NEARLY_DEPENDENT)

@@ -1,7 +1,7 @@
 //! What accelerations and multipliers that are not the solution leave of the equations of motion.
 
 use super::System;
-use crate::model::{JacobianPlaces, Scene, SceneInfo};
+use crate::model::{Derived as _, Equations as _, JacobianPlaces, SceneInfo, SceneRef};
 
 /// Jacobians of [`System::residual`] in the order of [`Derived::jacobian_places`](crate::model::Derived::jacobian_places), and G at the same state.
 #[derive(Debug, Clone)]
@@ -26,7 +26,7 @@ impl Jacobians {
     }
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// `R = [F − M a − Gᵀ λ; −(G a + [h; s])]` (`n_q + n_c`), which vanishes at the accelerations and multipliers of a state.
     ///
     /// # Cost

@@ -1,7 +1,7 @@
 //! One row at a state that need not meet it.
 
 use super::System;
-use crate::model::Scene;
+use crate::model::{Equations as _, SceneRef};
 
 /// A position constraint of a system, and a state.
 pub(crate) struct SystemRow<'a> {
@@ -15,7 +15,7 @@ pub(crate) struct SystemRow<'a> {
     pub v: &'a [f64],
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// What counts as zero of the row, in its unit.
     pub(crate) fn position_tolerance(&self, of: &SystemRow<'_>) -> f64 {
         self.geometry.position_tolerance(of.row, self.geometry.extent(of.q))

@@ -3,10 +3,10 @@
 use super::tolerances::singular_position::{BESIDE, LEAVES, SHORTEST};
 use super::{Metric, MotionError, Rows, Solved, State, System};
 use crate::linalg::{INDEPENDENT, Independent, LARGEST_DIAGNOSED};
-use crate::model::Scene;
+use crate::model::SceneRef;
 use crate::scalar::GOLDEN_RATIO;
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// Whether a motion can begin at a state with accelerations `a`, where rows may be redundant: what is redundant there has to remain
     /// satisfied along the motion for `within_s`.
     ///

@@ -5,7 +5,7 @@ use super::tolerances::geometry::LARGEST_VALUE;
 use super::tolerances::start::{LARGEST_TURN, LAST_DIGITS, MAX_HALVINGS, MAX_NUDGES, MAX_PASSES};
 use super::{StartError, State, System, max_abs};
 use crate::model::coordinate::is_angle;
-use crate::model::{Name, Scene, Start};
+use crate::model::{Name, Scene as _, SceneRef, Start};
 use crate::scalar::GOLDEN_RATIO;
 
 /// What a place leaves of the position constraints.
@@ -24,7 +24,7 @@ impl Residual {
     }
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// The start values of the scene.
     pub fn scene_start(&self) -> Start {
         let mut start = Start::free(self.info.n_coordinates());
@@ -230,7 +230,7 @@ impl<S: Scene + ?Sized> System<'_, S> {
     }
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// The given values of `start` that changed when `state` was assembled from it, coordinates first. Those that only got their last
     /// digits (1e-6 rad, or as much of the longest lever; of the largest velocity for velocities) are left out.
     pub fn moved_values(&self, start: &Start, state: &State) -> Vec<MovedValue> {

@@ -1,7 +1,7 @@
 //! What moves a scene hardest at one state: for messages about runs that cannot be continued.
 
 use super::System;
-use crate::model::{Name, Scene};
+use crate::model::{Equations as _, Name, SceneRef};
 use std::f64::consts::SQRT_2;
 
 /// The coordinate with the largest acceleration at one state and what causes it, both in the metric of the masses.
@@ -57,7 +57,7 @@ impl std::fmt::Display for Strain {
     }
 }
 
-impl<S: Scene + ?Sized> System<'_, S> {
+impl<P: SceneRef> System<P> {
     /// What moves the scene hardest at a state with accelerations `a` (`n_q`) and multipliers `lambda` (`n_c`); none where
     /// nothing with a mass is accelerated by a finite amount.
     ///

@@ -7,7 +7,7 @@ use super::geometry::Geometry;
 use super::tolerances::backend::{FURTHEST_APART, LARGEST_FOR_LIGHT, LIGHTEST, RANGE};
 use crate::linalg::{Backend, HAS_SPARSE, KktFactorization, LARGEST_DENSE, SparseKkt, by_joints};
 use crate::model::coordinate::{body_and_component, is_angle};
-use crate::model::{Name, Scene, SceneInfo, Start};
+use crate::model::{Equations as _, Name, Scene as _, SceneInfo, SceneRef, Start};
 use std::sync::Arc;
 
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
@@ -17,8 +17,8 @@ use std::sync::Arc;
 /// let state = system.consistent_start(&system.scene_start())?;
 /// system.accelerations(state.t, &state.q, &state.v, &mut a, &mut lambda)?;
 /// ```
-pub struct System<'s, S: Scene + ?Sized> {
-    pub(super) scene: &'s S,
+pub struct System<P: SceneRef> {
+    pub(super) scene: P,
     pub(super) info: Arc<SceneInfo>,
     /// What kernels read as `c`: inputs, then constants.
     pub(super) fixed: Vec<f64>,
@@ -55,20 +55,21 @@ pub(super) struct Buffers {
     pub delta: Vec<f64>,
 }
 
-impl<'s, S: Scene + ?Sized> System<'s, S> {
+impl<P: SceneRef> System<P> {
     /// Checks parameters and masses, computes the constants, chooses the solver.
     ///
     /// # Errors
     /// [`SystemError`] naming the parameter, count or body that cannot be used.
-    pub fn new(scene: &'s S, backend: Backend) -> Result<Self, SystemError> {
-        Self::with_parameters(scene, &scene.parameters(), backend)
+    pub fn new(scene: P, backend: Backend) -> Result<Self, SystemError> {
+        let parameters = scene.parameters();
+        Self::with_parameters(scene, &parameters, backend)
     }
 
     /// As [`System::new`], with these parameters in place of those of the scene.
     ///
     /// # Errors
     /// As [`System::new`].
-    pub(crate) fn with_parameters(scene: &'s S, parameters: &[f64], backend: Backend) -> Result<Self, SystemError> {
+    pub(crate) fn with_parameters(scene: P, parameters: &[f64], backend: Backend) -> Result<Self, SystemError> {
         let info = scene.info();
         if let Some(fault) = info.repeats.as_ref().and_then(|repeats| repeats.fault.as_ref()) {
             return Err(fault.clone().into());
@@ -116,8 +117,13 @@ impl<'s, S: Scene + ?Sized> System<'s, S> {
     }
 
     /// The scene.
-    pub fn scene(&self) -> &'s S {
-        self.scene
+    pub fn scene(&self) -> &P::Target {
+        &self.scene
+    }
+
+    /// The scene, as this holds it.
+    pub(crate) fn scene_ref(&self) -> &P {
+        &self.scene
     }
 
     /// Names and sizes.

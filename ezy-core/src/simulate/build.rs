@@ -14,10 +14,10 @@ use super::{Run, SetupError, Simulation, Stepper, estimated_run};
 use crate::dynamics::{StartError, State, System};
 use crate::integrate::{Clock, Method, Tolerance};
 use crate::memory;
-use crate::model::{Name, Scene, SceneInfo, Start};
+use crate::model::{Derived as _, Name, Scene, SceneInfo, SceneRef, Start};
 use crate::record::{Recorder, input_index};
 
-impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
+impl<'s, P: SceneRef> Simulation<'s, P> {
     /// Runs.
     ///
     /// # Errors
@@ -29,7 +29,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
 
     /// Runs without an estimate of the error.
     pub(super) fn run_once(self) -> Result<Run, SetupError> {
-        match &self.scene.modes()[..] {
+        let modes = self.scene.modes();
+        match &modes[..] {
             [] => self.run_in_modes(&[]),
             [first, others @ ..] => {
                 let others: Vec<&dyn Scene> = others.iter().map(|scene| &**scene).collect();
@@ -39,7 +40,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 
     /// The same settings for another scene with the same names.
-    fn of_scene<'a>(self, scene: &'a dyn Scene) -> Simulation<'a, dyn Scene + 'a>
+    fn of_scene<'a>(self, scene: &'a dyn Scene) -> Simulation<'a, &'a (dyn Scene + 'a)>
     where
         's: 'a,
     {
@@ -50,8 +51,8 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 
     /// Runs; `others` are the other modes of the scene.
-    fn run_in_modes(mut self, others: &[&'s S]) -> Result<Run, SetupError> {
-        let mut system = System::new(self.scene, self.settings.backend)?;
+    fn run_in_modes(mut self, others: &[P]) -> Result<Run, SetupError> {
+        let mut system = System::new(self.scene.clone(), self.settings.backend)?;
         let start = self.settings.start_values(&system)?;
         let control = self.take_control(start.t, &mut system)?;
         let schedule = self.schedule(start.t, control.is_idle())?;
@@ -70,7 +71,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         stepper.place(&state);
         let watch =
             Watch::new(&mut stepper.system, &state, limits, self.settings.projection, self.settings.wanted.work);
-        let others = others.iter().map(|scene| self.stepper_of(scene)).collect::<Result<_, _>>()?;
+        let others = others.iter().map(|scene| self.stepper_of(scene.clone())).collect::<Result<_, _>>()?;
         let modes = Modes::new(&stepper, others).map(Box::new);
         RunLoop::new(stepper, modes, control, plan, watch, self.hooks.recorder, self.hooks.on_progress)?.run()
     }
@@ -82,7 +83,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// [`SetupError`] when the start cannot be assembled.
     pub fn free_start_values(&self) -> Result<Vec<Name>, SetupError> {
         match &self.scene.modes()[..] {
-            [] => self.settings.free_start_values(self.scene),
+            [] => self.settings.free_start_values(self.scene.clone()),
             [first, ..] => self.settings.free_start_values(&**first),
         }
     }
@@ -91,9 +92,9 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     ///
     /// # Errors
     /// [`SetupError`] when the start or the step cannot be used.
-    pub fn stepper(mut self) -> Result<Stepper<'s, S>, SetupError> {
+    pub fn stepper(mut self) -> Result<Stepper<'s, P>, SetupError> {
         SetupError::refuse_modes(&self.scene.info())?;
-        let mut system = System::new(self.scene, self.settings.backend)?;
+        let mut system = System::new(self.scene.clone(), self.settings.backend)?;
         let start = self.settings.start_values(&system)?;
         let step_s = self.fixed_step()?;
         let control = self.take_control(start.t, &mut system)?;
@@ -102,11 +103,11 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
         Ok(Stepper::new(stepper, control, step_s, start, state))
     }
 
-    fn stepper_of(&self, scene: &'s S) -> Result<StepperState<'s, S>, SetupError> {
+    fn stepper_of(&self, scene: P) -> Result<StepperState<P>, SetupError> {
         self.stepper_in(System::new(scene, self.settings.backend)?)
     }
 
-    fn stepper_in(&self, system: System<'s, S>) -> Result<StepperState<'s, S>, SetupError> {
+    fn stepper_in(&self, system: System<P>) -> Result<StepperState<P>, SetupError> {
         StepperState::new(
             system,
             self.settings.method,
@@ -117,7 +118,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     }
 
     /// Tables and control law of the run; constant inputs are set at once. Of two settings of one input the later one counts.
-    fn take_control(&mut self, start_s: f64, system: &mut System<'_, S>) -> Result<Control<'s>, SetupError> {
+    fn take_control(&mut self, start_s: f64, system: &mut System<P>) -> Result<Control<'s>, SetupError> {
         let mut control = Control { tables: Vec::new(), law: self.hooks.law.take() };
         for (name, table) in self.settings.inputs.drain(..) {
             let i = input_index(system.info(), &name)?;
@@ -190,7 +191,7 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
 
 impl Settings {
     /// The start of the scene with what is given in its place.
-    fn start_values<S: Scene + ?Sized>(&self, system: &System<'_, S>) -> Result<Start, SetupError> {
+    fn start_values<P: SceneRef>(&self, system: &System<P>) -> Result<Start, SetupError> {
         let mut start = system.scene_start();
         for (name, value) in &self.given {
             give(system.info(), &mut start, name, *value)?;
@@ -201,16 +202,13 @@ impl Settings {
         Ok(start)
     }
 
-    fn free_start_values<S: Scene + ?Sized>(&self, scene: &S) -> Result<Vec<Name>, SetupError> {
+    fn free_start_values<P: SceneRef>(&self, scene: P) -> Result<Vec<Name>, SetupError> {
         let (mut system, start, state) = self.assembled(scene)?;
         Ok(system.free_values(&start, &state))
     }
 
     /// The scene with its constant inputs, its start, and the consistent state that belongs to it.
-    pub(super) fn assembled<'s, S: Scene + ?Sized>(
-        &self,
-        scene: &'s S,
-    ) -> Result<(System<'s, S>, Start, State), SetupError> {
+    pub(super) fn assembled<P: SceneRef>(&self, scene: P) -> Result<(System<P>, Start, State), SetupError> {
         let mut system = System::new(scene, self.backend)?;
         let start = self.start_values(&system)?;
         for (name, table) in &self.inputs {

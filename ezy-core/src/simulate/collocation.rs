@@ -5,7 +5,7 @@ use super::step_limit::{StepLimit, is_too_short, limited_step};
 use super::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Collocated, Gauss, GaussControl, Node, Tolerance};
-use crate::model::Scene;
+use crate::model::SceneRef;
 
 /// Collocation with the length of its next step.
 pub(super) struct Collocation {
@@ -58,9 +58,9 @@ impl Collocation {
     /// [`MotionError`] at a node.
     /// # Cost
     /// Where the polynomial of the step is not good enough, some sweeps for each of its parts, once a step.
-    pub(super) fn between<S: Scene + ?Sized>(
+    pub(super) fn between<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         to: &State,
         t: f64,
@@ -80,13 +80,13 @@ impl Collocation {
     ///
     /// In a layer a force changes by nearly all of itself, and the step is not short beside that: the order of its end is not reached, and
     /// the error of its polynomial counts.
-    pub(super) fn step<S: Scene + ?Sized>(
+    pub(super) fn step<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         end: f64,
         to: &mut State,
-        mut passage: impl FnMut(&mut System<'_, S>, &State) -> Passage,
+        mut passage: impl FnMut(&mut System<P>, &State) -> Passage,
     ) -> Result<(), MotionError> {
         let t = from.state.t;
         let left = end - t;

@@ -2,7 +2,7 @@
 
 use super::input_table::InputTable;
 use crate::dynamics::{Jump, MotionError, State, System};
-use crate::model::Scene;
+use crate::model::SceneRef;
 
 /// Sets inputs at the start of a step from the state and itself.
 pub(super) type Law<'s> = Box<dyn FnMut(&State, &mut dyn Controlled) + Send + 's>;
@@ -19,7 +19,7 @@ pub(super) trait Controlled {
     fn outputs(&self, state: &State, out: &mut [f64]);
 }
 
-impl<S: Scene + ?Sized> Controlled for System<'_, S> {
+impl<P: SceneRef> Controlled for System<P> {
     fn inputs(&self) -> &[f64] {
         self.inputs()
     }
@@ -52,11 +52,11 @@ impl Control<'_> {
     ///
     /// # Errors
     /// [`MotionError::InputNotFinite`].
-    pub(super) fn act<S: Scene + ?Sized>(
+    pub(super) fn act<P: SceneRef>(
         &mut self,
         state: &State,
         h: f64,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
     ) -> Result<(), MotionError> {
         let t = state.t;
         system.integrate_inputs(t);
@@ -72,7 +72,7 @@ impl Control<'_> {
 }
 
 /// An error with the name of the first input that is not finite, or that a run integrates and that jumped.
-pub(super) fn check_inputs<S: Scene + ?Sized>(t: f64, system: &System<'_, S>) -> Result<(), MotionError> {
+pub(super) fn check_inputs<P: SceneRef>(t: f64, system: &System<P>) -> Result<(), MotionError> {
     let named = system.info().inputs.iter().zip(system.inputs());
     match named.into_iter().find(|(_, value)| !value.is_finite()) {
         Some((input, &value)) => Err(MotionError::InputNotFinite { t, name: input.name, value }),
@@ -84,7 +84,7 @@ pub(super) fn check_inputs<S: Scene + ?Sized>(t: f64, system: &System<'_, S>) ->
 }
 
 #[cold]
-fn jumps<S: Scene + ?Sized>(t: f64, system: &System<'_, S>, Jump { index, is, set }: Jump) -> MotionError {
+fn jumps<P: SceneRef>(t: f64, system: &System<P>, Jump { index, is, set }: Jump) -> MotionError {
     let info = system.info();
     let first = info.integrated_inputs.iter().rev().find(|first| **first <= index).copied().unwrap_or(index);
     let (part, input) = (&info.inputs[index], info.inputs[first].name);

@@ -16,7 +16,7 @@ use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, 
 use super::tolerances::steps::SHORTEST;
 use crate::dynamics::{Rows, State, System};
 use crate::integrate::{Node, interpolate};
-use crate::model::{EventKind, Scene, SceneInfo};
+use crate::model::{EventKind, SceneInfo, SceneRef};
 
 /// A step that ends at a discontinuity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,12 +93,7 @@ impl Discontinuities {
 
     /// Whether a step crosses a discontinuity, at its end or at one of the other stages in `ends`. Keeps the values at the start and
     /// beyond the discontinuity.
-    pub(crate) fn are_crossed<S: Scene + ?Sized>(
-        &mut self,
-        system: &System<'_, S>,
-        from: &State,
-        ends: &[&State],
-    ) -> bool {
+    pub(crate) fn are_crossed<P: SceneRef>(&mut self, system: &System<P>, from: &State, ends: &[&State]) -> bool {
         let Self { places, values: [before, after, inside], .. } = self;
         if places.is_empty() {
             return false;
@@ -119,12 +114,7 @@ impl Discontinuities {
     }
 
     /// What the step from `from` to `end` passes; its length ends at the first discontinuity.
-    pub(crate) fn passage<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        from: Node<'_>,
-        end: &State,
-    ) -> Passage {
+    pub(crate) fn passage<P: SceneRef>(&mut self, system: &mut System<P>, from: Node<'_>, end: &State) -> Passage {
         if let Some(length) = self.up_to(system, from, end) {
             return Passage::Ends(length);
         }
@@ -139,7 +129,7 @@ impl Discontinuities {
     }
 
     /// Length of the step from `from` to the first discontinuity, s; none when the step to `end` crosses none.
-    fn up_to<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, from: Node<'_>, end: &State) -> Option<f64> {
+    fn up_to<P: SceneRef>(&mut self, system: &mut System<P>, from: Node<'_>, end: &State) -> Option<f64> {
         if !self.are_crossed(system, from.state, &[end]) {
             return None;
         }
@@ -164,9 +154,9 @@ impl Discontinuities {
     }
 
     /// The step from `from` to the first discontinuity; none when the step to `ends` crosses none. `whole_s` is the usual step length.
-    pub(crate) fn cut<S: Scene + ?Sized>(
+    pub(crate) fn cut<P: SceneRef>(
         &mut self,
-        system: &System<'_, S>,
+        system: &System<P>,
         from: Node<'_>,
         ends: &[&State],
         whole_s: f64,

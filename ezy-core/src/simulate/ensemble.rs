@@ -58,7 +58,7 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
             return Err(SetupError::DifferentTimes { first: starts[0].t, other: other.t });
         }
         let systems = scenes.iter().map(|scene| System::new(scene, Backend::Generated));
-        let systems: Vec<System<'_, S>> = systems.collect::<Result<_, _>>()?;
+        let systems: Vec<System<&S>> = systems.collect::<Result<_, _>>()?;
         let info = Arc::clone(systems[0].info());
         let expected = info.n_coordinates();
         let lengths = starts.iter().flat_map(|start| [start.q.len(), start.v.len()]);

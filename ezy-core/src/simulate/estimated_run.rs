@@ -13,18 +13,20 @@ use super::tolerances::steps::ON_STEP;
 use super::{Outcome, Run, SetupError, Simulation};
 use crate::dynamics::State;
 use crate::integrate::{Method, Tolerance};
-use crate::model::{Scene, Start};
+use crate::model::{SceneRef, Start};
 use crate::record::{Sample, Wanted};
 use crate::scalar::GOLDEN_RATIO;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, ScopedJoinHandle};
 
 /// Runs, and estimates the error.
-pub(super) fn run<S: Scene + ?Sized>(simulation: Simulation<'_, S>) -> Result<Run, SetupError> {
+pub(super) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Result<Run, SetupError> {
     if simulation.hooks.law.is_some() {
         return Err(SetupError::ControlledOnce);
     }
     let Simulation { scene, settings, hooks } = simulation;
+    // threads share the scene, not what holds it
+    let scene = &*scene;
     let ended_early = AtomicBool::new(false);
     let interrupts: Vec<&AtomicBool> = hooks.interrupts.iter().copied().chain([&ended_early]).collect();
     let of_others = Settings {
@@ -201,6 +203,7 @@ fn amplification(one: &Run, moved: &Run, by: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Scene;
 
     /// The second run has a hundredth of the tolerance, and where that is rounding another method; a third choice has ten times the tolerance.
     #[test]

@@ -8,7 +8,7 @@ use super::tolerances::{
 };
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Attempt, Node, Radau, RadauControl, Tolerance, tolerance_of_estimate};
-use crate::model::Scene;
+use crate::model::SceneRef;
 
 /// Radau IIA with the length of its next step.
 pub(super) struct Implicit {
@@ -107,9 +107,9 @@ impl Implicit {
 
     /// The state at `t` in the last step, from steps of its own, not projected: one, or so many that their iteration converges. `out` is left
     /// alone, and the answer is false, where four do not.
-    pub(super) fn step_to<S: Scene + ?Sized>(
+    pub(super) fn step_to<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         t: f64,
         out: &mut State,
@@ -172,9 +172,9 @@ impl Implicit {
     }
 
     /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. It ends at a discontinuity.
-    pub(super) fn step<S: Scene + ?Sized>(
+    pub(super) fn step<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         end: f64,
         discontinuities: &mut Discontinuities,

@@ -9,18 +9,18 @@ use super::series::AlongSeries;
 use super::snapshot::Snapshot;
 use crate::dynamics::{MotionError, State, System, SystemError};
 use crate::integrate::{Gauss, Method, Node, Radau, Rk4, Taylor, interpolate, taylor_order};
-use crate::model::Scene;
+use crate::model::{Scene, SceneRef};
 
-pub(super) enum Integrator<'s> {
+pub(super) enum Integrator {
     Rk4(Box<Rk4>),
     Dop853(Box<Adaptive>),
-    Taylor(Box<AlongSeries<'s>>),
+    Taylor(Box<AlongSeries>),
     Gauss(Box<Collocation>),
     Radau(Box<Implicit>),
 }
 
-impl<'s> Integrator<'s> {
-    pub(super) fn new<S: Scene + ?Sized>(method: Method, scene: &'s S, n_works: usize) -> Result<Self, SetupError> {
+impl Integrator {
+    pub(super) fn new<S: Scene + ?Sized>(method: Method, scene: &S, n_works: usize) -> Result<Self, SetupError> {
         let info = scene.info();
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         Ok(match method {
@@ -85,9 +85,9 @@ impl<'s> Integrator<'s> {
     }
 
     /// Accelerations, multipliers and powers at a state, and the series for the next step where the method needs one.
-    pub(super) fn evaluate<S: Scene + ?Sized>(
+    pub(super) fn evaluate<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         at: &mut Snapshot,
     ) -> Result<(), MotionError> {
         match self {
@@ -129,9 +129,9 @@ impl<'s> Integrator<'s> {
 
     /// A step of length `h` from `from` to `t_next`, not yet projected. A method that chooses its steps may stop before, and
     /// every method stops at a discontinuity.
-    pub(super) fn step<S: Scene + ?Sized>(
+    pub(super) fn step<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         h: f64,
         t_next: f64,
@@ -166,9 +166,9 @@ impl<'s> Integrator<'s> {
     }
 
     /// The state at `t` between the ends of the last step, not projected.
-    pub(super) fn between<S: Scene + ?Sized>(
+    pub(super) fn between<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         to: Node<'_>,
         t: f64,
@@ -203,9 +203,9 @@ impl<'s> Integrator<'s> {
 
     /// The state at `t` between the ends of the last step, from a step of its own, not projected; `out` is left alone, and the answer is
     /// false, where the iteration of that step does not converge, and by a method that needs no such step.
-    pub(super) fn step_to<S: Scene + ?Sized>(
+    pub(super) fn step_to<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         t: f64,
         out: &mut State,

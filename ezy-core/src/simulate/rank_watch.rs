@@ -4,7 +4,7 @@ use super::singularity_crossing::SingularityCrossed;
 use super::stepper_state::StepperState;
 use super::tolerances::monitors::MAX_INTERVALS;
 use crate::dynamics::RankLoss;
-use crate::model::Scene;
+use crate::model::SceneRef;
 use crate::scalar::{legible_time, rounded};
 
 /// A stretch of a run in which constraints depended on each other: from the first state at which they did to the last.
@@ -36,7 +36,7 @@ pub struct RankRecord {
 
 impl RankRecord {
     /// Registers an accepted state.
-    pub(super) fn see<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) {
+    pub(super) fn see<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) {
         if let Some(crossed) = stepper.crossed.take() {
             self.see_crossing(crossed);
         }

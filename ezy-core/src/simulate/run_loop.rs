@@ -14,7 +14,7 @@ use super::stepper_state::StepperState;
 use super::tolerances::steps::{N_PROGRESS, ON_STEP};
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, MovedValue, not_finite};
-use crate::model::{EventInfo, Scene};
+use crate::model::{EventInfo, SceneRef};
 use crate::record::{Recorder, Wanted};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -35,14 +35,14 @@ pub(super) struct Plan<'s> {
     pub events: &'static [EventInfo],
 }
 
-pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
-    stepper: StepperState<'s, S>,
+pub(super) struct RunLoop<'s, P: SceneRef> {
+    stepper: StepperState<P>,
     control: Control<'s>,
     plan: Plan<'s>,
     watch: Watch,
     detector: EventDetector,
     /// Of a scene with modes.
-    modes: Option<Box<Modes<'s, S>>>,
+    modes: Option<Box<Modes<P>>>,
     /// Steps that ended before the clock's time.
     n_cut: u64,
     /// Whether the last step was one of these.
@@ -57,11 +57,11 @@ pub(super) struct RunLoop<'s, S: Scene + ?Sized> {
     rank: RankRecord,
 }
 
-impl<'s, S: Scene + ?Sized> RunLoop<'s, S> {
+impl<'s, P: SceneRef> RunLoop<'s, P> {
     /// Evaluates and records the start, where the stepper is.
     pub(super) fn new(
-        mut stepper: StepperState<'s, S>,
-        mut modes: Option<Box<Modes<'s, S>>>,
+        mut stepper: StepperState<P>,
+        mut modes: Option<Box<Modes<P>>>,
         mut control: Control<'s>,
         plan: Plan<'s>,
         watch: Watch,

@@ -2,7 +2,7 @@
 
 use super::snapshot::Snapshot;
 use crate::dynamics::{State, System};
-use crate::model::{Scene, SceneInfo};
+use crate::model::{SceneInfo, SceneRef};
 use crate::record::{EnergyState, Record, RecordError, Recorder, Sample, Wanted};
 use std::sync::Arc;
 
@@ -73,11 +73,7 @@ impl<'s> Sampler<'s> {
 
     /// Adds energies, residuals and outputs to an evaluated state and keeps the sample. The system holds the inputs of
     /// this state.
-    pub(super) fn keep<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        at: &Snapshot,
-    ) -> Result<(), RecordError> {
+    pub(super) fn keep<P: SceneRef>(&mut self, system: &mut System<P>, at: &Snapshot) -> Result<(), RecordError> {
         let State { t, q, v, work: works } = &at.state;
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
         let initial = *self.initial_energy.get_or_insert(kinetic + potential);

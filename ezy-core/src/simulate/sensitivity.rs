@@ -5,7 +5,7 @@ use super::trajectory::Trajectory;
 use crate::dynamics::{MotionError, State, System, SystemOf};
 use crate::integrate::Method;
 use crate::linalg::Backend;
-use crate::model::{Equations, Scene, SceneInfo, Start};
+use crate::model::{Equations, Scene, SceneInfo, SceneRef, Start};
 use crate::record::find_name;
 use crate::scalar::Dual;
 use std::sync::Arc;
@@ -124,8 +124,8 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
 }
 
 /// Lets what is not given follow the derivatives of the rows.
-fn follow<S: Scene + ?Sized, const N: usize>(
-    system: &mut System<'_, S>,
+fn follow<P: SceneRef, const N: usize>(
+    system: &mut System<P>,
     t: f64,
     q: &[f64],
     residual: &[Dual<N>],

@@ -6,11 +6,11 @@ use super::tolerances::steps::{
 };
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Node, Taylor, Tolerance};
-use crate::model::Scene;
+use crate::model::SceneRef;
 
 /// Steps along series, of lengths that their coefficients choose.
-pub(super) struct AlongSeries<'s> {
-    pub taylor: Taylor<'s>,
+pub(super) struct AlongSeries {
+    pub taylor: Taylor,
     tolerance: Tolerance,
     /// Longest step after one that was taken again, s; infinite once coefficients choose shorter ones.
     at_most_s: f64,
@@ -43,8 +43,8 @@ impl Corrections {
     }
 }
 
-impl<'s> AlongSeries<'s> {
-    pub(super) fn new(taylor: Taylor<'s>, tolerance: Tolerance) -> Self {
+impl AlongSeries {
+    pub(super) fn new(taylor: Taylor, tolerance: Tolerance) -> Self {
         let corrections = Corrections::new(taylor.n_coordinates());
         Self { taylor, tolerance, at_most_s: f64::INFINITY, rejected: 0, corrections }
     }
@@ -62,9 +62,9 @@ impl<'s> AlongSeries<'s> {
     }
 
     /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
-    pub(super) fn step<S: Scene + ?Sized>(
+    pub(super) fn step<P: SceneRef>(
         &mut self,
-        system: &System<'_, S>,
+        system: &System<P>,
         from: Node<'_>,
         end: f64,
         to: &mut State,

@@ -3,15 +3,17 @@
 use super::control::Law;
 use super::monitor::Limits;
 use super::sample_times::SampleTimes;
-use super::{InputTable, Now};
+use super::{InputTable, Inputs, Now};
 use crate::dynamics::{Metric, Projection, State};
 use crate::integrate::Method;
 use crate::linalg::Backend;
-use crate::model::{NamedInputs, NamedScene, Scene};
+use crate::model::{NamedInputs, NamedScene, Scene as _, SceneRef};
 use crate::record::{Recorder, Wanted};
 use std::sync::atomic::AtomicBool;
 
 /// One run of a scene: its settings, then [`Simulation::run`].
+///
+/// The scene is borrowed, `&scene`, or shared, `Arc::new(scene)`; a stepper that shares it lives as long as it likes.
 ///
 /// ```
 /// # use ezy_core::prelude::*;
@@ -21,8 +23,8 @@ use std::sync::atomic::AtomicBool;
 /// # Ok(())
 /// # }
 /// ```
-pub struct Simulation<'s, S: Scene + ?Sized> {
-    pub(crate) scene: &'s S,
+pub struct Simulation<'s, P: SceneRef> {
+    pub(crate) scene: P,
     pub(super) settings: Settings,
     pub(super) hooks: Hooks<'s>,
 }
@@ -58,10 +60,10 @@ pub(super) struct Hooks<'s> {
     pub on_progress: Option<Box<dyn FnMut(f64) + Send + 's>>,
 }
 
-impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
+impl<'s, P: SceneRef> Simulation<'s, P> {
     /// The scene with its own end, DOP853 at 1e-9 ([`Method::default`]), both projections, keeping the start and the end: two samples, and
     /// more by [`Simulation::every`] or [`Simulation::at`].
-    pub fn new(scene: &'s S) -> Self {
+    pub fn new(scene: P) -> Self {
         let settings = Settings {
             method: Method::default(),
             until_s: scene.info().until_s,
@@ -250,15 +252,16 @@ impl<'s, S: Scene + ?Sized> Simulation<'s, S> {
     /// // error[E0609]: no field `pull` on type `&mut PushedInputs`; available field is: `push`
     /// ```
     #[must_use]
-    pub fn control(mut self, mut law: impl FnMut(&Now<'_, S>, &mut S::Inputs) + Send + 's) -> Self
+    pub fn control(mut self, mut law: impl FnMut(&Now<'_, P::Target>, &mut Inputs<P::Target>) + Send + 's) -> Self
     where
-        S: NamedScene,
+        P: Send + 's,
+        P::Target: NamedScene,
     {
-        let scene = self.scene;
+        let scene = self.scene.clone();
         let mut room = vec![0.0; scene.info().n_outputs()];
         self.hooks.law = Some(Box::new(move |state, controlled| {
-            let mut set = S::Inputs::read(controlled.inputs());
-            law(&Now::new(scene, state, controlled, &mut room), &mut set);
+            let mut set = Inputs::<P::Target>::read(controlled.inputs());
+            law(&Now::new(&scene, state, controlled, &mut room), &mut set);
             set.write(controlled.inputs_mut());
         }));
         self

@@ -3,7 +3,7 @@
 use super::snapshot::Snapshot;
 use super::tolerances::singular::{N_AHEAD, N_SECTIONS, NEAR, VANISHES};
 use crate::dynamics::{State, System};
-use crate::model::Scene;
+use crate::model::SceneRef;
 use std::ops::Range;
 
 /// The last two states of a motion. The square root of the smallest pivot is proportional to the distance from a singular position.
@@ -32,12 +32,7 @@ pub(super) fn about(distance: f64) -> Range<f64> {
 impl Approach<'_> {
     /// Where a singular position may be, as times from now, s; none where it is far. `usual_s` is the length of the steps before, zero when
     /// there were none; `q` is a buffer.
-    pub(super) fn ahead<S: Scene + ?Sized>(
-        &self,
-        system: &mut System<'_, S>,
-        usual_s: f64,
-        q: &mut [f64],
-    ) -> Option<Range<f64>> {
+    pub(super) fn ahead<P: SceneRef>(&self, system: &mut System<P>, usual_s: f64, q: &mut [f64]) -> Option<Range<f64>> {
         if usual_s == 0.0 {
             return None;
         }
@@ -54,7 +49,7 @@ impl Approach<'_> {
     }
 
     /// Times around the smallest pivot on the predicted path, up to `far` from now, s; none where it does not fall.
-    fn dip_ahead<S: Scene + ?Sized>(&self, system: &mut System<'_, S>, far: f64, q: &mut [f64]) -> Option<Range<f64>> {
+    fn dip_ahead<P: SceneRef>(&self, system: &mut System<P>, far: f64, q: &mut [f64]) -> Option<Range<f64>> {
         let mut lowest = (None, self.now.end.smallest_pivot);
         for i in 1..=N_AHEAD {
             let s = far * 0.5_f64.powi(N_AHEAD - i);
@@ -68,9 +63,9 @@ impl Approach<'_> {
     }
 
     /// Where the smallest pivot vanishes on the predicted path, within times from now, s; `q` is a buffer.
-    pub(super) fn find<S: Scene + ?Sized>(
+    pub(super) fn find<P: SceneRef>(
         &self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         q: &mut [f64],
         within: Range<f64>,
     ) -> Option<Vanishing> {
@@ -124,6 +119,7 @@ impl Approach<'_> {
 mod tests {
     use super::*;
     use crate::linalg::Backend;
+    use crate::model::Scene;
 
     crate::model! {
         /// A puck in a guide that follows a wall at the angle Ω t of the puck: slopes (1, 0, 0) and (1, 0, w (φ − Ω t)).
@@ -167,7 +163,7 @@ mod tests {
         let scene = guided::Turns::default();
         let mut system = System::new(&scene, Backend::Dense).unwrap();
         let info = scene.info();
-        let ahead = |system: &mut System<'_, _>, pivots: [f64; 2], usual_s: f64| {
+        let ahead = |system: &mut System<&_>, pivots: [f64; 2], usual_s: f64| {
             let (before, now) = (at(&info, 1.0, 0.2, -0.2, pivots[0]), at(&info, 1.5, 0.1, -0.2, pivots[1]));
             Approach { now: &now, before: &before }.ahead(system, usual_s, &mut [0.0; 3])
         };

@@ -6,7 +6,7 @@ use super::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEP
 use super::tolerances::monitors::BESIDE;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
-use crate::model::Scene;
+use crate::model::SceneRef;
 use std::ops::Range;
 
 /// A stretch of a run across a singular position, where rank is lost for an instant, or towards one. Its steps are of DOP853 with
@@ -60,7 +60,7 @@ pub(super) struct SingularityCrossing {
 }
 
 impl SingularityCrossing {
-    pub(super) fn new<S: Scene + ?Sized>(system: &System<'_, S>, tolerance: Option<Tolerance>, work: bool) -> Self {
+    pub(super) fn new<P: SceneRef>(system: &System<P>, tolerance: Option<Tolerance>, work: bool) -> Self {
         let info = system.info();
         let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
         let n_works = end.power.len();
@@ -96,9 +96,9 @@ impl SingularityCrossing {
 
     /// A step over a singular position or towards it, when one is `within` these times from now, s, or on the way already; false when there is
     /// none, or no way over it. `usual_s` is the length of the steps before.
-    pub(super) fn step<S: Scene + ?Sized>(
+    pub(super) fn step<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         approach: &Approach<'_>,
         within: Range<f64>,
         usual_s: f64,
@@ -150,12 +150,7 @@ impl SingularityCrossing {
     }
 
     /// Error over tolerance of a step, without the part that its projection removes.
-    fn attempt<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        now: &Snapshot,
-        h: f64,
-    ) -> Result<f64, MotionError> {
+    fn attempt<P: SceneRef>(&mut self, system: &mut System<P>, now: &Snapshot, h: f64) -> Result<f64, MotionError> {
         let to = &mut self.end.state;
         let mut on_rows = OnRows::new(system, &mut self.on_rows);
         let error = self.method.attempt(&mut on_rows, now.node(), h, self.tolerance, to)?;
@@ -165,7 +160,7 @@ impl SingularityCrossing {
     }
 
     /// Projects and evaluates the end of a step, and prepares its interpolant.
-    fn finish<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, now: &Snapshot) -> Result<(), MotionError> {
+    fn finish<P: SceneRef>(&mut self, system: &mut System<P>, now: &Snapshot) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &mut self.end.state;
         system.project(*t, q, v, Projection::Both, Metric::Mass)?;
         self.end.evaluate(system)?;

@@ -2,7 +2,7 @@
 
 use crate::dynamics::{MotionError, Rows, Solved, State, System};
 use crate::integrate::Node;
-use crate::model::{Scene, SceneInfo};
+use crate::model::{SceneInfo, SceneRef};
 
 /// A state with its accelerations, multipliers and powers.
 pub(super) struct Snapshot {
@@ -33,7 +33,7 @@ impl Snapshot {
     }
 
     /// Accelerations, multipliers and powers at the state.
-    pub(super) fn evaluate<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>) -> Result<(), MotionError> {
+    pub(super) fn evaluate<P: SceneRef>(&mut self, system: &mut System<P>) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
         let solved = system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
         self.complete(system, solved)
@@ -43,11 +43,7 @@ impl Snapshot {
     ///
     /// # Errors
     /// [`MotionError::ContradictoryRows`].
-    pub(super) fn complete<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        solved: Solved,
-    ) -> Result<(), MotionError> {
+    pub(super) fn complete<P: SceneRef>(&mut self, system: &mut System<P>, solved: Solved) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
         self.solved = solved;
         system.check_accelerations(*t, q, solved)?;

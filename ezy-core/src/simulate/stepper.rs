@@ -3,9 +3,9 @@
 use super::control::{Control, check_inputs};
 use super::given::give;
 use super::stepper_state::StepperState;
-use super::{InputsGuard, Now, SetupError};
+use super::{Inputs, InputsGuard, Now, SetupError};
 use crate::dynamics::{MotionError, State};
-use crate::model::{NamedScene, Scene, SceneInfo, Start};
+use crate::model::{NamedScene, SceneInfo, SceneRef, Start};
 use crate::record::EnergyState;
 use std::sync::Arc;
 
@@ -48,8 +48,8 @@ use std::sync::Arc;
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Stepper<'s, S: Scene + ?Sized> {
-    stepper: StepperState<'s, S>,
+pub struct Stepper<'s, P: SceneRef> {
+    stepper: StepperState<P>,
     control: Control<'s>,
     step_s: f64,
     /// Steps since the start.
@@ -78,14 +78,8 @@ struct Assembled {
     state: State,
 }
 
-impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
-    pub(super) fn new(
-        stepper: StepperState<'s, S>,
-        control: Control<'s>,
-        step_s: f64,
-        from: Start,
-        state: State,
-    ) -> Self {
+impl<'s, P: SceneRef> Stepper<'s, P> {
+    pub(super) fn new(stepper: StepperState<P>, control: Control<'s>, step_s: f64, from: Start, state: State) -> Self {
         let system = &stepper.system;
         let home = Assembled { from: from.clone(), state };
         let mut new = Self {
@@ -166,18 +160,18 @@ impl<'s, S: Scene + ?Sized> Stepper<'s, S> {
     ///
     /// # Cost
     /// A copy of the state; no allocation.
-    pub fn now(&mut self) -> Now<'_, S>
+    pub fn now(&mut self) -> Now<'_, P::Target>
     where
-        S: NamedScene,
+        P::Target: NamedScene,
     {
         let system = &self.stepper.system;
         Now::new(system.scene(), &self.stepper.now.state, system, &mut self.outputs)
     }
 
     /// The inputs by the names of the model file, to set them: they hold until they are set again.
-    pub fn set(&mut self) -> InputsGuard<'_, S::Inputs>
+    pub fn set(&mut self) -> InputsGuard<'_, Inputs<P::Target>>
     where
-        S: NamedScene,
+        P::Target: NamedScene,
     {
         InputsGuard::new(self.inputs_mut())
     }

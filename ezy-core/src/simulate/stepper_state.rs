@@ -9,14 +9,14 @@ use super::snapshot::Snapshot;
 use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, QUARTERED, SHORTENED, TOO_NEAR};
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
 use crate::integrate::{Method, Tolerance};
-use crate::model::{Scene, SceneInfo};
+use crate::model::{SceneInfo, SceneRef};
 use crate::scalar::Scalar;
 use std::sync::Arc;
 
 /// The state `now`, and the end `next` of the step under way.
-pub(super) struct StepperState<'s, S: Scene + ?Sized> {
-    pub system: System<'s, S>,
-    integrator: Integrator<'s>,
+pub(super) struct StepperState<P: SceneRef> {
+    pub system: System<P>,
+    integrator: Integrator,
     discontinuities: Discontinuities,
     projection: Projection,
     metric: Metric,
@@ -44,9 +44,9 @@ pub(super) struct StepperState<'s, S: Scene + ?Sized> {
     is_next_evaluated: bool,
 }
 
-impl<'s, S: Scene + ?Sized> StepperState<'s, S> {
+impl<P: SceneRef> StepperState<P> {
     pub(super) fn new(
-        system: System<'s, S>,
+        system: System<P>,
         method: Method,
         projection: Projection,
         metric: Metric,
@@ -426,7 +426,7 @@ pub(super) fn check_angles<T: Scalar>(
     }
 }
 
-fn check_finite<S: Scene + ?Sized>(system: &System<'_, S>, t: f64, state: &State) -> Result<(), MotionError> {
+fn check_finite<P: SceneRef>(system: &System<P>, t: f64, state: &State) -> Result<(), MotionError> {
     let info = system.info();
     let quantity = match not_finite(info, &state.q, &state.v) {
         Some(quantity) => quantity,
@@ -461,7 +461,7 @@ mod tests {
     }
 
     /// At 1 s, at this angle to the flat position, turning by 1 rad/s; evaluated.
-    fn at(scene: &parallelogram::Turns, angle: f64) -> StepperState<'_, parallelogram::Turns> {
+    fn at(scene: &parallelogram::Turns, angle: f64) -> StepperState<&parallelogram::Turns> {
         let system = System::new(scene, Backend::Auto).unwrap();
         let mut stepper =
             StepperState::new(system, Method::taylor(1e-6), Projection::Both, Metric::Mass, false).unwrap();

@@ -9,7 +9,7 @@ use super::{InputTable, Simulation};
 use crate::dynamics::{Dynamics, Metric, MotionError, Projecting, Projection, State, System, check_pivots};
 use crate::integrate::{Method, Tolerance};
 use crate::linalg::Backend;
-use crate::model::{Eight, EquationsInLanes, EventKind, N_LANES, Scene};
+use crate::model::{Derived as _, Eight, EquationsInLanes, EventKind, N_LANES, Scene, SceneRef};
 use crate::record::Wanted;
 use crate::scalar::{Scalar, packed};
 use std::array::from_fn;
@@ -42,7 +42,7 @@ pub(crate) struct End {
 /// Why a run steps by itself.
 pub(crate) type Alone = &'static str;
 
-impl<S: Scene + ?Sized> Simulation<'_, S> {
+impl<P: SceneRef> Simulation<'_, P> {
     /// The run as one that waits for others.
     ///
     /// # Errors
@@ -72,7 +72,7 @@ impl<S: Scene + ?Sized> Simulation<'_, S> {
             return Err(reason);
         }
         super::build::check_tolerance(tolerance).map_err(|_| CANNOT_START)?;
-        let (system, _, start) = settings.assembled(self.scene).map_err(|_| CANNOT_START)?;
+        let (system, _, start) = settings.assembled(self.scene.clone()).map_err(|_| CANNOT_START)?;
         if !system.uses_elimination() {
             return Err(WITHOUT_ELIMINATION);
         }
@@ -91,8 +91,8 @@ const STOPS: Alone = "one of the eight stops early, or comes close to a singular
 ///
 /// # Errors
 /// Why they have to step by themselves, one by one; also once a flag is set.
-pub(crate) fn run_together<S: Scene + ?Sized>(
-    scene: &S,
+pub(crate) fn run_together<'s, S: Scene + ?Sized>(
+    scene: &'s S,
     runs: &[Waiting],
     interrupts: &[&AtomicBool],
 ) -> Result<Vec<End>, Alone> {
@@ -132,7 +132,7 @@ pub(crate) fn run_together<S: Scene + ?Sized>(
         n_steps += 1;
     }
     let Trajectory { system: Together { systems, .. }, now, .. } = trajectory;
-    let end = |(lane, mut system): (usize, System<'_, S>)| {
+    let end = |(lane, mut system): (usize, System<&'s S>)| {
         let mut at = Snapshot::zero(&info, false);
         let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
         at.state = State { t: now.t, q: of_lane(&now.q), v: of_lane(&now.v), work: Vec::new() };
@@ -152,7 +152,7 @@ pub(crate) fn run_together<S: Scene + ?Sized>(
 struct Together<'s, S: Scene + ?Sized> {
     kernels: &'s dyn EquationsInLanes,
     /// One a run.
-    systems: Vec<System<'s, S>>,
+    systems: Vec<System<&'s S>>,
     /// What kernels read as `c`.
     fixed: Vec<Eight>,
     q: Vec<f64>,

@@ -4,7 +4,7 @@ use super::finished::{Ended, Finished};
 use super::kept::Reader;
 use super::plan::{Plan, Value};
 use super::trajectories::Trajectories;
-use crate::model::{Scene, SceneInfo};
+use crate::model::{Scene as _, SceneInfo, SceneRef};
 use crate::record::{Column, UnknownName};
 use crate::simulate::{Alone, Outcome, Run, SetupError, Simulation, Waiting};
 use std::cell::RefCell;
@@ -78,11 +78,11 @@ impl<'a> Case<'a> {
     ///
     /// # Errors
     /// [`SetupError`] when the run cannot start; the case is then a row without numbers that says why.
-    pub fn run<'s, S: Scene + ?Sized>(&self, simulation: Simulation<'s, S>) -> Result<Finished, SetupError>
+    pub fn run<'s, P: SceneRef>(&self, simulation: Simulation<'s, P>) -> Result<Finished, SetupError>
     where
         'a: 's,
     {
-        let scene = simulation.scene;
+        let scene = simulation.scene.clone();
         if let Some((info, left)) = self.left {
             let of = scene.info();
             let is_same = (of.model, of.name, of.fingerprint) == (info.model, info.name, info.fingerprint);
@@ -112,7 +112,7 @@ impl<'a> Case<'a> {
             other @ Outcome::Stopped { .. } => (Ended::Stopped, other.to_string()),
             Outcome::Interrupted { .. } => (Ended::Interrupted, String::new()),
         };
-        let mut numbers = self.reader.numbers(scene, &run)?;
+        let mut numbers = self.reader.numbers(&*scene, &run)?;
         numbers.extend(self.own.iter().map(|(_, read)| read(&run)));
         let written = match self.trajectories {
             Some(trajectories) if outcome != Ended::Interrupted => trajectories.write(self.index, &run),

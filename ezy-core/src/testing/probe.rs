@@ -55,7 +55,7 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
 
 impl<'s, S: Scene + ?Sized> Probe<'s, S> {
     /// The scene with the inputs of the probe.
-    pub(super) fn system(&self, backend: Backend) -> Result<System<'s, S>, SystemError> {
+    pub(super) fn system(&self, backend: Backend) -> Result<System<&'s S>, SystemError> {
         let mut system = System::new(self.scene, backend)?;
         system.inputs_mut().copy_from_slice(&self.fixed[..self.info.n_inputs()]);
         Ok(system)

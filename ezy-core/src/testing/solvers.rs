@@ -4,7 +4,7 @@ use super::probe::{Probe, RandomState, Worst};
 use super::{Check, CheckError};
 use crate::dynamics::{Metric, State, System, max_abs};
 use crate::linalg::{Backend, HAS_SPARSE, LARGEST_DENSE};
-use crate::model::Scene;
+use crate::model::{Equations as _, Scene, SceneRef};
 
 /// ε times the condition of K, which is the square of that of the rows, 1e4, with a margin of a
 /// hundred for elimination without pivoting.
@@ -24,7 +24,7 @@ const PERTURBATION: f64 = 1e-9;
 const DENSE_WORK: usize = 40_000_000;
 
 /// The start must determine the motion: rows that depend on each other have to agree.
-pub(super) fn agreement_at_start<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Check {
+pub(super) fn agreement_at_start<P: SceneRef>(system: &mut System<P>, start: &State) -> Check {
     let info = system.info();
     let (mut a, mut lambda) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_rows()]);
     let solved = system.accelerations(start.t, &start.q, &start.v, &mut a, &mut lambda);
@@ -41,7 +41,7 @@ pub(super) fn agreement_at_start<S: Scene + ?Sized>(system: &mut System<'_, S>, 
 
 /// Generated, where there is an elimination, and sparse against dense; nothing to compare with massless bodies, which
 /// only the dense one solves, in systems that are too large for it, and where rows are redundant at all states.
-pub(super) fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Check>, CheckError> {
+pub(super) fn backends<'s, S: Scene + ?Sized>(probe: &Probe<'s, S>) -> Result<Vec<Check>, CheckError> {
     if probe.info.n_unknowns() > LARGEST_DENSE {
         return Ok(Vec::new());
     }
@@ -56,7 +56,7 @@ pub(super) fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Ch
         return Ok(Vec::new());
     }
     let mut checks = Vec::new();
-    let mut against_dense = |name, system: &mut System<'_, S>, solve| {
+    let mut against_dense = |name, system: &mut System<&'s S>, solve| {
         checks.push(check(name, &states, system, &mut dense, solve));
     };
     if probe.info.has_elimination() {
@@ -72,12 +72,12 @@ pub(super) fn backends<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Vec<Ch
 }
 
 /// Whether constraints depend on each other even at states that do not meet them.
-pub(super) fn is_redundant_anywhere<S: Scene + ?Sized>(system: &mut System<'_, S>, states: &[RandomState]) -> bool {
+pub(super) fn is_redundant_anywhere<P: SceneRef>(system: &mut System<P>, states: &[RandomState]) -> bool {
     states.last().is_some_and(|state| system.rank_loss(state.t, &state.q).is_lost())
 }
 
 /// Whether K is far enough from rank loss at a state. A correction would not tell: its multipliers do not show.
-pub(super) fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &RandomState) -> bool {
+pub(super) fn is_regular<P: SceneRef>(dense: &mut System<P>, state: &RandomState) -> bool {
     let q =
         state.q.iter().enumerate().map(|(i, q)| if i % 2 == 0 { q + PERTURBATION } else { q - PERTURBATION }).collect();
     let perturbed = RandomState { t: state.t, q, v: state.v.clone() };
@@ -88,7 +88,7 @@ pub(super) fn is_regular<S: Scene + ?Sized>(dense: &mut System<'_, S>, state: &R
 }
 
 /// Size of forces and convective terms at a state, at least one.
-fn scale<S: Scene + ?Sized>(system: &System<'_, S>, state: &RandomState) -> f64 {
+fn scale<P: SceneRef>(system: &System<P>, state: &RandomState) -> f64 {
     let mut F = vec![0.0; system.info().n_coordinates()];
     let mut h = vec![0.0; system.info().n_rows()];
     let RandomState { t, q, v } = state;
@@ -98,14 +98,14 @@ fn scale<S: Scene + ?Sized>(system: &System<'_, S>, state: &RandomState) -> f64 
 }
 
 /// A solution vector at a state; `None` where constraints depend on each other.
-type Solve<S> = fn(&mut System<'_, S>, &RandomState) -> Option<Vec<f64>>;
+type Solve<P> = fn(&mut System<P>, &RandomState) -> Option<Vec<f64>>;
 
-fn check<S: Scene + ?Sized>(
+fn check<P: SceneRef>(
     name: &'static str,
     states: &[&RandomState],
-    system: &mut System<'_, S>,
-    oracle: &mut System<'_, S>,
-    solve: Solve<S>,
+    system: &mut System<P>,
+    oracle: &mut System<P>,
+    solve: Solve<P>,
 ) -> Check {
     let mut worst = Worst::default();
     for state in states {
@@ -117,7 +117,7 @@ fn check<S: Scene + ?Sized>(
 }
 
 /// Accelerations, then multipliers.
-pub(super) fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
+pub(super) fn solve_motion<P: SceneRef>(system: &mut System<P>, state: &RandomState) -> Option<Vec<f64>> {
     let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
     let mut x = vec![0.0; n_q + n_c];
     let (a, lambda) = x.split_at_mut(n_q);
@@ -126,7 +126,7 @@ pub(super) fn solve_motion<S: Scene + ?Sized>(system: &mut System<'_, S>, state:
 }
 
 /// Correction for the residual that the velocity constraints happen to have.
-fn solve_correction<S: Scene + ?Sized>(system: &mut System<'_, S>, state: &RandomState) -> Option<Vec<f64>> {
+fn solve_correction<P: SceneRef>(system: &mut System<P>, state: &RandomState) -> Option<Vec<f64>> {
     let (n_q, n_c) = (system.info().n_coordinates(), system.info().n_rows());
     let (mut residual, mut delta) = (vec![0.0; n_c], vec![0.0; n_q]);
     system.scene().velocity_constraint(system.fixed(), state.t, &state.q, &state.v, &mut residual);

@@ -2,7 +2,7 @@
 
 use crate::dynamics::{MotionError, State, System};
 use crate::integrate::{Attempt, Collocated, Dop853, Gauss, Node, Radau, Rk4, Taylor, Tolerance, interpolate};
-use crate::model::Scene;
+use crate::model::SceneRef;
 
 /// A method by its steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,18 +28,18 @@ const CONVERGED: Tolerance = Tolerance::new(1e-10, 1e-10);
 /// The same of sweeps, whose changes are compared with the tolerance itself.
 const TO_ROUNDING: Tolerance = Tolerance::new(1e-14, 1e-14);
 
-enum Method<'s> {
+enum Method {
     Rk4(Box<Rk4>),
     Dop853(Box<Dop853>),
     Gauss(Box<Gauss>),
     Radau(Box<Radau>),
-    Taylor(Box<Taylor<'s>>),
+    Taylor(Box<Taylor>),
 }
 
 /// Steps from one state to the next.
-pub struct GivenSteps<'s, S: Scene + ?Sized> {
-    system: System<'s, S>,
-    method: Method<'s>,
+pub struct GivenSteps<P: SceneRef> {
+    system: System<P>,
+    method: Method,
     /// Where the next step begins.
     state: State,
     /// Where the step that was tried last ends; once it is taken, where it began.
@@ -52,9 +52,9 @@ pub struct GivenSteps<'s, S: Scene + ?Sized> {
     taken_s: Option<f64>,
 }
 
-impl<'s, S: Scene + ?Sized> GivenSteps<'s, S> {
+impl<P: SceneRef> GivenSteps<P> {
     /// From `state`, with the works that it holds; none where the scene lacks what the method needs.
-    pub fn new(system: System<'s, S>, state: State, by: StepsBy) -> Option<Self> {
+    pub fn new(system: System<P>, state: State, by: StepsBy) -> Option<Self> {
         let (scene, info, n_works) = (system.scene(), system.info(), state.work.len());
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let method = match by {

@@ -93,7 +93,7 @@ fn analytic_four_bar_keeps_its_elbow_or_is_refused() {
 }
 
 /// The first guess that is refused.
-fn refused(system: &mut System<'_, dyn Scene + '_>) -> ([f64; 2], StartError) {
+fn refused(system: &mut System<&(dyn Scene + '_)>) -> ([f64; 2], StartError) {
     let found = guesses(8).find_map(|near| match system.consistent_start(&upright(near)) {
         Err(error @ StartError::OtherAssemblyMode { .. }) => Some((near, error)),
         _ => None,

@@ -25,11 +25,11 @@ mod stops;
 mod systems;
 
 /// A run of any scene. It goes through `dyn Scene`, so that the solver is compiled once for all mechanisms.
-fn simulation<'s>(scene: &'s (dyn Scene + 's)) -> Simulation<'s, dyn Scene + 's> {
+fn simulation<'s>(scene: &'s (dyn Scene + 's)) -> Simulation<'s, &'s dyn Scene> {
     Simulation::new(scene)
 }
 
 /// A system of any scene, in the same way.
-fn system_of<'s>(scene: &'s (dyn Scene + 's), backend: Backend) -> Result<System<'s, dyn Scene + 's>, SystemError> {
+fn system_of<'s>(scene: &'s (dyn Scene + 's), backend: Backend) -> Result<System<&'s dyn Scene>, SystemError> {
     System::new(scene, backend)
 }

@@ -7,11 +7,11 @@ use ezy_core::dynamics::{MotionError, SystemError};
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 
-fn order(scene: &cart::Pushed) -> Simulation<'_, dyn Scene + '_> {
+fn order(scene: &cart::Pushed) -> Simulation<'_, &dyn Scene> {
     simulation(scene).method(Method::rk4(0.1))
 }
 
-fn refused(order: Simulation<'_, dyn Scene + '_>) -> SetupError {
+fn refused(order: Simulation<'_, &dyn Scene>) -> SetupError {
     order.run().expect_err("it is refused")
 }
 
@@ -85,7 +85,7 @@ fn analytic_changing_inputs_need_steps_of_fixed_length() {
     let error = refused(order(&scene).method(Method::dop853(1e-9)).input("push", ramp()));
     assert!(matches!(error, SetupError::NeedsFixedStep { method: "dop853" }), "{error}");
     // 2 N, or 3 N, on 2 kg for 2 s
-    let last = |order: Simulation<'_, dyn Scene + '_>| order.run().unwrap().last().velocities[0];
+    let last = |order: Simulation<'_, &dyn Scene>| order.run().unwrap().last().velocities[0];
     for method in [Method::dop853(1e-9), Method::rk4(0.1)] {
         let found = last(order(&scene).method(method).input("push", ramp()).input("push", 2.0));
         assert!((found - 2.0).abs() <= 1e-12, "{method:?}: {found}");

@@ -22,7 +22,7 @@ model! {
 /// The tolerance of projections; sizes of rows are near one.
 const PROJECTED: f64 = 1e-12;
 
-fn disturbed(system: &mut System<'_, dyn Scene + '_>) -> State {
+fn disturbed(system: &mut System<&(dyn Scene + '_)>) -> State {
     let start = system.scene_start();
     let mut state = system.consistent_start(&start).unwrap();
     for (i, (q, v)) in state.q.iter_mut().zip(&mut state.v).enumerate() {
@@ -188,7 +188,7 @@ fn invariant_velocities_next_to_a_flat_position_are_those_at_corrected_positions
         let (([lx, ly], [lu, lv]), ([rx, ry], [ru, rv])) = (arm(left), arm(right));
         let mut q = vec![lx, ly, left, 2.0 + rx, ry, right, 2.0 * lx + bar.cos(), 2.0 * ly + bar.sin(), bar];
         let v = vec![lu, lv, 1.0, ru, rv, 1.0, 2.0 * lu - rate * bar.sin(), 2.0 * lv + rate * bar.cos(), rate];
-        let projected = |q: &[f64], system: &mut System<'_, _>| {
+        let projected = |q: &[f64], system: &mut System<_>| {
             let mut v = v.clone();
             system.project_velocities(0.0, q, &mut v, Metric::Mass).unwrap();
             v

@@ -75,7 +75,7 @@ model! {
 
 const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Sparse];
 
-fn start_of<S: Scene + ?Sized>(system: &mut System<'_, S>) -> State {
+fn start_of<S: Scene + ?Sized>(system: &mut System<&S>) -> State {
     let start = system.scene_start();
     system.consistent_start(&start).unwrap()
 }

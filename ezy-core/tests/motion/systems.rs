@@ -12,6 +12,8 @@ use crate::{simulation, system_of};
 use ezy_core::dynamics::{MotionError, StrainSource, SystemError};
 use ezy_core::prelude::*;
 use std::f64::consts::FRAC_PI_6;
+use std::sync::Arc;
+use std::thread;
 
 model! {
     /// A rod on a hinge and a block on a rail.
@@ -69,7 +71,7 @@ const ROUNDING: f64 = 1e-13;
 
 const BACKENDS: [Backend; 3] = [Backend::Generated, Backend::Dense, Backend::Sparse];
 
-fn start_of<S: Scene + ?Sized>(system: &mut System<'_, S>) -> State {
+fn start_of<S: Scene + ?Sized>(system: &mut System<&S>) -> State {
     let start = system.scene_start();
     system.consistent_start(&start).unwrap()
 }
@@ -329,4 +331,26 @@ fn analytic_strain_of_a_turning_rod_is_its_pivot() {
     let expected = 2.0 * strain.acceleration;
     assert_eq!((&**row, &*strain.coordinate), ("pivot.x", "bob.x"));
     assert!((force - expected).abs() <= 1e-9 * expected.abs() && strain.acceleration < -6000.0, "{strain}");
+}
+
+/// What shares its scene lives as long as it likes, in a struct without lifetimes and in another thread. Its numbers are those of what borrows
+/// the scene, to the last bit.
+#[test]
+fn invariant_a_scene_is_borrowed_or_shared() {
+    struct Owner(Stepper<'static, Arc<dyn Scene>>);
+    let shared = || -> Arc<dyn Scene> { Arc::from(Box::new(pendulum::Swing::default()) as Box<dyn Scene>) };
+    let mut owner = Owner(Simulation::new(shared()).method(Method::rk4(1e-3)).stepper().unwrap());
+    let owned = thread::spawn(move || owner.0.step(500).map(|()| owner.0.state().clone())).join().unwrap().unwrap();
+    let scene = pendulum::Swing::default();
+    let mut stepper = simulation(&scene).method(Method::rk4(1e-3)).stepper().unwrap();
+    stepper.step(500).unwrap();
+    assert!(owned.t == 0.5 && owned == *stepper.state());
+    for method in [Method::dop853(1e-9), Method::taylor(1e-9), Method::gauss(1e-9), Method::radau(1e-6)] {
+        let owned = Simulation::new(shared()).method(method).until(1.0).work().estimate_error().run().unwrap();
+        let borrowed = simulation(&scene).method(method).until(1.0).work().estimate_error().run().unwrap();
+        let numbers = |run: &Run| run.last().numbers().map(f64::to_bits).collect::<Vec<_>>();
+        assert_eq!(numbers(&owned), numbers(&borrowed), "{method:?}");
+        let error = |run: Run| run.error_estimate.map(|estimate| estimate.unwrap());
+        assert_eq!(error(owned), error(borrowed), "{method:?}");
+    }
 }

@@ -99,7 +99,7 @@ impl Projections {
     }
 }
 
-fn project(system: &mut System<'_, Coast>, state: &State, metric: Metric) -> Result<Projected, StudyError> {
+fn project(system: &mut System<&Coast>, state: &State, metric: Metric) -> Result<Projected, StudyError> {
     let State { t, mut q, mut v, .. } = state.clone();
     let passes = system.project_positions(t, &mut q, metric)?;
     let before = system.kinetic_energy(&v);
@@ -114,7 +114,7 @@ fn project(system: &mut System<'_, Coast>, state: &State, metric: Metric) -> Res
 
 /// The listing of the report computes C and its Jacobian at the uncorrected point in every pass, so that the same
 /// correction is added ten times. To first order in the disturbance that correction is the whole projection.
-fn ten_passes_without_reevaluation(system: &mut System<'_, Coast>, state: &State) -> Result<f64, StudyError> {
+fn ten_passes_without_reevaluation(system: &mut System<&Coast>, state: &State) -> Result<f64, StudyError> {
     let State { t, q, .. } = state;
     let mut projected = q.clone();
     system.project_positions(*t, &mut projected, Metric::Euclidean)?;

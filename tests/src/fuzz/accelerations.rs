@@ -35,7 +35,7 @@ struct Equations {
 }
 
 impl Equations {
-    fn at(system: &System<'_, dyn Scene + '_>, t: f64, q: &[f64], v: &[f64]) -> Self {
+    fn at(system: &System<&(dyn Scene + '_)>, t: f64, q: &[f64], v: &[f64]) -> Self {
         let (scene, info, c) = (system.scene(), system.info(), system.fixed());
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let mut matrix = vec![vec![0.0; n_q + n_c]; n_q + n_c];
@@ -55,7 +55,7 @@ impl Equations {
     }
 
     /// At a state that is rounded otherwise.
-    fn perturbed(system: &System<'_, dyn Scene + '_>, state: &State, draw: &mut Draw) -> Self {
+    fn perturbed(system: &System<&(dyn Scene + '_)>, state: &State, draw: &mut Draw) -> Self {
         let mut perturb = |x: &f64| if draw.once_in(2) { x * (1.0 + f64::EPSILON) } else { x * (1.0 - f64::EPSILON) };
         let (q, v): (Vec<f64>, Vec<f64>) =
             (state.q.iter().map(&mut perturb).collect(), state.v.iter().map(&mut perturb).collect());
@@ -64,7 +64,7 @@ impl Equations {
 
     /// What rounding of its terms changes in each number: the difference from the same in 31 digits. An extreme lever along its rod is a
     /// number of the size of one that is the difference of large ones. None of a scene without that arithmetic.
-    fn off(&self, system: &System<'_, dyn Scene + '_>, state: &State) -> Option<Self> {
+    fn off(&self, system: &System<&(dyn Scene + '_)>, state: &State) -> Option<Self> {
         let wide = |x: &[f64]| x.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
         let zeros = |n: usize| wide(&vec![0.0; n]);
         let (scene, info) = (system.scene().precise()?, system.info());
@@ -117,7 +117,7 @@ impl Equations {
 ///
 /// # Errors
 /// What is wrong with the accelerations, in numbers.
-pub fn check(system: &mut System<'_, dyn Scene + '_>, state: &State, draw: &mut Draw) -> Result<Verdict, String> {
+pub fn check(system: &mut System<&(dyn Scene + '_)>, state: &State, draw: &mut Draw) -> Result<Verdict, String> {
     let info = Arc::clone(system.info());
     let n_q = info.n_coordinates();
     let mut x = vec![0.0; info.n_unknowns()];

@@ -203,7 +203,7 @@ impl Case {
         scene
     }
 
-    fn order<'s>(&self, scene: &'s dyn Scene, method: Method) -> Simulation<'s, dyn Scene + 's> {
+    fn order<'s>(&self, scene: &'s dyn Scene, method: Method) -> Simulation<'s, &'s dyn Scene> {
         let every_s = self.until_s / N_SAMPLES as f64;
         let order = Simulation::new(scene).method(method).until(self.until_s).every(every_s);
         let info = scene.info();

@@ -140,7 +140,7 @@ fn order(scene: &dyn Scene, draw: &mut Draw, wild: bool) -> Order {
     order
 }
 
-fn set_inputs(system: &mut System<'_, dyn Scene + '_>, order: &Order) {
+fn set_inputs(system: &mut System<&(dyn Scene + '_)>, order: &Order) {
     for (name, value) in &order.inputs {
         let i = system.info().inputs.iter().position(|input| input.name == name);
         i.into_iter().for_each(|i| system.inputs_mut()[i] = *value);
@@ -148,7 +148,7 @@ fn set_inputs(system: &mut System<'_, dyn Scene + '_>, order: &Order) {
 }
 
 /// The start of the scene with what is given.
-fn start(system: &System<'_, dyn Scene + '_>, order: &Order) -> ezy_core::model::Start {
+fn start(system: &System<&(dyn Scene + '_)>, order: &Order) -> ezy_core::model::Start {
     let mut start = system.scene_start();
     for (i, coordinate) in system.info().coordinates.iter().enumerate() {
         for (name, value) in &order.given {
@@ -163,7 +163,7 @@ fn start(system: &System<'_, dyn Scene + '_>, order: &Order) -> ezy_core::model:
 }
 
 /// A state that need not fulfil the rows: the equations hold everywhere.
-fn anywhere(system: &System<'_, dyn Scene + '_>, draw: &mut Draw) -> State {
+fn anywhere(system: &System<&(dyn Scene + '_)>, draw: &mut Draw) -> State {
     let n = system.info().n_coordinates();
     let q = (0..n).map(|_| draw.between(-2.0, 2.0)).collect();
     State { t: draw.between(0.0, 2.0), q, v: (0..n).map(|_| draw.between(-2.0, 2.0)).collect(), work: Vec::new() }

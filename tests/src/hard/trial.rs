@@ -127,7 +127,7 @@ impl<'a> Trial<'a> {
         findings
     }
 
-    fn order(&self, method: Method) -> Simulation<'_, dyn Scene + 'a> {
+    fn order(&self, method: Method) -> Simulation<'_, &dyn Scene> {
         let order = Simulation::new(self.scene).method(method);
         self.given.iter().fold(order, |order, (name, value)| order.start(name.clone(), *value))
     }

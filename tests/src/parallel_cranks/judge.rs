@@ -74,7 +74,7 @@ pub fn judge(member: &Member, course: &Course, method: Method) -> Judged {
 }
 
 /// The order of a run, with every crank at its start.
-pub fn order<'s>(member: &Member, scene: &'s (dyn Scene + 's)) -> Simulation<'s, dyn Scene + 's> {
+pub fn order<'s>(member: &Member, scene: &'s (dyn Scene + 's)) -> Simulation<'s, &'s dyn Scene> {
     let Swing { angle, rate } = member.start;
     (0..member.cranks.n()).fold(Simulation::new(scene), |order, k| {
         let name = member.cranks.name(k);

@@ -34,7 +34,7 @@ fn invariant_later_setting_of_an_input_counts() {
     let scene = piloted::Ridden::default();
     let table = || InputTable::new(vec![0.0, 1.0], vec![10.0, 20.0]).unwrap();
     let order = || Simulation::new(&scene).method(Method::rk4(1e-3)).until(0.1);
-    let end = |order: Simulation<'_, piloted::Ridden>| bits(order.run().unwrap().last());
+    let end = |order: Simulation<'_, &piloted::Ridden>| bits(order.run().unwrap().last());
     assert_eq!(end(order().input("torque", table()).input("torque", 3.0)), end(order().input("torque", 3.0)));
     assert_eq!(end(order().input("torque", 3.0).input("torque", table())), end(order().input("torque", table())));
 }

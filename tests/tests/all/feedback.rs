@@ -4,7 +4,7 @@ use ezy_core::prelude::*;
 use ezy_models::registry::MODELS;
 
 /// Accelerations and multipliers at a state, to the last bit.
-fn solution(system: &mut System<'_, dyn Scene>, t: f64, q: &[f64], v: &[f64]) -> Vec<u64> {
+fn solution(system: &mut System<&dyn Scene>, t: f64, q: &[f64], v: &[f64]) -> Vec<u64> {
     let (mut a, mut lambda) = (vec![0.0; q.len()], vec![0.0; system.info().n_rows()]);
     system.scene().accelerations(system.fixed(), t, q, v, &mut a, &mut lambda);
     a.iter().chain(&lambda).map(|x| x.to_bits()).collect()

@@ -142,7 +142,7 @@ fn analytic_velocity_residual_is_seen_between_the_ends_of_a_run() {
     // Simpson's rule on a cosine leaves a sine, which is zero at the end
     let scene = belt::Ride::default();
     let order = || Simulation::new(&scene).method(Method::rk4(1.0 / 64.0)).project(Projection::None);
-    let value = |order: Simulation<'_, belt::Ride>| order.run().unwrap().monitors.velocity_residual.unwrap().value;
+    let value = |order: Simulation<'_, &belt::Ride>| order.run().unwrap().monitors.velocity_residual.unwrap().value;
     let (seldom, always) = (value(order()), value(order().max_drift(1.0)));
     assert!(seldom >= SEEN * always && always > 1e-9, "{seldom:.3e} of {always:.3e}");
 }

@@ -12,7 +12,7 @@ const ORDER: f64 = 4.0;
 const ORDER_TOLERANCE: f64 = 0.1;
 
 /// A change to an order.
-type Change = for<'s> fn(Simulation<'s, dyn Scene + 's>) -> Simulation<'s, dyn Scene + 's>;
+type Change = for<'s> fn(Simulation<'s, &'s dyn Scene>) -> Simulation<'s, &'s dyn Scene>;
 
 /// Least-squares slope of log error over log step.
 fn slope(errors: &[f64]) -> f64 {

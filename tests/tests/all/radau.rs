@@ -167,7 +167,7 @@ fn reference_radau_follows_a_caster_on_a_short_trail() {
 }
 
 /// A start from which an error of the caster's angle by a tolerance is one of its rate by 40,000.
-fn fast<'s, S: Scene>(scene: &'s S, method: Method) -> Simulation<'s, S> {
+fn fast<'s, S: Scene>(scene: &'s S, method: Method) -> Simulation<'s, &'s S> {
     let start = [("cart.vx", 20.0), ("cart.omega", 8.0), ("caster.phi", 1.2)];
     let order = Simulation::new(scene).method(method).until(0.5).project_start();
     start.iter().fold(order, |order, (name, value)| order.start(*name, *value))

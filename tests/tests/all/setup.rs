@@ -5,7 +5,7 @@ use ezy_core::dynamics::MotionError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::{SetupError, StopReason};
 
-fn message(change: impl for<'s> Fn(Simulation<'s, dyn Scene + 's>) -> Simulation<'s, dyn Scene + 's>) -> String {
+fn message(change: impl for<'s> Fn(Simulation<'s, &'s dyn Scene>) -> Simulation<'s, &'s dyn Scene>) -> String {
     let case = driven().remove(0);
     change(Simulation::new(&*case.scene).method(Method::rk4(1e-3))).run().unwrap_err().to_string()
 }
@@ -40,7 +40,7 @@ fn invariant_bad_ends_and_intervals_are_refused() {
 }
 
 /// What is accepted fails later, by a limit that is none.
-fn is_accepted(order: impl for<'s> FnOnce(Simulation<'s, dyn Scene + 's>) -> Simulation<'s, dyn Scene + 's>) -> bool {
+fn is_accepted(order: impl for<'s> FnOnce(Simulation<'s, &'s dyn Scene>) -> Simulation<'s, &'s dyn Scene>) -> bool {
     let case = driven().remove(0);
     let error =
         order(Simulation::new(&*case.scene).method(Method::rk4(1e-3))).until(60.0).max_drift(-1.0).run().unwrap_err();
@@ -119,8 +119,8 @@ fn invariant_progress_rises_to_one() {
 #[test]
 fn invariant_order_of_a_run_can_be_handed_to_another_thread() {
     fn assert_send<T: Send>() {}
-    assert_send::<Simulation<'_, dyn Scene>>();
-    assert_send::<Stepper<'_, dyn Scene>>();
+    assert_send::<Simulation<'_, &dyn Scene>>();
+    assert_send::<Stepper<'_, &dyn Scene>>();
     assert_send::<Run>();
     for Case { route, scene } in driven() {
         let mut told = 0;

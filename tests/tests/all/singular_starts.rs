@@ -17,7 +17,7 @@ const METHODS: [fn() -> Method; 8] = [
 ];
 
 /// Crank 1 cannot point down while the others stand up. The nearest place stretches a crank and its coupler along a line of two fixed points.
-fn stretched(scene: &n_four_bar::Fall, phi: f64) -> Simulation<'_, n_four_bar::Fall> {
+fn stretched(scene: &n_four_bar::Fall, phi: f64) -> Simulation<'_, &n_four_bar::Fall> {
     Simulation::new(scene).method(Method::rk4(1e-3)).project_start().start("crank[1].phi", phi)
 }
 

@@ -64,7 +64,7 @@ const FIXED: f64 = 1e-9;
 /// About 1 ms, and a whole number of steps in 2 s.
 const STEP: f64 = 1.0 / 1024.0;
 
-fn steered(scene: &crane::Steered) -> Simulation<'_, crane::Steered> {
+fn steered(scene: &crane::Steered) -> Simulation<'_, &crane::Steered> {
     Simulation::new(scene).method(Method::rk4(STEP)).work().outputs()
 }
 

@@ -54,13 +54,13 @@ fn cross_projected_loops_of_unequal_masses_keep_to_the_tolerance() {
 }
 
 /// The start of the scene with a number moved.
-fn moved<'s>(order: Simulation<'s, four_bar::Turning>, name: &str) -> Simulation<'s, four_bar::Turning> {
+fn moved<'s>(order: Simulation<'s, &'s four_bar::Turning>, name: &str) -> Simulation<'s, &'s four_bar::Turning> {
     let start = if name == "crank.phi" { FRAC_PI_2 } else { -1.0 };
     order.start(name, start + MOVED)
 }
 
 /// Coordinates and velocities along a run.
-fn samples(order: Simulation<'_, four_bar::Turning>) -> Vec<Vec<f64>> {
+fn samples(order: Simulation<'_, &four_bar::Turning>) -> Vec<Vec<f64>> {
     let run = order.every(0.01 * UNTIL_S).run().unwrap();
     assert!(run.outcome.reached_end(), "{}", run.outcome);
     run.samples().map(|sample| [sample.coordinates, sample.velocities].concat()).collect()

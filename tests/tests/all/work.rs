@@ -47,7 +47,7 @@ fn invariant_coast_has_no_effects_and_no_work() {
 const N_STEPS: u64 = 100;
 
 /// Evaluations of powers and outputs in a run of a hundred steps with eleven samples.
-fn evaluations(change: impl for<'s> Fn(Simulation<'s, Crank>) -> Simulation<'s, Crank>) -> [u64; 2] {
+fn evaluations(change: impl for<'s> Fn(Simulation<'s, &'s Crank>) -> Simulation<'s, &'s Crank>) -> [u64; 2] {
     let scene = Crank::default();
     let order = Simulation::new(&scene).method(Method::rk4(1e-3)).until(N_STEPS as f64 * 1e-3).every(0.01);
     let run = change(order).run().unwrap();

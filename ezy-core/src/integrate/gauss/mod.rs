@@ -6,7 +6,7 @@ mod tableau;
 
 use super::{Node, compensated, step_control::Tolerance};
 use crate::dynamics::{EightStates, MotionError, State, System};
-use crate::model::{Eight, Scene};
+use crate::model::{Eight, Scene, SceneRef};
 use crate::scalar::{Lanes, Scalar};
 pub(crate) use control::GaussControl;
 use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
@@ -138,9 +138,9 @@ impl Gauss {
     /// [`MotionError`] at a node; `to` is then unspecified.
     /// # Cost
     /// Some ten sweeps, each of the accelerations at eight states; no allocation.
-    pub(crate) fn attempt<S: Scene + ?Sized>(
+    pub(crate) fn attempt<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         h: f64,
         tolerance: Tolerance,
@@ -171,7 +171,7 @@ impl Gauss {
         }
     }
 
-    fn begin<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: Node<'_>, h: f64, tolerance: Tolerance) {
+    fn begin<P: SceneRef>(&mut self, system: &System<P>, from: Node<'_>, h: f64, tolerance: Tolerance) {
         let Self { nodes, last, last_sizes, last_s, tried_s, weights, work_weights, .. } = self;
         system.begin_eight(nodes);
         nodes.t = NODES.fused(Eight::from_f64(h), Eight::from_f64(from.state.t));
@@ -189,9 +189,9 @@ impl Gauss {
     }
 
     /// Sweeps until the accelerations at the nodes belong to the states there; none where they do not converge.
-    fn sweep<S: Scene + ?Sized>(
+    fn sweep<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: &State,
         h: f64,
     ) -> Result<Option<Convergence>, MotionError> {
@@ -228,7 +228,7 @@ impl Gauss {
     }
 
     /// Velocities and powers at the nodes, from the accelerations there.
-    fn complete<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, h: f64) {
+    fn complete<P: SceneRef>(&mut self, system: &System<P>, from: &State, h: f64) {
         let Self { nodes, power, .. } = self;
         lanes::integrate(h, &from.v, &nodes.a, &mut nodes.v);
         if power.is_empty() {
@@ -298,9 +298,9 @@ impl Gauss {
     /// [`MotionError`] at a node.
     /// # Cost
     /// Once a step, a few sweeps for each part up to `s`.
-    pub(crate) fn dense_in_parts<S: Scene + ?Sized>(
+    pub(crate) fn dense_in_parts<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: &State,
         n_parts: usize,
         tolerance: Tolerance,

@@ -9,11 +9,11 @@ use super::tableau::{
 use super::{Radau, STIFF};
 use crate::dynamics::{State, System};
 use crate::integrate::{Node, Tolerance, compensated};
-use crate::model::Scene;
+use crate::model::SceneRef;
 
 impl Radau {
     /// Works up to the stages.
-    pub(super) fn add_works<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, start: &State, h: f64) {
+    pub(super) fn add_works<P: SceneRef>(&mut self, system: &System<P>, start: &State, h: f64) {
         for (i, c) in NODES.iter().enumerate() {
             self.stages.write_state(i, start, &mut self.q, &mut self.v);
             system.power(start.t + c * h, &self.q, &self.v, &self.stages.lambda[i], &mut self.powers[i]);
@@ -51,9 +51,9 @@ impl Radau {
     /// The residual of the equations where no stage stands, less what of it the estimate is: of order 5 for a motion that the step resolves,
     /// and half of the estimate for another. Filtered as the estimate is, over the tolerance of values between steps; the estimate where
     /// that is larger, and for a stiff step.
-    pub(super) fn second_look<S: Scene + ?Sized>(
+    pub(super) fn second_look<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         start: &State,
         h: f64,
         tolerance: Tolerance,
@@ -85,9 +85,9 @@ impl Radau {
 
     /// The same with the Jacobians at the end of the step: those at its start hide what a force does that was stiff there and levels
     /// off within the step. Infinite when their matrix is singular.
-    pub(super) fn estimate_at_end<S: Scene + ?Sized>(
+    pub(super) fn estimate_at_end<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         h: f64,
         to: &State,

@@ -17,7 +17,7 @@ mod tests;
 use super::{Node, Tolerance};
 use crate::dynamics::{Jacobians, MotionError, Rows, State, System};
 use crate::linalg::SparseKktError;
-use crate::model::Scene;
+use crate::model::{Scene, SceneRef};
 use convergence::{Convergence, SHORTEN, Verdict};
 use coupled::Coupled;
 use matrix::Matrices;
@@ -177,9 +177,9 @@ impl Radau {
     /// where stiffness hides the estimate, and new ones for the next step; no allocation. Where the
     /// iteration does not converge, in scenes with at most 80 equations, a factorisation of all stages together
     /// a pass.
-    pub(crate) fn attempt<S: Scene + ?Sized>(
+    pub(crate) fn attempt<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         h: f64,
         tolerance: Tolerance,
@@ -213,9 +213,9 @@ impl Radau {
 
     /// Solves for the stages by the simplified iteration or, if that did not converge lately, by the coupled one. Returns the
     /// number of passes, or the factor for a step that may converge.
-    fn solve<S: Scene + ?Sized>(
+    fn solve<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: Node<'_>,
         h: f64,
         tolerance: Tolerance,
@@ -239,9 +239,9 @@ impl Radau {
     }
 
     /// Iterates until the stages have converged; when `coupled`, each stage has its own slopes.
-    fn iterate<S: Scene + ?Sized>(
+    fn iterate<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         start: &State,
         h: f64,
         mut convergence: Convergence,
@@ -325,12 +325,7 @@ impl Radau {
     }
 
     /// First guess of the stages.
-    fn predict<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        from: Node<'_>,
-        h: f64,
-    ) -> Result<(), MotionError> {
+    fn predict<P: SceneRef>(&mut self, system: &mut System<P>, from: Node<'_>, h: f64) -> Result<(), MotionError> {
         let State { t, q, v, .. } = from.state;
         match self.before_s {
             Some(before_s) => {
@@ -351,7 +346,7 @@ impl Radau {
     }
 
     /// Factors for this step, unless those of the last one serve; false when a matrix is singular.
-    fn prepare_matrices<S: Scene + ?Sized>(&mut self, system: &mut System<'_, S>, start: &State, h: f64) -> bool {
+    fn prepare_matrices<P: SceneRef>(&mut self, system: &mut System<P>, start: &State, h: f64) -> bool {
         let serves = |factored_s: f64| (factored_s - h).abs() <= SAME_STEP * h;
         if self.rate <= FAST && self.matrices.step_s().is_some_and(serves) {
             return true;

@@ -8,7 +8,7 @@ mod work;
 
 use super::{Tolerance, compensated};
 use crate::dynamics::{MotionError, Solved, State, System};
-use crate::model::{Scene, Series, SeriesStore};
+use crate::model::{Derived as _, Scene, SceneRef, Series, SeriesStore};
 use expansion::{OrderSolver, expand, expand_with, increment, second_derivative};
 use work::Quadrature;
 
@@ -22,8 +22,7 @@ pub use precise::{PreciseError, PreciseMotion};
 ///
 /// # Source
 /// Jorba, Zou, Exp. Math. 14 (2005); for constrained motion see [`Series`].
-pub(crate) struct Taylor<'s> {
-    series: &'s dyn Series<f64>,
+pub(crate) struct Taylor {
     order: usize,
     n_q: usize,
     /// About the start of the step.
@@ -37,14 +36,13 @@ pub(crate) struct Taylor<'s> {
     quadrature: Quadrature,
 }
 
-impl<'s> Taylor<'s> {
+impl Taylor {
     /// Storage for steps of an order, which is at least 4; none for a scene without a Taylor series.
-    pub(crate) fn new<S: Scene + ?Sized>(scene: &'s S, order: usize, n_works: usize) -> Option<Self> {
+    pub(crate) fn new<S: Scene + ?Sized>(scene: &S, order: usize, n_works: usize) -> Option<Self> {
         let series = scene.series()?;
         let size = series.series_size();
         let (n_q, n_c) = (size.n_coordinates, size.n_rows);
         Some(Self {
-            series,
             order,
             n_q,
             now: SeriesStore::new(size, order + 1),
@@ -78,22 +76,25 @@ impl<'s> Taylor<'s> {
     /// [`MotionError`] when K is singular.
     /// # Cost
     /// One factorisation, and as many solves and sums of products as the order; no allocation.
-    pub(crate) fn expand<S: Scene + ?Sized>(
+    pub(crate) fn expand<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: &State,
         a: &mut [f64],
         lambda: &mut [f64],
     ) -> Result<Solved, MotionError> {
         self.place(from);
-        let solved = match system.begin_series(self.series, from.t, &mut self.next)? {
+        let scene = system.scene_ref().clone();
+        let without = || MotionError::NotFinite { t: from.t, quantity: "the series of a scene without one".into() };
+        let series = scene.series().ok_or_else(without)?;
+        let solved = match system.begin_series(series, from.t, &mut self.next)? {
             Some(smallest) => {
-                self.expand_by_elimination(system.fixed());
+                self.expand_by_elimination(series, system.fixed());
                 Solved::regular(smallest)
             }
             None => {
                 let mut orders = FactoredOrders { system, first: None };
-                expand_with(self.series, &mut orders, self.order, &mut self.next);
+                expand_with(series, &mut orders, self.order, &mut self.next);
                 orders.first.unwrap_or_default()
             }
         };
@@ -131,7 +132,7 @@ impl<'s> Taylor<'s> {
     }
 
     /// A step of length `h` from `from`; writes `to`, not yet projected.
-    pub(crate) fn advance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, from: &State, h: f64, to: &mut State) {
+    pub(crate) fn advance<P: SceneRef>(&mut self, system: &System<P>, from: &State, h: f64, to: &mut State) {
         self.advance_motion(from, h, to);
         if !to.work.is_empty() {
             let Self { order, now: store, increment: by, rest, quadrature, .. } = self;
@@ -143,13 +144,7 @@ impl<'s> Taylor<'s> {
     }
 
     /// The state `s` after `from`, not projected, with works up to there.
-    pub(crate) fn dense_at<S: Scene + ?Sized>(
-        &mut self,
-        system: &System<'_, S>,
-        from: &State,
-        s: f64,
-        out: &mut State,
-    ) {
+    pub(crate) fn dense_at<P: SceneRef>(&mut self, system: &System<P>, from: &State, s: f64, out: &mut State) {
         self.motion_at(from, s, out);
         out.work.copy_from_slice(&from.work);
         let Self { order, now: store, quadrature, .. } = self;
@@ -159,15 +154,15 @@ impl<'s> Taylor<'s> {
 }
 
 /// Code that does not depend on the type of the scene, compiled with this crate so that its calls are inlined.
-impl Taylor<'_> {
+impl Taylor {
     fn place(&mut self, from: &State) {
         let (q, rest) = self.next.q.split_at_mut(self.n_q);
         q.copy_from_slice(&from.q);
         rest[..self.n_q].copy_from_slice(&from.v);
     }
 
-    fn expand_by_elimination(&mut self, c: &[f64]) {
-        expand(self.series, c, self.order, &mut self.next);
+    fn expand_by_elimination(&mut self, series: &dyn Series<f64>, c: &[f64]) {
+        expand(series, c, self.order, &mut self.next);
     }
 
     fn write_accelerations(&self, a: &mut [f64], lambda: &mut [f64]) {
@@ -190,13 +185,13 @@ impl Taylor<'_> {
 }
 
 /// All orders by the factors of a system.
-struct FactoredOrders<'m, 's, S: Scene + ?Sized> {
-    system: &'m mut System<'s, S>,
+struct FactoredOrders<'m, P: SceneRef> {
+    system: &'m mut System<P>,
     /// How accelerations were solved for.
     first: Option<Solved>,
 }
 
-impl<S: Scene + ?Sized> OrderSolver<f64> for FactoredOrders<'_, '_, S> {
+impl<P: SceneRef> OrderSolver<f64> for FactoredOrders<'_, P> {
     fn fixed(&self) -> &[f64] {
         self.system.fixed()
     }

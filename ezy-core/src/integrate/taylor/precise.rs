@@ -5,7 +5,7 @@ use super::length::{longest_step, write_weights};
 use crate::dynamics::{MotionError, State, System, SystemError, not_finite};
 use crate::integrate::Tolerance;
 use crate::linalg::Backend;
-use crate::model::{Pivots, PreciseScene, Scene, SeriesStore};
+use crate::model::{Pivots, PreciseScene, Scene, SceneRef, SeriesStore};
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// Tolerance of a step, absolute in m, rad, m/s, rad/s and relative: the last digit but one.
@@ -59,7 +59,7 @@ pub enum PreciseError {
 /// ```
 pub struct PreciseMotion<'s, S: Scene + ?Sized> {
     scene: &'s dyn PreciseScene,
-    solver: Refined<'s, S>,
+    solver: Refined<'s, &'s S>,
     store: SeriesStore<DoubleDouble>,
     weights: Vec<f64>,
     t: f64,
@@ -239,9 +239,9 @@ impl<'s, S: Scene + ?Sized> PreciseMotion<'s, S> {
 }
 
 /// Solves K by factors in f64 and iterative refinement.
-struct Refined<'s, S: Scene + ?Sized> {
+struct Refined<'s, P: SceneRef> {
     scene: &'s dyn PreciseScene,
-    system: System<'s, S>,
+    system: System<P>,
     fixed: Vec<DoubleDouble>,
     mass: Vec<DoubleDouble>,
     jacobian: Vec<DoubleDouble>,
@@ -252,7 +252,7 @@ struct Refined<'s, S: Scene + ?Sized> {
     q: Vec<f64>,
 }
 
-impl<S: Scene + ?Sized> Refined<'_, S> {
+impl<P: SceneRef> Refined<'_, P> {
     /// Whether the scene's own elimination is used.
     fn accepts(&self, pivots: Pivots) -> bool {
         pivots.all_keep() && self.system.uses_elimination()
@@ -282,7 +282,7 @@ impl<S: Scene + ?Sized> Refined<'_, S> {
     }
 }
 
-impl<S: Scene + ?Sized> OrderSolver<DoubleDouble> for Refined<'_, S> {
+impl<P: SceneRef> OrderSolver<DoubleDouble> for Refined<'_, P> {
     fn fixed(&self) -> &[DoubleDouble] {
         &self.fixed
     }

@@ -2,7 +2,7 @@
 
 use super::expansion::increment;
 use crate::dynamics::{State, System};
-use crate::model::{Scene, SeriesStore};
+use crate::model::{SceneRef, SeriesStore};
 
 /// Gauss's formula with nodes in (0, 1).
 ///
@@ -27,9 +27,9 @@ impl Quadrature {
     }
 
     /// Adds to `work` what each power does over `h` from the state `from`.
-    pub(super) fn add_works<S: Scene + ?Sized>(
+    pub(super) fn add_works<P: SceneRef>(
         &mut self,
-        system: &System<'_, S>,
+        system: &System<P>,
         store: &SeriesStore<f64>,
         order: usize,
         from: &State,

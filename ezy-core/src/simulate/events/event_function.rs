@@ -1,7 +1,7 @@
 //! The event functions.
 
 use crate::dynamics::{MotionError, Rows, System};
-use crate::model::{Scene, StickSlipInfo, StopInfo};
+use crate::model::{SceneRef, StickSlipInfo, StopInfo};
 
 /// What is located.
 pub(in crate::simulate) enum EventFunction {
@@ -18,9 +18,9 @@ pub(in crate::simulate) enum EventFunction {
 }
 
 impl EventFunction {
-    pub(crate) fn read<S: Scene + ?Sized>(
+    pub(crate) fn read<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         t: f64,
         [q, v]: [&[f64]; 2],
         out: &mut [f64],

@@ -9,7 +9,7 @@ mod event_function;
 use super::root::{resolution_at, root, side_of};
 use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
-use crate::model::{EventInfo, EventKind, Scene};
+use crate::model::{EventInfo, EventKind, SceneRef};
 use crate::simulate::tolerances::events::{N_PARTS, NOTHING};
 use double_root::double_root;
 pub(super) use event_function::EventFunction;
@@ -78,10 +78,7 @@ impl EventDetector {
     }
 
     /// Locates the events of a step, both ends evaluated; returns the event that ends the run.
-    pub(super) fn look<S: Scene + ?Sized>(
-        &mut self,
-        stepper: &mut StepperState<'_, S>,
-    ) -> Result<Option<Passage>, MotionError> {
+    pub(super) fn look<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<Option<Passage>, MotionError> {
         self.find(stepper)?;
         let end = self.passages.iter().position(|passage| passage.event.kind == EventKind::End);
         if let Some(end) = end {
@@ -91,7 +88,7 @@ impl EventDetector {
     }
 
     /// Keeps the events of the step that was sampled last.
-    pub(super) fn keep<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) -> Result<(), MotionError> {
+    pub(super) fn keep<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         for Passage { t, event } in self.passages.drain(..) {
             stepper.find(t, &mut self.place)?;
             self.occurred.push(Occurrence { event, state: self.place.clone() });
@@ -100,9 +97,9 @@ impl EventDetector {
     }
 
     /// Time of the first root of this step alone, s. The function starts above zero, or at zero when the mode `begins`.
-    pub(super) fn first<S: Scene + ?Sized>(
+    pub(super) fn first<P: SceneRef>(
         &mut self,
-        stepper: &mut StepperState<'_, S>,
+        stepper: &mut StepperState<P>,
         begins: bool,
     ) -> Result<Option<f64>, MotionError> {
         self.fresh = begins;
@@ -112,7 +109,7 @@ impl EventDetector {
     }
 
     /// Last time of the step at which the functions are defined, s; at `undefined` they are not.
-    pub(super) fn last_defined<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>, undefined: f64) -> f64 {
+    pub(super) fn last_defined<P: SceneRef>(&mut self, stepper: &mut StepperState<P>, undefined: f64) -> f64 {
         let (mut last, mut beyond) = (stepper.now.state.t, undefined);
         while beyond - last > resolution_at(beyond) {
             let t = 0.5 * (last + beyond);
@@ -130,7 +127,7 @@ impl EventDetector {
     }
 
     /// Finds the roots of a step, in time order.
-    fn find<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) -> Result<(), MotionError> {
+    fn find<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         self.passages.clear();
         self.sample(stepper)?;
         if self.fresh {
@@ -153,7 +150,7 @@ impl EventDetector {
     }
 
     /// Samples the functions over a step.
-    fn sample<S: Scene + ?Sized>(&mut self, stepper: &mut StepperState<'_, S>) -> Result<(), MotionError> {
+    fn sample<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         let (from, to) = (stepper.now.state.t, stepper.next.state.t);
         for part in 0..=N_PARTS {
             let t = from + (to - from) * part as f64 / N_PARTS as f64;
@@ -182,21 +179,16 @@ impl EventDetector {
     }
 
     /// Function `i` at `t` within the step.
-    fn value<S: Scene + ?Sized>(
-        &mut self,
-        stepper: &mut StepperState<'_, S>,
-        i: usize,
-        t: f64,
-    ) -> Result<f64, MotionError> {
+    fn value<P: SceneRef>(&mut self, stepper: &mut StepperState<P>, i: usize, t: f64) -> Result<f64, MotionError> {
         stepper.inside(t, &mut self.place)?;
         self.function.read(&mut stepper.system, t, [&self.place.q, &self.place.v], &mut self.tried)?;
         Ok(self.tried[i])
     }
 
     /// A time within a part of the step, and the value there, whose sign differs from both ends of the part.
-    fn double_root<S: Scene + ?Sized>(
+    fn double_root<P: SceneRef>(
         &mut self,
-        stepper: &mut StepperState<'_, S>,
+        stepper: &mut StepperState<P>,
         i: usize,
         part: usize,
     ) -> Result<Option<(f64, f64)>, MotionError> {
@@ -214,9 +206,9 @@ impl EventDetector {
     }
 
     /// Keeps the root of function `i` when its sign changes between two samples.
-    fn compare<S: Scene + ?Sized>(
+    fn compare<P: SceneRef>(
         &mut self,
-        stepper: &mut StepperState<'_, S>,
+        stepper: &mut StepperState<P>,
         i: usize,
         [(t_before, before), (t, after)]: [(f64, f64); 2],
     ) -> Result<(), MotionError> {

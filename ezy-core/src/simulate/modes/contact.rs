@@ -6,7 +6,7 @@
 
 use super::Modes;
 use crate::dynamics::{MotionError, SystemRow};
-use crate::model::{EventInfo, Scene, StopInfo};
+use crate::model::{EventInfo, SceneRef, StopInfo};
 use crate::simulate::SetupError;
 use crate::simulate::events::EventFunction;
 use crate::simulate::root::resolution_at;
@@ -26,10 +26,10 @@ struct Contact {
 }
 
 /// Begins in contact when the start is at rest on an end. Refuses a start beyond an end.
-pub(super) fn start<'s, S: Scene + ?Sized>(
-    modes: &mut Modes<'s, S>,
+pub(super) fn start<P: SceneRef>(
+    modes: &mut Modes<P>,
     info: &'static StopInfo,
-    stepper: &mut StepperState<'s, S>,
+    stepper: &mut StepperState<P>,
 ) -> Result<(), SetupError> {
     let Contact { end, gap, rate, .. } = nearest(info, stepper)?;
     let state = &stepper.now.state;
@@ -54,15 +54,15 @@ pub(super) fn start<'s, S: Scene + ?Sized>(
 }
 
 /// Whether the closed contact would have to pull.
-pub(super) fn ends<S: Scene + ?Sized>(modes: &Modes<'_, S>, info: &StopInfo, stepper: &StepperState<'_, S>) -> bool {
+pub(super) fn ends<P: SceneRef>(modes: &Modes<P>, info: &StopInfo, stepper: &StepperState<P>) -> bool {
     modes.mode != FREE && push(info, modes.mode, stepper) < 0.0
 }
 
 /// Free to free or to contact, by an impact; contact to free. Returns whether the distance then begins at zero.
-pub(super) fn change<'s, S: Scene + ?Sized>(
-    modes: &mut Modes<'s, S>,
+pub(super) fn change<P: SceneRef>(
+    modes: &mut Modes<P>,
     info: &'static StopInfo,
-    stepper: &mut StepperState<'s, S>,
+    stepper: &mut StepperState<P>,
 ) -> Result<bool, MotionError> {
     if modes.mode == FREE {
         arrive(modes, info, stepper)?;
@@ -74,10 +74,10 @@ pub(super) fn change<'s, S: Scene + ?Sized>(
 }
 
 /// What ends a mode.
-pub(super) fn function<S: Scene + ?Sized>(
+pub(super) fn function<P: SceneRef>(
     info: &'static StopInfo,
     mode: usize,
-    stepper: &StepperState<'_, S>,
+    stepper: &StepperState<P>,
 ) -> (EventFunction, &'static [EventInfo]) {
     if mode == FREE {
         return (EventFunction::Gaps { info, values: vec![0.0; n_values(info)] }, info.hits);
@@ -88,10 +88,10 @@ pub(super) fn function<S: Scene + ?Sized>(
 }
 
 /// The impact, and the choice of the next mode.
-fn arrive<'s, S: Scene + ?Sized>(
-    modes: &mut Modes<'s, S>,
+fn arrive<P: SceneRef>(
+    modes: &mut Modes<P>,
     info: &'static StopInfo,
-    stepper: &mut StepperState<'s, S>,
+    stepper: &mut StepperState<P>,
 ) -> Result<(), MotionError> {
     let Contact { end, rate, restitution, .. } = nearest(info, stepper)?;
     check_rate(info, end, stepper.now.state.t, rate)?;
@@ -125,11 +125,11 @@ fn arrive<'s, S: Scene + ?Sized>(
 
 /// Whether the flight from an end back to it, under the acceleration at its start, is too short to be followed; not when the acceleration
 /// points away from the end.
-fn flight_is_too_short<S: Scene + ?Sized>(
+fn flight_is_too_short<P: SceneRef>(
     info: &StopInfo,
     end: usize,
-    stepper: &StepperState<'_, S>,
-    rest: &mut StepperState<'_, S>,
+    stepper: &StepperState<P>,
+    rest: &mut StepperState<P>,
 ) -> bool {
     let state = &stepper.now.state;
     let row = SystemRow { row: info.row, t: state.t, q: &state.q, v: &state.v };
@@ -147,7 +147,7 @@ fn flight_is_too_short<S: Scene + ?Sized>(
 }
 
 /// The nearest end.
-fn nearest<S: Scene + ?Sized>(info: &StopInfo, stepper: &StepperState<'_, S>) -> Result<Contact, MotionError> {
+fn nearest<P: SceneRef>(info: &StopInfo, stepper: &StepperState<P>) -> Result<Contact, MotionError> {
     let (state, mut values) = (&stepper.now.state, vec![0.0; n_values(info)]);
     stepper.system.checked_stop(info, state.t, &state.q, &state.v, &mut values)?;
     let gap = |end: &usize| values[2 * end];
@@ -169,6 +169,6 @@ fn n_values(info: &StopInfo) -> usize {
 }
 
 /// Force of the stop that holds, away from the end.
-fn push<S: Scene + ?Sized>(info: &StopInfo, mode: usize, stepper: &StepperState<'_, S>) -> f64 {
+fn push<P: SceneRef>(info: &StopInfo, mode: usize, stepper: &StepperState<P>) -> f64 {
     -f64::from(info.sides[mode - 1]) * stepper.now.lambda[info.row]
 }

@@ -8,7 +8,7 @@ use super::events::{EventDetector, Occurrence};
 use super::root::resolution_at;
 use super::stepper_state::StepperState;
 use crate::dynamics::MotionError;
-use crate::model::{EventInfo, Scene, SceneInfo, StickSlipInfo, StopInfo};
+use crate::model::{EventInfo, SceneInfo, SceneRef, StickSlipInfo, StopInfo};
 use crate::simulate::tolerances::events::N_PARTS;
 use crate::simulate::tolerances::modes::MAX_AT_ONCE;
 use std::sync::Arc;
@@ -21,11 +21,11 @@ enum Law {
 }
 
 /// The inactive modes, and the event that ends the active one.
-pub(super) struct Modes<'s, S: Scene + ?Sized> {
+pub(super) struct Modes<P: SceneRef> {
     law: Law,
     /// Index of the active one in `Derived::modes`.
     mode: usize,
-    parked: Vec<(usize, StepperState<'s, S>)>,
+    parked: Vec<(usize, StepperState<P>)>,
     detector: EventDetector,
     /// Whether the mode has made no step yet. Its event function may then begin at zero.
     begins: bool,
@@ -46,9 +46,9 @@ enum Cut {
     AtOnce,
 }
 
-impl<'s, S: Scene + ?Sized> Modes<'s, S> {
+impl<P: SceneRef> Modes<P> {
     /// For a scene that starts in mode `first` and may change to `others`; `None` for a scene without modes.
-    pub(super) fn new(first: &StepperState<'s, S>, others: Vec<StepperState<'s, S>>) -> Option<Self> {
+    pub(super) fn new(first: &StepperState<P>, others: Vec<StepperState<P>>) -> Option<Self> {
         let info = first.system.info();
         let law = info.stick_slip.map(Law::StickSlip).or(info.stop.map(Law::Stop))?;
         let detector = detector(law, 0, first);
@@ -67,7 +67,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Description of the mode with the most constraints.
-    pub(super) fn record_info(&self, stepper: &StepperState<'s, S>) -> Arc<SceneInfo> {
+    pub(super) fn record_info(&self, stepper: &StepperState<P>) -> Arc<SceneInfo> {
         let infos = self.parked().chain([stepper]).map(|stepper| stepper.system.info());
         Arc::clone(infos.max_by_key(|info| info.n_rows()).unwrap_or(stepper.system.info()))
     }
@@ -80,7 +80,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         }
     }
 
-    pub(super) fn parked(&self) -> impl Iterator<Item = &StepperState<'s, S>> {
+    pub(super) fn parked(&self) -> impl Iterator<Item = &StepperState<P>> {
         self.parked.iter().map(|(_, stepper)| stepper)
     }
 
@@ -93,7 +93,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     ///
     /// # Errors
     /// [`SetupError::BeyondStop`], and those of laws that cannot be read and of the change.
-    pub(super) fn start(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), SetupError> {
+    pub(super) fn start(&mut self, stepper: &mut StepperState<P>) -> Result<(), SetupError> {
         match self.law {
             Law::StickSlip(_) => Ok(self.settle(stepper)?),
             Law::Stop(info) => contact::start(self, info, stepper),
@@ -101,12 +101,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// One step, up to the change of mode if there is one; returns whether the mode changes at its end.
-    pub(super) fn advance(
-        &mut self,
-        stepper: &mut StepperState<'s, S>,
-        h: f64,
-        t_next: f64,
-    ) -> Result<bool, MotionError> {
+    pub(super) fn advance(&mut self, stepper: &mut StepperState<P>, h: f64, t_next: f64) -> Result<bool, MotionError> {
         self.settle(stepper)?;
         for _ in 0..MAX_AT_ONCE {
             stepper.advance(h, t_next)?;
@@ -126,7 +121,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Changes the mode when the active one is not admissible at the present state.
-    fn settle(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
+    fn settle(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         let ends = match self.law {
             Law::StickSlip(info) => stick_slip::ends(self, info, stepper)?,
             Law::Stop(info) => contact::ends(self, info, stepper),
@@ -138,7 +133,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Changes to the next mode.
-    pub(super) fn change(&mut self, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
+    pub(super) fn change(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         self.begins = match self.law {
             Law::StickSlip(info) => stick_slip::change(self, info, stepper)?,
             Law::Stop(info) => contact::change(self, info, stepper)?,
@@ -147,7 +142,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
         Ok(())
     }
 
-    fn switch(&mut self, mode: usize, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
+    fn switch(&mut self, mode: usize, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         if let Some(other) = self.parked_in(mode) {
             other.take_over(stepper)?;
         }
@@ -156,23 +151,23 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Makes a mode the active one, with its own state.
-    fn swap(&mut self, mode: usize, stepper: &mut StepperState<'s, S>) {
+    fn swap(&mut self, mode: usize, stepper: &mut StepperState<P>) {
         if let Some((parked, other)) = self.parked.iter_mut().find(|(parked, _)| *parked == mode) {
             std::mem::swap(other, stepper);
             *parked = std::mem::replace(&mut self.mode, mode);
         }
     }
 
-    fn parked_in(&mut self, mode: usize) -> Option<&mut StepperState<'s, S>> {
+    fn parked_in(&mut self, mode: usize) -> Option<&mut StepperState<P>> {
         self.parked.iter_mut().find(|(parked, _)| *parked == mode).map(|(_, stepper)| stepper)
     }
 
-    fn tell(&mut self, event: &'static EventInfo, stepper: &StepperState<'s, S>) {
+    fn tell(&mut self, event: &'static EventInfo, stepper: &StepperState<P>) {
         self.occurred.push(Occurrence { event, state: stepper.now.state.clone() });
     }
 
     /// Repeats a step that goes past the end of the mode.
-    fn cut(&mut self, stepper: &mut StepperState<'s, S>) -> Result<Cut, MotionError> {
+    fn cut(&mut self, stepper: &mut StepperState<P>) -> Result<Cut, MotionError> {
         let start = stepper.now.state.t;
         loop {
             stepper.evaluate_next()?;
@@ -204,7 +199,7 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
 
     /// Repeats a step up to the last time at which the event function is defined, since the mode may end before. When no
     /// step is left, the error ends the run.
-    fn end_before(&mut self, fault: MotionError, stepper: &mut StepperState<'s, S>) -> Result<(), MotionError> {
+    fn end_before(&mut self, fault: MotionError, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
         let (MotionError::SkateLimit { t, .. } | MotionError::StopNotFinite { t, .. }) = fault else {
             return Err(fault);
         };
@@ -216,14 +211,14 @@ impl<'s, S: Scene + ?Sized> Modes<'s, S> {
     }
 
     /// Discards the present step and makes one that ends at `t`.
-    fn advance_again(&mut self, stepper: &mut StepperState<'s, S>, t: f64) -> Result<(), MotionError> {
+    fn advance_again(&mut self, stepper: &mut StepperState<P>, t: f64) -> Result<(), MotionError> {
         self.n_taken_back += 1;
         stepper.advance_again(t - stepper.now.state.t, t)
     }
 }
 
 /// What ends a mode.
-fn detector<S: Scene + ?Sized>(law: Law, mode: usize, stepper: &StepperState<'_, S>) -> EventDetector {
+fn detector<P: SceneRef>(law: Law, mode: usize, stepper: &StepperState<P>) -> EventDetector {
     let (n_q, n_works) = (stepper.now.state.q.len(), stepper.now.state.work.len());
     let (function, events) = match law {
         Law::StickSlip(info) => stick_slip::function(info, mode, stepper),

@@ -2,7 +2,7 @@
 
 use super::Modes;
 use crate::dynamics::MotionError;
-use crate::model::{EventInfo, Scene, StickSlipInfo};
+use crate::model::{EventInfo, SceneRef, StickSlipInfo};
 use crate::simulate::events::EventFunction;
 use crate::simulate::stepper_state::StepperState;
 
@@ -20,10 +20,10 @@ pub(super) fn side(mode: usize) -> Option<f64> {
 }
 
 /// Whether the reaction of the holding skate exceeds the limit.
-pub(super) fn ends<S: Scene + ?Sized>(
-    modes: &Modes<'_, S>,
+pub(super) fn ends<P: SceneRef>(
+    modes: &Modes<P>,
     info: &StickSlipInfo,
-    stepper: &StepperState<'_, S>,
+    stepper: &StepperState<P>,
 ) -> Result<bool, MotionError> {
     let limit = limit(info, stepper)?;
     Ok(modes.mode == HOLDS && reaction(info, stepper).abs() > limit)
@@ -31,10 +31,10 @@ pub(super) fn ends<S: Scene + ?Sized>(
 
 /// Stick to slip against the reaction; slip to stick, or to slip to the other side when the reaction exceeds the limit.
 /// Returns whether the skate then slides, so that its velocity begins at zero.
-pub(super) fn change<'s, S: Scene + ?Sized>(
-    modes: &mut Modes<'s, S>,
+pub(super) fn change<P: SceneRef>(
+    modes: &mut Modes<P>,
     info: &'static StickSlipInfo,
-    stepper: &mut StepperState<'s, S>,
+    stepper: &mut StepperState<P>,
 ) -> Result<bool, MotionError> {
     let held = modes.mode == HOLDS;
     if !held {
@@ -50,10 +50,10 @@ pub(super) fn change<'s, S: Scene + ?Sized>(
 }
 
 /// What ends a mode.
-pub(super) fn function<S: Scene + ?Sized>(
+pub(super) fn function<P: SceneRef>(
     info: &'static StickSlipInfo,
     mode: usize,
-    stepper: &StepperState<'_, S>,
+    stepper: &StepperState<P>,
 ) -> (EventFunction, &'static [EventInfo]) {
     match side(mode) {
         None => {
@@ -65,11 +65,11 @@ pub(super) fn function<S: Scene + ?Sized>(
 }
 
 /// Force of the skate that holds, N.
-fn reaction<S: Scene + ?Sized>(info: &StickSlipInfo, stepper: &StepperState<'_, S>) -> f64 {
+fn reaction<P: SceneRef>(info: &StickSlipInfo, stepper: &StepperState<P>) -> f64 {
     stepper.now.lambda[info.row]
 }
 
-fn limit<S: Scene + ?Sized>(info: &StickSlipInfo, stepper: &StepperState<'_, S>) -> Result<f64, MotionError> {
+fn limit<P: SceneRef>(info: &StickSlipInfo, stepper: &StepperState<P>) -> Result<f64, MotionError> {
     let state = &stepper.now.state;
     Ok(stepper.system.checked_stick_slip(info, state.t, &state.q, &state.v)?[0])
 }

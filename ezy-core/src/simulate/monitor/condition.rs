@@ -2,7 +2,7 @@
 
 use crate::dynamics::{State, System};
 use crate::linalg::{ConditionEstimator, Conditioning};
-use crate::model::{Name, Scene, SceneInfo};
+use crate::model::{Name, SceneInfo, SceneRef};
 use crate::simulate::tolerances::monitors::{FEWEST_BETWEEN, LARGEST_WATCHED};
 
 /// Condition of the equations of motion where a run looked at it: at its start and end, and on the way now and then, so that
@@ -41,7 +41,7 @@ pub(super) struct ConditionWatch {
 
 impl ConditionWatch {
     /// None for a scene without rows or one that is too large.
-    pub(super) fn new<S: Scene + ?Sized>(system: &mut System<'_, S>, start: &State) -> Option<Box<Self>> {
+    pub(super) fn new<P: SceneRef>(system: &mut System<P>, start: &State) -> Option<Box<Self>> {
         let info = system.info();
         let n = info.n_unknowns();
         if info.n_rows() == 0 || n > LARGEST_WATCHED {
@@ -56,13 +56,7 @@ impl ConditionWatch {
     }
 
     /// Estimates after step `n_steps` when it is due, or at the end.
-    pub(super) fn look<S: Scene + ?Sized>(
-        &mut self,
-        system: &mut System<'_, S>,
-        state: &State,
-        n_steps: u64,
-        last: bool,
-    ) {
+    pub(super) fn look<P: SceneRef>(&mut self, system: &mut System<P>, state: &State, n_steps: u64, last: bool) {
         if !last && !n_steps.is_multiple_of(self.n_between) {
             return;
         }

@@ -1,7 +1,7 @@
 //! The energy balance over a run.
 
 use crate::dynamics::{State, System};
-use crate::model::Scene;
+use crate::model::SceneRef;
 use crate::simulate::tolerances::monitors::{LARGEST_ENERGY_ERROR, ROUNDING};
 
 /// The largest energy balance of a run: kinetic and potential energy less work, less the value at the start. Zero but for
@@ -36,7 +36,7 @@ pub(super) struct EnergyWatch {
 }
 
 impl EnergyWatch {
-    pub(super) fn new<S: Scene + ?Sized>(system: &System<'_, S>, start: &State) -> Self {
+    pub(super) fn new<P: SceneRef>(system: &System<P>, start: &State) -> Self {
         let initial_kinetic = system.kinetic_energy(&start.v);
         let initial_potential = system.potential_energy(start.t, &start.q);
         let largest = EnergyError { joules: 0.0, relative: 0.0, t: start.t };
@@ -44,7 +44,7 @@ impl EnergyWatch {
     }
 
     /// The balance at a state.
-    pub(super) fn balance<S: Scene + ?Sized>(&mut self, system: &System<'_, S>, state: &State) -> EnergyError {
+    pub(super) fn balance<P: SceneRef>(&mut self, system: &System<P>, state: &State) -> EnergyError {
         let State { t, q, v, work } = state;
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
         let (mut done, mut turned_over) = (0.0, kinetic + (potential - self.initial_potential).abs());

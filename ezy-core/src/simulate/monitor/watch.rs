@@ -4,7 +4,7 @@ use super::condition::ConditionWatch;
 use super::energy::EnergyWatch;
 use super::{EnergyError, ExceededLimit, LeastPivot, Limits, Monitors, Peak};
 use crate::dynamics::{Projected, Projection, State, System, Worst};
-use crate::model::{Scene, SceneInfo};
+use crate::model::{SceneInfo, SceneRef};
 use crate::simulate::tolerances::monitors::{ATTEMPTS_OF_A_PACE, N_BETWEEN_LOOKS};
 use std::sync::Arc;
 
@@ -31,8 +31,8 @@ pub(in crate::simulate) struct Watch {
 
 impl Watch {
     /// From the start of a run. `work`: whether the run integrates works.
-    pub(crate) fn new<S: Scene + ?Sized>(
-        system: &mut System<'_, S>,
+    pub(crate) fn new<P: SceneRef>(
+        system: &mut System<P>,
         start: &State,
         limits: Limits,
         projection: Projection,
@@ -87,9 +87,9 @@ impl Watch {
     }
 
     /// Monitors the projected end of a step that began at `from`, s. A state beyond a limit is not counted.
-    pub(crate) fn look<S: Scene + ?Sized>(
+    pub(crate) fn look<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         from: f64,
         state: &State,
         projected: &Projected,
@@ -122,9 +122,9 @@ impl Watch {
         Ok(())
     }
 
-    fn look_at_positions<S: Scene + ?Sized>(
+    fn look_at_positions<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         state: &State,
         projected: &Projected,
     ) -> Result<(), ExceededLimit> {
@@ -142,9 +142,9 @@ impl Watch {
         Ok(())
     }
 
-    fn look_at_velocities<S: Scene + ?Sized>(
+    fn look_at_velocities<P: SceneRef>(
         &mut self,
-        system: &mut System<'_, S>,
+        system: &mut System<P>,
         state: &State,
         projected: &Projected,
         last: bool,

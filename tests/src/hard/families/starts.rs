@@ -119,7 +119,7 @@ fn flat_linkage() -> f64 {
     assembled(&mut system, scene, &q, &[])[0]
 }
 
-fn assembled<'s>(system: &mut System<'s, dyn Scene + 's>, scene: &dyn Scene, q: &[f64], elbows: &[Elbow]) -> [f64; 3] {
+fn assembled(system: &mut System<&dyn Scene>, scene: &dyn Scene, q: &[f64], elbows: &[Elbow]) -> [f64; 3] {
     let info = Arc::clone(system.info());
     let mut start = Start::free(info.n_coordinates());
     for (i, q) in q.iter().enumerate() {

@@ -41,7 +41,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// A state with its accelerations, multipliers and Jacobians.
 struct At<'s, S: Scene> {
-    system: System<'s, S>,
+    system: System<&'s S>,
     state: State,
     a: Vec<f64>,
     lambda: Vec<f64>,

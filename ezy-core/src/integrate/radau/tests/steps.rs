@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-10;
 
 /// A step that was tried from x = 1 m, x' = -0.5 m/s.
 struct Tried<'s> {
-    system: System<'s, free::Swings>,
+    system: System<&'s free::Swings>,
     radau: Radau,
     from: State,
     a: [f64; 3],

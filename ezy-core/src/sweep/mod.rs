@@ -2,6 +2,7 @@
 
 mod builder;
 mod case;
+mod error;
 mod finished;
 mod format;
 mod group;
@@ -18,8 +19,9 @@ mod tests;
 mod trajectories;
 mod workers;
 
-pub use builder::{Progress, RanAlone, Sweep, SweepError, Table, Written};
+pub use builder::{Progress, RanAlone, Sweep, Table, Written};
 pub use case::{Case, Refused};
+pub use error::SweepError;
 pub use finished::{Ended, Finished};
 pub use format::Format;
 pub use kept::Kept;

@@ -386,7 +386,7 @@ fn invariant_rows_are_the_same_in_parquet() {
 }
 
 crate::model! {
-    /// A pendulum whose pivot is driven: constraints, a parameter, a force and an input.
+    /// A pendulum that is pushed and damped: constraints, a parameter, a force and an input.
     pub model Swing {
         param l: m = 0.5;
         input push: N*m = 0;

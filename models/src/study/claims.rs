@@ -3,24 +3,12 @@
 use ezy_core::report::page::Page;
 use ezy_core::report::table::Table;
 
-use super::coast::Coasting;
-use super::driven::Drive;
 use super::error::StudyError;
-use super::growth::Growth;
+use super::findings::Findings;
 use super::parts::row;
-use super::projection::Projections;
 use super::slips::slips;
-use super::steps::{REPORT_STEP_S, Steps};
+use super::steps::REPORT_STEP_S;
 use crate::ezy_roller::Driven;
-
-/// Everything that the other parts found.
-pub struct Findings<'a> {
-    pub projections: &'a Projections,
-    pub coasting: &'a Coasting,
-    pub drive: &'a Drive,
-    pub steps: &'a Steps,
-    pub growth: &'a Growth,
-}
 
 /// Puts the list on the page.
 pub fn write(page: &mut Page, found: &Findings<'_>, driven: &Driven) -> Result<(), StudyError> {

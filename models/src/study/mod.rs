@@ -9,6 +9,7 @@ pub mod command;
 mod driven;
 mod equations_part;
 mod error;
+mod findings;
 mod growth;
 mod motion;
 mod output;
@@ -25,7 +26,7 @@ use ezy_core::report::page::Page;
 use ezy_core::report::table::Table;
 
 use crate::ezy_roller::Driven;
-use claims::Findings;
+use findings::Findings;
 use output::Output;
 
 pub use error::StudyError;

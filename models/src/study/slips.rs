@@ -5,8 +5,8 @@ use ezy_core::linalg::Backend;
 use ezy_core::model::{Scene, SceneInfo};
 use ezy_core::record::{coordinate_index, find_name};
 
-use super::claims::Findings;
 use super::error::StudyError;
+use super::findings::Findings;
 use super::parts::{largest, row};
 use crate::ezy_roller::{Coast, Driven};
 

@@ -1,0 +1,16 @@
+//! What the measured parts of the study found: the page of claims and the key numbers are written from it.
+
+use super::coast::Coasting;
+use super::driven::Drive;
+use super::growth::Growth;
+use super::projection::Projections;
+use super::steps::Steps;
+
+/// The parts that are measured, each borrowed.
+pub struct Findings<'a> {
+    pub projections: &'a Projections,
+    pub coasting: &'a Coasting,
+    pub drive: &'a Drive,
+    pub steps: &'a Steps,
+    pub growth: &'a Growth,
+}

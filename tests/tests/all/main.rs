@@ -71,4 +71,5 @@ mod trajectories;
 mod treads;
 mod unequal_masses;
 mod unequal_members;
+mod walks;
 mod work;

@@ -6,6 +6,7 @@ mod pixels;
 
 use std::path::{Path, PathBuf};
 
+use crate::model::coordinate::N_OF_BODY;
 use crate::model::{Scene, SceneInfo};
 use crate::output;
 use crate::simulate::{Outcome, Run, SetupError};
@@ -169,7 +170,7 @@ pub(super) fn page_of(
 
 /// As many as a page of a usual size holds.
 fn n_frames(info: &SceneInfo) -> f64 {
-    let n_numbers = 3 * info.bodies.len() + info.n_outputs() + 2 * info.n_rows().min(2 * data::MOST_ARROWS) + 4;
+    let n_numbers = N_OF_BODY * info.bodies.len() + info.n_outputs() + 2 * info.n_rows().min(2 * data::MOST_ARROWS) + 4;
     (N_NUMBERS / n_numbers as f64).clamp(FEWEST_FRAMES, N_FRAMES).floor()
 }
 

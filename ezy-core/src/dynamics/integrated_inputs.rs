@@ -2,6 +2,7 @@
 //! compute s + ṡ τ + s̈ τ²/2 with τ = t − t₀, so that the constraints have a rate and an acceleration.
 
 use super::System;
+use super::system::SINCE;
 use crate::model::SceneRef;
 
 /// An input that a run integrates was set beside its motion.
@@ -19,7 +20,7 @@ impl<P: SceneRef> System<P> {
     /// Lets integrated inputs move from `t` on, with the present values and rates.
     pub(crate) fn begin_inputs(&mut self, t: f64) {
         for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {
-            self.fixed[i + 3] = t;
+            self.fixed[i + SINCE] = t;
             *integrated = [self.fixed[i], self.fixed[i + 1], t];
         }
     }
@@ -44,14 +45,14 @@ impl<P: SceneRef> System<P> {
         for (&i, integrated) in self.info.integrated_inputs.iter().zip(&mut self.integrated) {
             *integrated = at(t, &self.fixed, i);
             let [value, rate, since] = *integrated;
-            (self.fixed[i], self.fixed[i + 1], self.fixed[i + 3]) = (value, rate, since);
+            (self.fixed[i], self.fixed[i + 1], self.fixed[i + SINCE]) = (value, rate, since);
         }
     }
 
     /// The first integrated input whose value, rate or time was set to something else than its motion.
     pub(crate) fn jump(&self) -> Option<Jump> {
         let inputs = self.info.integrated_inputs.iter().zip(&self.integrated);
-        let parts = inputs.flat_map(|(&i, integrated)| [i, i + 1, i + 3].into_iter().zip(*integrated));
+        let parts = inputs.flat_map(|(&i, integrated)| [i, i + 1, i + SINCE].into_iter().zip(*integrated));
         let mut parts = parts.map(|(index, is)| Jump { index, is, set: self.fixed[index] });
         parts.find(|jump| jump.is != jump.set)
     }
@@ -60,7 +61,7 @@ impl<P: SceneRef> System<P> {
     pub(crate) fn inputs_at(&self, t: f64, out: &mut [f64]) {
         out.copy_from_slice(self.inputs());
         for &i in self.info.integrated_inputs {
-            [out[i], out[i + 1], out[i + 3]] = at(t, &self.fixed, i);
+            [out[i], out[i + 1], out[i + SINCE]] = at(t, &self.fixed, i);
         }
     }
 

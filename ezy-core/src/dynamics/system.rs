@@ -10,6 +10,9 @@ use crate::model::coordinate::{body_and_component, is_angle};
 use crate::model::{Equations as _, Name, Scene as _, SceneInfo, SceneRef, Start};
 use std::sync::Arc;
 
+/// Place of the time t₀ of an input that a run integrates, behind its value, rate and acceleration.
+pub(super) const SINCE: usize = 3;
+
 /// A scene made ready for computing: inputs, constants, masses, solver and every buffer, allocated once.
 ///
 /// ```text
@@ -81,7 +84,7 @@ impl<P: SceneRef> System<P> {
         }
         let mut fixed = vec![0.0; info.n_fixed()];
         fixed.iter_mut().zip(info.inputs).for_each(|(value, input)| *value = input.default);
-        let integrated = info.integrated_inputs.iter().map(|&i| [fixed[i], fixed[i + 1], fixed[i + 3]]).collect();
+        let integrated = info.integrated_inputs.iter().map(|&i| [fixed[i], fixed[i + 1], fixed[i + SINCE]]).collect();
         scene.constants(parameters, &mut fixed);
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let mut mass = vec![0.0; n_q];

@@ -5,6 +5,7 @@
 use super::joints::{Joint, Plan};
 use super::tolerances::blocks::REFINED;
 use super::{KktFactorization, VanishedPivot};
+use crate::model::coordinate::{N_OF_BODY, body_and_component, n_bodies, place};
 use crate::model::{PIVOT_TOLERANCE, SparsityPattern};
 
 /// A column of a block: one number for each row of a joint.
@@ -14,7 +15,7 @@ type Column<const B: usize> = [f64; B];
 type Block<const B: usize> = [Column<B>; B];
 
 /// The part of G that one joint has of one body: a column for each coordinate.
-type Slot<const B: usize> = [Column<B>; 3];
+type Slot<const B: usize> = [Column<B>; N_OF_BODY];
 
 /// What one joint leaves of another, later one.
 struct Coupling {
@@ -55,7 +56,7 @@ struct BlockKkt<const B: usize> {
     /// One column of L.
     lower: Vec<Block<B>>,
     /// 1/m of the coordinates of each body.
-    mobility: Vec<[f64; 3]>,
+    mobility: Vec<[f64; N_OF_BODY]>,
     /// Right side and solution, by joint.
     multipliers: Vec<Column<B>>,
     /// Multipliers before they are refined.
@@ -72,7 +73,7 @@ struct Rows {
     n: u32,
 }
 
-/// The elimination over blocks of a system with `n_q` coordinates, three of each body; none where another one costs less.
+/// The elimination over blocks of a system with `n_q` coordinates, those of each body together; none where another one costs less.
 pub(crate) fn by_joints(n_q: usize, jacobian: &SparsityPattern, n_rows: usize) -> Option<Box<dyn KktFactorization>> {
     let plan = Plan::new(n_q, jacobian, n_rows)?;
     Some(match plan.joints.iter().map(|joint| joint.n_rows).max() {
@@ -91,9 +92,9 @@ impl<const B: usize> BlockKkt<B> {
             for &body in &joint.bodies {
                 for (r, row) in (joint.first_row..joint.first_row + joint.n_rows).enumerate() {
                     for k in pattern.starts[row]..pattern.starts[row + 1] {
-                        let (of, c) = (pattern.columns[k] / 3, pattern.columns[k] % 3);
+                        let (of, c) = body_and_component(pattern.columns[k]);
                         if of == body {
-                            places[k] = ((3 * slot_bodies.len() + c) * B + r) as u32;
+                            places[k] = (place(slot_bodies.len(), c) * B + r) as u32;
                         }
                     }
                 }
@@ -142,7 +143,7 @@ impl<const B: usize> BlockKkt<B> {
             places,
             joints: joints.iter().map(|of| Rows { first: of.first_row as u32, n: of.n_rows as u32 }).collect(),
             slot_starts,
-            slots: vec![[[0.0; B]; 3]; slot_bodies.len()],
+            slots: vec![[[0.0; B]; N_OF_BODY]; slot_bodies.len()],
             slot_bodies,
             blocks: vec![zero; block_rows.len()],
             block_starts,
@@ -153,7 +154,7 @@ impl<const B: usize> BlockKkt<B> {
             starts: vec![[1.0; B]; joints.len()],
             inverses: vec![zero; joints.len()],
             lower: vec![zero; later.iter().map(Vec::len).max().unwrap_or(0)],
-            mobility: vec![[0.0; 3]; n_q / 3],
+            mobility: vec![[0.0; N_OF_BODY]; n_bodies(n_q)],
             multipliers: vec![[0.0; B]; joints.len()],
             first: vec![[0.0; B]; joints.len()],
             smallest_pivot: 1.0,
@@ -227,7 +228,7 @@ impl<const B: usize> BlockKkt<B> {
     }
 
     /// Takes from `x` what leaves `s` of its rows, by the multipliers that it writes.
-    fn correct(&mut self, x: &mut [[f64; 3]], s: &[f64]) {
+    fn correct(&mut self, x: &mut [[f64; N_OF_BODY]], s: &[f64]) {
         let Self { joints, slot_starts, slots, slot_bodies, multipliers, .. } = self;
         for ((k, joint), sum) in joints.iter().enumerate().zip(multipliers) {
             let given = &s[joint.first as usize..][..joint.n as usize];
@@ -293,8 +294,8 @@ impl<const B: usize> KktFactorization for BlockKkt<B> {
     /// From x = M⁻¹ r and y = 0 on: what x leaves of its rows, `A δ = G x − s`, is taken from x by `M⁻¹ Gᵀ δ`. Once gives the solution; once more
     /// gives back the digits that small pivots cost.
     fn solve(&mut self, right_side: &mut [f64]) {
-        let (x, y) = right_side.split_at_mut(3 * self.mobility.len());
-        let x = x.as_chunks_mut::<3>().0;
+        let (x, y) = right_side.split_at_mut(N_OF_BODY * self.mobility.len());
+        let x = x.as_chunks_mut::<N_OF_BODY>().0;
         for (x, mobility) in x.iter_mut().zip(&self.mobility) {
             x.iter_mut().zip(mobility).for_each(|(x, mobility)| *x *= *mobility);
         }
@@ -320,7 +321,7 @@ impl<const B: usize> KktFactorization for BlockKkt<B> {
 
 /// `block += G_a M⁻¹ G_bᵀ`.
 #[inline]
-fn add_product<const B: usize>(block: &mut Block<B>, a: &Slot<B>, mobility: &[f64; 3], b: &Slot<B>) {
+fn add_product<const B: usize>(block: &mut Block<B>, a: &Slot<B>, mobility: &[f64; N_OF_BODY], b: &Slot<B>) {
     for ((a, b), mobility) in a.iter().zip(b).zip(mobility) {
         for (column, b) in block.iter_mut().zip(b) {
             let b = b * mobility;

@@ -3,6 +3,7 @@
 use super::order::minimum_degree;
 use super::tolerances::sizes::{HUB_ROWS, PRODUCTS_PER_JOINT};
 use crate::model::SparsityPattern;
+use crate::model::coordinate::{N_OF_BODY, body_and_component};
 use std::collections::{HashMap, VecDeque};
 
 /// Up to three rows, as many as a weld has, one behind the other, that hold the same bodies.
@@ -10,7 +11,7 @@ use std::collections::{HashMap, VecDeque};
 pub(super) struct Joint {
     pub first_row: usize,
     pub n_rows: usize,
-    /// Bodies that it holds, ascending; three coordinates each.
+    /// Bodies that it holds, ascending.
     pub bodies: Vec<usize>,
 }
 
@@ -26,7 +27,7 @@ impl Plan {
     /// of two.
     pub(super) fn new(n_q: usize, pattern: &SparsityPattern, n_rows: usize) -> Option<Self> {
         let joints = joints(pattern, n_rows)?;
-        let mut of_body = vec![Vec::new(); n_q.div_ceil(3)];
+        let mut of_body = vec![Vec::new(); n_q.div_ceil(N_OF_BODY)];
         for (k, joint) in joints.iter().enumerate() {
             joint.bodies.iter().for_each(|&body| of_body[body].push(k));
         }
@@ -62,7 +63,7 @@ fn joints(pattern: &SparsityPattern, n_rows: usize) -> Option<Vec<Joint>> {
         if unique.len() < columns.len() {
             return None;
         }
-        let mut bodies: Vec<usize> = columns.iter().map(|column| column / 3).collect();
+        let mut bodies: Vec<usize> = columns.iter().map(|&column| body_and_component(column).0).collect();
         bodies.sort_unstable();
         bodies.dedup();
         match joints.last_mut() {

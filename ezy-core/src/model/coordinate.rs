@@ -3,6 +3,16 @@
 /// Every body has x, y and φ, which stand together.
 pub(crate) const N_OF_BODY: usize = 3;
 
+/// How many bodies have `n_q` coordinates.
+pub(crate) const fn n_bodies(n_q: usize) -> usize {
+    n_q / N_OF_BODY
+}
+
+/// What stands at x, y and φ of a body, in q or in what is ordered as q is.
+pub(crate) fn of_body(q: &[f64], body: usize) -> [f64; N_OF_BODY] {
+    std::array::from_fn(|component| q[place(body, component)])
+}
+
 /// Place in q of a coordinate of a body: 0 for x, 1 for y, 2 for φ.
 pub(crate) const fn place(body: usize, component: usize) -> usize {
     N_OF_BODY * body + component

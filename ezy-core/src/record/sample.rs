@@ -71,6 +71,8 @@ pub struct EnergyState {
 
 /// Numbers of a sample besides those that the scene counts: time, two energies, two residuals.
 const N_ALWAYS: usize = 5;
+/// Of a coordinate: itself, velocity and acceleration.
+const N_OF_COORDINATE: usize = 3;
 
 impl EnergyState {
     /// Energies without work.
@@ -87,7 +89,8 @@ impl<'r> Sample<'r> {
     /// Numbers in a sample of this scene.
     pub(super) fn n_numbers(info: &SceneInfo, wanted: Wanted) -> usize {
         let works = if wanted.work { info.n_effects() + 2 } else { 0 };
-        N_ALWAYS + 3 * info.n_coordinates() + info.n_rows() + info.n_inputs() + n_outputs(info, wanted) + works
+        let of_motion = N_OF_COORDINATE * info.n_coordinates() + info.n_rows() + info.n_inputs();
+        N_ALWAYS + of_motion + n_outputs(info, wanted) + works
     }
 
     /// Reads a stored sample.

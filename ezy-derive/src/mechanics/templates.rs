@@ -29,7 +29,7 @@ pub struct Templates<'m> {
     /// Inputs of the model and of the scene's effects.
     pub inputs: Vec<InputId>,
     /// Mass, mass and inertia of a member, by [`Model::arrays`].
-    pub masses: Vec<(&'m Array, [SumId; 3])>,
+    pub masses: Vec<(&'m Array, [SumId; Component::ALL.len()])>,
     /// Position constraints first.
     pub rows: Vec<RowTemplate<'m>>,
     pub forces: Vec<ForceTemplate<'m>>,

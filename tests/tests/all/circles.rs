@@ -75,6 +75,21 @@ fn read(folder: &Path, module: &Module, texts: &mut BTreeMap<Module, String>) {
     }
 }
 
+/// Takes out the modules that are compiled for tests alone.
+pub fn remove_tests(texts: &mut BTreeMap<Module, String>) {
+    let is_test = |module: &Module| {
+        (0..module.len()).any(|n| {
+            // `#[cfg(test)]` or `#[cfg(all(test, …))]`
+            let declared = format!("]\nmod {};", module[n]);
+            let before = texts.get(&module[..n]).and_then(|text| text.split_once(&declared));
+            let attribute = before.and_then(|(before, _)| before.lines().last());
+            attribute.is_some_and(|line| line.starts_with("#[cfg(test)") || line.starts_with("#[cfg(all(test,"))
+        })
+    };
+    let tests: Vec<Module> = texts.keys().filter(|module| is_test(module)).cloned().collect();
+    texts.retain(|module, _| !tests.contains(module));
+}
+
 struct Crate {
     texts: BTreeMap<Module, String>,
     /// What modules hand on, by name.
@@ -83,14 +98,7 @@ struct Crate {
 
 impl Crate {
     fn new(mut texts: BTreeMap<Module, String>) -> Self {
-        let is_test = |module: &Module, texts: &BTreeMap<Module, String>| {
-            (0..module.len()).any(|n| {
-                let declared = format!("#[cfg(test)]\nmod {};", module[n]);
-                texts.get(&module[..n]).is_some_and(|text| text.contains(&declared))
-            })
-        };
-        let tests: Vec<Module> = texts.keys().filter(|module| is_test(module, &texts)).cloned().collect();
-        texts.retain(|module, _| !tests.contains(module));
+        remove_tests(&mut texts);
         let mut exports: BTreeMap<Module, BTreeMap<String, Vec<String>>> = BTreeMap::new();
         for (module, text) in &mut texts {
             let (exported, rest) = split_exports(text);

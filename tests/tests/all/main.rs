@@ -66,6 +66,7 @@ mod stop;
 mod straight_and_locked;
 mod symmetries;
 mod taylor;
+mod threes;
 mod tolerances;
 mod trajectories;
 mod treads;

@@ -117,7 +117,7 @@ impl Step {
     }
 
     fn check_names(&self) -> Result<(), String> {
-        for name in self.functions.iter().filter(|name| functions(&self.text, name).is_empty()) {
+        if let Some(name) = self.functions.iter().find(|name| functions(&self.text, name).is_empty()) {
             return Err(format!("the function `{name}` is not defined there"));
         }
         if let Some(name) = &self.handed_on {
@@ -130,7 +130,7 @@ impl Step {
                 return Err(format!("nothing there hands on `{name}`"));
             }
         }
-        for quoted in self.quoted.iter().filter(|quoted| !self.text.contains(last(quoted))) {
+        if let Some(quoted) = self.quoted.iter().find(|quoted| !self.text.contains(last(quoted))) {
             return Err(format!("`{quoted}` does not stand there"));
         }
         Ok(())

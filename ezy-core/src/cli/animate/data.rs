@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::integrate::Method;
+use crate::model::coordinate::{body_and_component, is_angle, place};
 use crate::model::{ElementInfo, LoadKind, Scene, SceneInfo};
 use crate::record::Sample;
 use crate::report::drawing::{Anchor, Drawing, Elements, Film, Motion, Placed};
@@ -68,9 +69,10 @@ impl<'r> Animation<'r> {
         // a hundredth of a pixel
         let digits = (100.0 * scale).log10().ceil() as i32;
         let length = |x: f64| round(x, digits);
-        let pose = |i: usize, what: usize| -> Vec<f64> {
-            let digits = if what == 2 { 4 } else { digits };
-            self.frames.iter().map(|frame| round(frame.q[3 * i + what], digits)).collect()
+        let pose = |i: usize, component: usize| -> Vec<f64> {
+            let place = place(i, component);
+            let digits = if is_angle(place) { 4 } else { digits };
+            self.frames.iter().map(|frame| round(frame.q[place], digits)).collect()
         };
         let poses: Vec<Value> = (0..info.bodies.len()).map(|i| json!([pose(i, 0), pose(i, 1), pose(i, 2)])).collect();
         let mut anchors: Vec<Anchor> =
@@ -219,9 +221,10 @@ fn arrows(scene: &dyn Scene, run: &Run, elements: &Elements, frames: &[Placed]) 
             // the reaction on the bodies is −Gᵀ λ
             let mut force = vec![0.0; 2];
             for (k, row, column) in info.jacobian.entries() {
-                if rows.contains(&row) && (column == 3 * body || column == 3 * body + 1) {
+                let (of, component) = body_and_component(column);
+                if rows.contains(&row) && of == *body && !is_angle(column) {
                     let lambda = columns[row].map_or(0.0, |column| sample.multipliers[column]);
-                    force[column - 3 * body] -= jacobian[k] * lambda;
+                    force[component] -= jacobian[k] * lambda;
                 }
             }
             values.push(force);

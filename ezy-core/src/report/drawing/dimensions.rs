@@ -30,7 +30,7 @@ pub(super) fn dimensions(sheet: &mut Sheet, elements: &Elements, at: &Placed, sc
     let mut svg = String::new();
     for dimension in all(elements, at).into_iter().take(MOST) {
         let [a, b] = dimension.ends.map(|[x, y]| {
-            let (sin, cos) = at.q[3 * dimension.body + 2].sin_cos();
+            let (sin, cos) = at.angle(dimension.body).sin_cos();
             let [cx, cy] = at.centre(dimension.body);
             [(cx + x * cos - y * sin) * scale, -(cy + x * sin + y * cos) * scale]
         });

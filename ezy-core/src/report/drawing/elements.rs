@@ -1,5 +1,6 @@
 //! The elements of a scene with their numbers at a state.
 
+use crate::model::coordinate::of_body;
 use crate::model::{ElementInfo, List, Scene};
 use crate::record::Sample;
 
@@ -135,18 +136,27 @@ impl Placed {
     /// A point along the axes of the ground, m.
     pub fn position(&self, of: Anchor) -> Vector {
         let [x, y] = self.direction(of);
-        of.body.map_or([x, y], |body| [self.q[3 * body] + x, self.q[3 * body + 1] + y])
+        let Some(body) = of.body else { return [x, y] };
+        let [cx, cy] = self.centre(body);
+        [cx + x, cy + y]
     }
 
     /// A direction along the axes of the ground.
     pub fn direction(&self, of: Anchor) -> Vector {
         let [x, y] = self.local(of);
-        let (sin, cos) = of.body.map_or((0.0, 1.0), |body| self.q[3 * body + 2].sin_cos());
+        let (sin, cos) = of.body.map_or((0.0, 1.0), |body| self.angle(body).sin_cos());
         [x * cos - y * sin, x * sin + y * cos]
     }
 
     /// The centre of mass of a body, m.
     pub fn centre(&self, body: usize) -> Vector {
-        [self.q[3 * body], self.q[3 * body + 1]]
+        let [x, y, _] = of_body(&self.q, body);
+        [x, y]
+    }
+
+    /// The angle of a body, rad.
+    pub fn angle(&self, body: usize) -> f64 {
+        let [.., phi] = of_body(&self.q, body);
+        phi
     }
 }

@@ -4,6 +4,7 @@ use super::elements::{Placed, Vector};
 use super::parts::{Drawing, Part, Pose};
 use super::sketch::{OF_A_FILE, drawn};
 use super::{STYLE, number};
+use crate::model::coordinate::n_bodies;
 use crate::report::page::escape;
 
 /// A motion larger than so many times the mechanism is shown from a camera that moves with the first body.
@@ -159,6 +160,6 @@ fn joined(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
 /// Left, top, right and bottom of all points and centres of mass, pixels.
 fn outline(drawing: &Drawing, frame: &Placed) -> [f64; 4] {
     let points = drawing.elements.points().map(|point| frame.position(point));
-    let centres = (0..frame.q.len() / 3).map(|i| frame.centre(i));
+    let centres = (0..n_bodies(frame.q.len())).map(|i| frame.centre(i));
     points.chain(centres).map(|point| drawing.pixels(point)).fold(EMPTY, |all, [x, y]| joined(all, [x, y, x, y]))
 }

@@ -3,6 +3,7 @@
 use super::elements::{Anchor, Elements, Placed, Vector};
 use super::outline::rounded_hull;
 use super::{number, symbols};
+use crate::model::coordinate::of_body;
 use crate::model::{ElementInfo, Scene};
 use crate::report::page::escape;
 
@@ -152,7 +153,7 @@ impl Drawing {
     pub(super) fn pose(&self, of: &Part, at: &Placed) -> Pose {
         let turned = |[x, y]: Vector| -y.atan2(x).to_degrees();
         let (place, turn, stretch) = match of.motion {
-            Motion::Body(i) => (at.centre(i), Some(-at.q[3 * i + 2].to_degrees()), None),
+            Motion::Body(i) => (at.centre(i), Some(-at.angle(i).to_degrees()), None),
             Motion::At { point, along } => (at.position(point), along.map(|along| turned(at.direction(along))), None),
             Motion::Span { from, to } => {
                 let (a, b) = (at.position(from), at.position(to));
@@ -191,8 +192,8 @@ impl Body {
         let points: Vec<Vector> = std::iter::once([0.0; 2]).chain(own).collect();
         let distance = |a: &Vector, b: &Vector| (a[0] - b[0]).hypot(a[1] - b[1]);
         let far = points.iter().flat_map(|a| points.iter().map(move |b| distance(a, b))).fold(0.0, f64::max);
-        let mass = elements.mass();
-        let gyration = (mass[3 * i + 2] / mass[3 * i]).sqrt();
+        let [mass, _, inertia] = of_body(elements.mass(), i);
+        let gyration = (inertia / mass).sqrt();
         let gyration = if gyration.is_finite() { 2.0 * gyration } else { 0.0 };
         let gyration = if reach > 0.0 { gyration.min(LARGEST_DISC * reach) } else { gyration };
         let is_single = far <= 0.0;

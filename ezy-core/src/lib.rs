@@ -95,7 +95,7 @@ pub mod prelude {
     #[doc(inline)]
     pub use crate::__model as model;
     pub use crate::dynamics::{Metric, Projection, State, System};
-    pub use crate::integrate::{Method, Tolerance};
+    pub use crate::integrate::{Method, MethodKind, Tolerance};
     pub use crate::linalg::Backend;
     pub use crate::model::{Derived, Equations, ModelInfo, Scene};
     pub use crate::record::{CsvWriter, RecordError, Recorder, Sample, coordinate_index, input_index, output_index};

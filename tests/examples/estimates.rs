@@ -131,9 +131,9 @@ fn methods(until_s: f64) -> impl Iterator<Item = Method> {
 }
 
 fn setting(method: Method) -> String {
-    match (method, method.tolerance()) {
-        (Method::Rk4 { step_s }, _) => format!("rk4 with steps of {step_s} s"),
-        (_, tolerance) => format!("{} at {:e}", method.name(), tolerance.map_or(f64::NAN, |t| t.relative)),
+    match method.step_s() {
+        Some(step_s) => format!("{} with steps of {step_s} s", method.name()),
+        None => format!("{} at {:e}", method.name(), method.setting()),
     }
 }
 

@@ -66,7 +66,8 @@ fn error<S: Scene + Default>(compensated: bool) -> Result<f64, Box<dyn Error>> {
         let mut now = system.consistent_start(&system.scene_start())?;
         now.work.clear();
         let mut steps =
-            GivenSteps::new(System::new(&scene, Backend::Auto)?, now.clone(), StepsBy::Rk4).ok_or("no steps")?;
+            GivenSteps::new(System::new(&scene, Backend::Auto)?, now.clone(), StepsBy::Method(MethodKind::Rk4))
+                .ok_or("no steps")?;
         for n in 1..=LONG {
             now.clone_from(steps.attempt(SHORT_S)?.ok_or("no step")?);
             let State { t, q, v, .. } = &mut now;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::ladder::{command, setting};
+use super::ladder::command;
 use crate::integrate::Method;
 
 /// Errors that advice is given for: largest error of a position over the run, m or rad.
@@ -60,7 +60,7 @@ pub(super) fn advise(target: f64, known: f64, candidates: &[Candidate], unfinish
 
 fn fastest_of(name: &str, target: f64, candidates: &[Candidate]) -> Option<Candidate> {
     let mut rungs: Vec<Candidate> = candidates.iter().copied().filter(|c| c.method.name() == name).collect();
-    rungs.sort_by(|a, b| setting(b.method).total_cmp(&setting(a.method)));
+    rungs.sort_by(|a, b| b.method.setting().total_cmp(&a.method.setting()));
     let reached = |i: usize| rungs.get(i).is_none_or(|c| c.error <= target);
     let reliable = (0..rungs.len()).filter(|&i| (i..=i + N_CONFIRMING).all(reached));
     reliable.map(|i| rungs[i]).min_by(|a, b| a.seconds.total_cmp(&b.seconds))

@@ -1,6 +1,5 @@
 //! The measurement as a CSV file.
 
-use super::ladder::setting;
 use super::measured::WorkPrecision;
 use super::point::{Measured, Point};
 use crate::dynamics::{Metric, Projection};
@@ -62,7 +61,7 @@ impl WorkPrecision {
             Metric::Mass => "mass",
             Metric::Euclidean => "euclidean",
         };
-        let what = [point.method.name(), &format!("{:e}", setting(point.method)), projection, metric, point.outcome()];
+        let what = [point.method.name(), &format!("{:e}", point.method.setting()), projection, metric, point.outcome()];
         let number =
             |(_, value): Column| point.measured().map_or_else(String::new, |m| format!("{:?}", value(self, m)));
         what.map(str::to_owned).into_iter().chain(COLUMNS.map(number)).collect()

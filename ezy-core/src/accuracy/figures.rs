@@ -1,10 +1,10 @@
 //! The figures: time against error, drift and energy against tolerance.
 
-use super::ladder::{FAMILIES, Family, setting};
 use super::measured::WorkPrecision;
 use super::point::Measured;
 use super::variant::Variant;
 use crate::dynamics::{Metric, Projection};
+use crate::integrate::MethodKind;
 use crate::report::figure::Figure;
 
 /// Where the error of a work-precision figure is taken.
@@ -29,15 +29,15 @@ impl WorkPrecision {
         };
         let title = format!("{}/{}: what accuracy costs, {what}", self.info.model, self.info.name);
         let mut figure = Figure::log_log(&title, &label, "time of a run [ms]");
-        for family in &FAMILIES {
-            let (x, y) = self.costs(family, place);
-            figure = figure.points(family.name, x, y);
+        for &kind in MethodKind::ALL {
+            let (x, y) = self.costs(kind, place);
+            figure = figure.points(kind.name(), x, y);
         }
-        for family in &FAMILIES {
-            figure = self.with_slope(figure, family, place);
+        for &kind in MethodKind::ALL {
+            figure = self.with_slope(figure, kind, place);
         }
         let [fastest, slowest] = self.range_of_times();
-        let all = FAMILIES.iter().flat_map(|family| self.costs(family, place).0);
+        let all = MethodKind::ALL.iter().flat_map(|&kind| self.costs(kind, place).0);
         let least = all.filter(|error| *error > 0.0).fold(f64::INFINITY, f64::min);
         if !least.is_finite() {
             return figure;
@@ -59,7 +59,7 @@ impl WorkPrecision {
     }
 
     /// Errors and times in ms of one method.
-    fn costs(&self, family: &Family, place: Where) -> (Vec<f64>, Vec<f64>) {
+    fn costs(&self, kind: MethodKind, place: Where) -> (Vec<f64>, Vec<f64>) {
         let cost = |m: &Measured| {
             let error = match place {
                 Where::End => m.error.end,
@@ -67,22 +67,22 @@ impl WorkPrecision {
             };
             (error.position.absolute, 1e3 * m.seconds_min)
         };
-        self.curve(family.name, Variant::default()).map(|(_, m)| cost(m)).unzip()
+        self.curve(kind.name(), Variant::default()).map(|(_, m)| cost(m)).unzip()
     }
 
     /// Shortest and longest time with the default projection, ms.
     fn range_of_times(&self) -> [f64; 2] {
-        let all = FAMILIES.iter().flat_map(|family| self.costs(family, Where::End).1);
+        let all = MethodKind::ALL.iter().flat_map(|&kind| self.costs(kind, Where::End).1);
         all.fold([f64::INFINITY, 0.0], |[low, high], t| [low.min(t), high.max(t)])
     }
 
     /// The slope −1/order above the middle of a curve, away from the floor of rounding.
-    fn with_slope(&self, figure: Figure, family: &Family, place: Where) -> Figure {
-        let (x, y) = self.costs(family, place);
+    fn with_slope(&self, figure: Figure, kind: MethodKind, place: Where) -> Figure {
+        let (x, y) = self.costs(kind, place);
         let least = x.iter().copied().filter(|error| *error > 0.0).fold(f64::INFINITY, f64::min);
         let floor = FLOOR * least.max(self.known(place));
         let usable: Vec<(f64, f64)> = x.into_iter().zip(y).filter(|(x, _)| *x > floor && x.is_finite()).collect();
-        let (Some(order), true) = (family.order, usable.len() >= 4) else { return figure };
+        let (Some(order), true) = (kind.info().order, usable.len() >= 4) else { return figure };
         let (first, last) = (usable.len() / 4, usable.len() - 1 - usable.len() / 4);
         let (x0, y0) = usable[first];
         let x1 = usable[last].0;
@@ -128,7 +128,7 @@ impl WorkPrecision {
         let mut figure = Figure::log_log(title, &format!("tolerance of {method}"), label);
         for &variant in shown {
             let (x, y): (Vec<f64>, Vec<f64>) =
-                self.curve(method, variant).map(|(method, m)| (setting(method), pick(m))).unzip();
+                self.curve(method, variant).map(|(method, m)| (method.setting(), pick(m))).unzip();
             if !x.is_empty() {
                 figure = figure.points(variant.name(), x, y);
             }

@@ -1,6 +1,6 @@
 //! The settings of the methods that are compared.
 
-use crate::integrate::Method;
+use crate::integrate::{Method, MethodKind, Tolerance};
 
 /// Tolerances and steps, from coarse to fine.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,55 +28,15 @@ fn half_decade(m: i32) -> f64 {
     text.parse().unwrap_or(f64::NAN)
 }
 
-/// A method and its settings.
-pub(super) struct Family {
-    pub name: &'static str,
-    pub rungs: fn(&Ladder, f64) -> Vec<Method>,
-    /// Order of the method, if it has a fixed one: computing time is proportional to the error to the power −1/order.
-    #[cfg(feature = "figures")]
-    pub order: Option<u32>,
-}
-
-/// Every method. `rungs` is called with the ladder and a long step of the motion, s.
-pub(super) const FAMILIES: [Family; 5] = [
-    Family {
-        name: "taylor",
-        rungs: |ladder, _| with_tolerances(ladder, Method::taylor),
-        #[cfg(feature = "figures")]
-        order: None,
-    },
-    Family {
-        name: "dop853",
-        rungs: |ladder, _| with_tolerances(ladder, Method::dop853),
-        #[cfg(feature = "figures")]
-        order: Some(8),
-    },
-    Family {
-        name: "gauss",
-        rungs: |ladder, _| with_tolerances(ladder, Method::gauss),
-        #[cfg(feature = "figures")]
-        order: None,
-    },
-    Family {
-        name: "radau",
-        rungs: |ladder, _| with_tolerances(ladder, Method::radau),
-        #[cfg(feature = "figures")]
-        order: Some(5),
-    },
-    Family {
-        name: "rk4",
-        rungs: |ladder, long_s| with_steps(ladder, long_s, Method::rk4),
-        #[cfg(feature = "figures")]
-        order: Some(4),
-    },
-];
-
-fn with_tolerances(ladder: &Ladder, method: fn(f64) -> Method) -> Vec<Method> {
-    ladder.tolerances.iter().map(|&tolerance| method(tolerance)).collect()
-}
-
-fn with_steps(ladder: &Ladder, long_s: f64, method: fn(f64) -> Method) -> Vec<Method> {
-    one_two_five(long_s).take(ladder.n_steps).map(method).collect()
+impl Ladder {
+    /// The method with each of its settings, from coarse to fine. `long_s` is a long step of the motion, s.
+    pub(super) fn rungs(&self, kind: MethodKind, long_s: f64) -> Vec<Method> {
+        if kind.info().chooses_steps {
+            let tolerances = self.tolerances.iter().map(|&tolerance| Tolerance::new(tolerance, tolerance));
+            return tolerances.filter_map(|tolerance| kind.with_tolerance(tolerance)).collect();
+        }
+        one_two_five(long_s).take(self.n_steps).filter_map(|step_s| kind.with_step(step_s)).collect()
+    }
 }
 
 /// The numbers 1, 2 and 5 times powers of ten from `largest` down.
@@ -86,22 +46,10 @@ fn one_two_five(largest: f64) -> impl Iterator<Item = f64> {
     all.filter_map(|text| text.parse().ok()).skip_while(move |step: &f64| *step > largest * (1.0 + 1e-9))
 }
 
-/// The step of a method with a fixed step, s, or the relative tolerance of one that chooses its steps.
-pub(crate) fn setting(method: Method) -> f64 {
-    match method {
-        Method::Rk4 { step_s } => step_s,
-        Method::Dop853(tolerance) | Method::Taylor(tolerance) | Method::Gauss(tolerance) | Method::Radau(tolerance) => {
-            tolerance.relative
-        }
-    }
-}
-
 /// The method's setting as an option of the command line: `--step 0.001`, `--rtol 1e-9`.
 pub(super) fn command(method: Method) -> String {
-    match method {
-        Method::Rk4 { step_s } => format!("--step {}", number(step_s)),
-        _ => format!("--rtol {}", number(setting(method))),
-    }
+    let option = if method.info().chooses_steps { "--rtol" } else { "--step" };
+    format!("{option} {}", number(method.setting()))
 }
 
 /// A setting with the digits it was made with: `0.001`, `1e-9`, `3.2e-7`.
@@ -125,10 +73,10 @@ mod tests {
 
     #[test]
     fn invariant_rungs_get_finer() {
-        for family in FAMILIES {
-            let rungs = (family.rungs)(&Ladder::default(), 0.07);
-            let settings: Vec<f64> = rungs.into_iter().map(setting).collect();
-            assert!(settings.windows(2).all(|pair| pair[1] < pair[0]), "{}: {settings:?}", family.name);
+        for kind in MethodKind::ALL {
+            let settings: Vec<f64> = Ladder::default().rungs(*kind, 0.07).into_iter().map(Method::setting).collect();
+            let n = if kind.info().chooses_steps { N_TOLERANCES as usize } else { N_STEPS };
+            assert!(settings.len() == n && settings.windows(2).all(|pair| pair[1] < pair[0]), "{kind:?}: {settings:?}");
         }
     }
 }

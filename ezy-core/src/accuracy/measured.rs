@@ -1,11 +1,10 @@
 //! A finished measurement.
 
 use super::advice::{Advice, Candidate, TARGETS, advise};
-use super::ladder::FAMILIES;
 use super::point::{Measured, Point, PointResult};
 use super::reference::Reference;
 use super::variant::Variant;
-use crate::integrate::Method;
+use crate::integrate::{Method, MethodKind};
 use crate::model::SceneInfo;
 use std::sync::Arc;
 
@@ -57,7 +56,7 @@ pub struct Missing {
 impl WorkPrecision {
     /// Names of the methods.
     pub(super) fn methods(&self) -> impl Iterator<Item = &'static str> {
-        FAMILIES.iter().map(|family| family.name)
+        MethodKind::ALL.iter().map(|kind| kind.name())
     }
 
     /// The points of one method with one projection, from coarse to fine.

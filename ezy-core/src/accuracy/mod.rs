@@ -43,8 +43,6 @@ pub use error::AccuracyError;
 pub use errors::{Comparison, Errors, Size};
 pub use ladder::Ladder;
 #[cfg(feature = "cli")]
-pub(crate) use ladder::setting;
-#[cfg(feature = "cli")]
 pub(crate) use measured::IS_UNOPTIMISED;
 pub use measured::{Missing, WorkPrecision};
 pub use order::Accuracy;

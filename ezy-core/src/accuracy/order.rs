@@ -4,13 +4,13 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use super::error::AccuracyError;
-use super::ladder::{FAMILIES, Ladder, setting};
+use super::ladder::Ladder;
 use super::measured::{WorkPrecision, machine};
 use super::point::{Point, PointResult, measure, repeats};
 use super::reference::{Found, Reference};
 use super::runs::{NoRun, Runs};
 use super::variant::Variant;
-use crate::integrate::Method;
+use crate::integrate::{Method, MethodKind};
 use crate::model::Scene;
 use crate::simulate::{PROCESSOR_TIME_IS_KNOWN, processor_time};
 
@@ -132,7 +132,7 @@ impl<'s> Accuracy<'s> {
         let mut points: Vec<Point> = Vec::with_capacity(jobs.len());
         for (i, Job { family, method, variant }) in jobs.iter().enumerate() {
             let spent = (processor_time() - began).as_secs_f64();
-            progress((i as f64 / jobs.len() as f64).max(spent / budget_s).min(1.0), FAMILIES[*family].name);
+            progress((i as f64 / jobs.len() as f64).max(spent / budget_s).min(1.0), MethodKind::ALL[*family].name());
             let share = if *variant == Variant::default() { MAIN_SHARE } else { 1.0 };
             let left = share * budget_s - spent;
             let affordable = match expected_seconds(&points, *method, *variant) {
@@ -200,7 +200,7 @@ fn longest_step(runs: &Runs<'_>) -> Result<f64, AccuracyError> {
 
 /// The default projection first, from coarse to fine, methods in turn; then every second rung with the others.
 fn jobs(variants: &[Variant], ladder: &Ladder, long_s: f64) -> Vec<Job> {
-    let rungs: Vec<Vec<Method>> = FAMILIES.iter().map(|family| (family.rungs)(ladder, long_s)).collect();
+    let rungs: Vec<Vec<Method>> = MethodKind::ALL.iter().map(|kind| ladder.rungs(*kind, long_s)).collect();
     let n_rungs = rungs.iter().map(Vec::len).max().unwrap_or(0);
     let rung = |i: usize, variant: Variant| {
         let all = rungs.iter().enumerate();
@@ -218,10 +218,7 @@ fn expected_seconds(points: &[Point], method: Method, variant: Variant) -> Optio
     let before = points.iter().rev().find(of_kind)?;
     match &before.result {
         PointResult::Measured(measured) => {
-            let growth = match method {
-                Method::Rk4 { step_s } => setting(before.method) / step_s,
-                _ => ADAPTIVE_GROWTH,
-            };
+            let growth = method.step_s().map_or(ADAPTIVE_GROWTH, |step_s| before.method.setting() / step_s);
             Some(growth * measured.seconds_min)
         }
         PointResult::Stopped(_) => None,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 
 use crate::accuracy::{
-    Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, IS_UNOPTIMISED, Point, Size, WorkPrecision, setting,
+    Accuracy, AccuracyError, Advice, Candidate, Comparison, Errors, IS_UNOPTIMISED, Point, Size, WorkPrecision,
 };
 use crate::output::OutputFolder;
 use crate::scalar::legible_time;
@@ -146,13 +146,13 @@ fn advice(advice: &Advice) -> Value {
 }
 
 fn candidate(Candidate { method, error, seconds }: &Candidate) -> Value {
-    json!({ "method": method.name(), "setting": setting(*method), "error": error, "seconds": seconds })
+    json!({ "method": method.name(), "setting": method.setting(), "error": error, "seconds": seconds })
 }
 
 fn point(point: &Point) -> Value {
     let mut all = json!({
         "method": point.method.name(),
-        "setting": setting(point.method),
+        "setting": point.method.setting(),
         "projection": point.variant.name(),
         "outcome": point.outcome(),
     });

@@ -38,7 +38,7 @@ const OPTIONS: [(&str, &[&str]); 21] = [
 ];
 
 /// Values of other tools, by option, and the value here.
-const VALUES: [(&str, &str, &str); 13] = [
+const VALUES: [(&str, &str, &str); 14] = [
     ("--method", "ode45 ode23 rk45 rk23 rkf45 rkck cash-karp dopri dopri5 dp5 dp45 tsit5 bs3 fehlberg", "dop853"),
     ("--method", "ode113 ode78 ode89 dop8 dp8 vern6 vern7 vern8 vern9 adams abm rk78 rkf78 dopri853 dopri8", "dop853"),
     ("--method", "lsoda lsodar lsode cvode vode default auto automatic", "dop853"),
@@ -53,11 +53,8 @@ const VALUES: [(&str, &str, &str); 13] = [
         "implicit stiff impliciteuler backwardeuler generalizedalpha hht hhti3 newmark trapezoidal cranknicolson",
         "radau",
     ),
-    (
-        "--method",
-        "euler eulerforward forwardeuler expliciteuler heun midpoint rk rk1 rk2 rk3 ralston ssprk3 ode1 ode2 ode3 ode4",
-        "rk4",
-    ),
+    ("--method", "euler eulerforward forwardeuler expliciteuler rk rk1 rk3 ssprk3 ode1 ode3 ode4", "rk4"),
+    ("--method", "heun rk2 ode2 ralston modifiedeuler explicitmidpoint", "midpoint"),
     ("--method", "rungekutta rungekutta4 classic fixed fixedstep", "rk4"),
     (
         "--method",

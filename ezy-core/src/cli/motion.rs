@@ -2,13 +2,13 @@
 
 use std::fs::File;
 
-use crate::integrate::{Method, Tolerance};
+use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::model::{Scene, SceneInfo};
 use crate::scalar::legible_time;
 use crate::simulate::{InputTable, SetupError, Simulation, read_inputs};
 
 use super::failure::Failure;
-use super::motion_arguments::{MethodName, MotionArguments};
+use super::motion_arguments::MotionArguments;
 
 /// Step of a method with a fixed step, s, when none is given.
 const STEP_S: f64 = 1e-3;
@@ -17,32 +17,31 @@ const START_S: f64 = 0.0;
 
 /// The method that is asked for; a step alone asks for rk4.
 pub(super) fn method(arguments: &MotionArguments) -> Result<Method, Failure> {
-    let MotionArguments { method, step, rtol, atol, angle_tol, .. } = arguments;
-    let by_step = || if step.is_some() { MethodName::Rk4 } else { MethodName::default() };
-    match method.unwrap_or_else(by_step) {
-        MethodName::Rk4 => match rtol.or(*atol).or(*angle_tol) {
-            Some(_) => Err(Failure::wrong_use(
-                "rk4 has a fixed step and no tolerance: give `--step` alone, or a method with a tolerance, such as `--method dop853`",
-            )),
-            None => Ok(Method::rk4(step.unwrap_or(STEP_S))),
-        },
-        MethodName::Dop853 => Ok(Method::Dop853(tolerance("dop853", arguments)?)),
-        MethodName::Taylor => Ok(Method::Taylor(tolerance("taylor", arguments)?)),
-        MethodName::Gauss => Ok(Method::Gauss(tolerance("gauss", arguments)?)),
-        MethodName::Radau => Ok(Method::Radau(tolerance("radau", arguments)?)),
+    let MotionArguments { method, step, .. } = arguments;
+    let by_step = if step.is_some() { MethodKind::Rk4 } else { Method::default().kind() };
+    let kind = method.unwrap_or(by_step);
+    let name = kind.name();
+    match (kind.with_step(step.unwrap_or(STEP_S)), tolerance(arguments)) {
+        (Some(method), None) => Ok(method),
+        (Some(_), Some(_)) => Err(Failure::wrong_use(format!(
+            "{name} has a fixed step and no tolerance: give `--step` alone, or a method with a tolerance, such as `--method dop853`"
+        ))),
+        (None, _) if step.is_some() => Err(Failure::wrong_use(format!(
+            "{name} chooses the length of its steps: give `--rtol` in place of `--step`"
+        ))),
+        (None, tolerance) => {
+            let tolerance = tolerance.unwrap_or(Tolerance::new(Tolerance::DEFAULT, Tolerance::DEFAULT));
+            Ok(kind.with_tolerance(tolerance).unwrap_or_default())
+        }
     }
 }
 
-/// Tolerance of a method that chooses its steps.
-fn tolerance(method: &str, arguments: &MotionArguments) -> Result<Tolerance, Failure> {
-    if arguments.step.is_some() {
-        return Err(Failure::wrong_use(format!(
-            "{method} chooses the length of its steps: give `--rtol` in place of `--step`"
-        )));
-    }
-    let relative = arguments.rtol.unwrap_or(Tolerance::DEFAULT);
-    let absolute = arguments.atol.unwrap_or(relative);
-    Ok(Tolerance { angle: arguments.angle_tol, ..Tolerance::new(relative, absolute) })
+/// The tolerance, where a part of it is given.
+fn tolerance(arguments: &MotionArguments) -> Option<Tolerance> {
+    let MotionArguments { rtol, atol, angle_tol, .. } = arguments;
+    rtol.or(*atol).or(*angle_tol)?;
+    let relative = rtol.unwrap_or(Tolerance::DEFAULT);
+    Some(Tolerance { angle: *angle_tol, ..Tolerance::new(relative, atol.unwrap_or(relative)) })
 }
 
 /// Inputs of the file, then those of the command line, which win.

@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 
 use super::value::{Assignment, parse_assignment, parse_count, parse_number};
 use crate::dynamics::{Metric, Projection};
+use crate::integrate::MethodKind;
 
 // its documentation would take the place of that of the command
 #[derive(Debug, Clone, Default, Args)]
@@ -16,8 +17,8 @@ pub(super) struct MotionArguments {
     pub until: Option<f64>,
     /// Integration method [default: dop853, or rk4 with --step]
     #[arg(long, value_enum, ignore_case = true)]
-    pub method: Option<MethodName>,
-    /// Step in seconds, of a method with a fixed step [default of rk4: 1e-3]
+    pub method: Option<MethodKind>,
+    /// Step in seconds, of a method with a fixed step [default: 1e-3]
     #[arg(long, value_name = "H", value_parser = parse_number, allow_negative_numbers = true)]
     pub step: Option<f64>,
     /// Relative tolerance, of a method that chooses its steps [default: 1e-9]
@@ -68,19 +69,14 @@ pub(super) struct MotionArguments {
     pub inputs: Option<PathBuf>,
 }
 
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub(super) enum MethodName {
-    /// Classical Runge-Kutta method of order 4 with a fixed step
-    Rk4,
-    /// Method of Dormand and Prince of order 8 with steps that keep to a tolerance
-    #[default]
-    Dop853,
-    /// Taylor's method with order and steps that keep to a tolerance
-    Taylor,
-    /// Gauss-Legendre collocation of order 16 with steps that keep to a tolerance, for smooth motions
-    Gauss,
-    /// Implicit method Radau IIA of order 5 with steps that keep to a tolerance, for stiff scenes
-    Radau,
+impl ValueEnum for MethodKind {
+    fn value_variants<'a>() -> &'a [Self] {
+        Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(self.info().summary))
+    }
 }
 
 impl ValueEnum for Projection {

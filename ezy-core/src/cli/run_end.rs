@@ -177,7 +177,7 @@ fn free_text(free: &[Name]) -> String {
 
 /// Remarks on a run. `radau_runs`: whether radau can run the scene.
 pub(super) fn remarks(run: &Run, method: Method, radau_runs: bool) -> String {
-    let is_explicit = !matches!(method, Method::Radau(_));
+    let is_explicit = !method.info().is_implicit;
     let stiff = match run.stiff_since_s {
         Some(t) => format!(
             "remark: from t = {} s on, or before, the steps of {} were limited by stiffness, not by the tolerance; try --method radau\n",
@@ -283,15 +283,13 @@ fn energy_remark(energy: EnergyError, steps: u64, method: Method, radau_runs: bo
              tolerance for them; compare with another method, and look at positions where constraints nearly depend on each other\n"
         );
     }
-    let (what, better) = match method {
-        Method::Rk4 { step_s } => {
+    let (what, better) = match method.step_s() {
+        Some(step_s) => {
             let or = if radau_runs { format!("; if the scene is stiff, {IMPLICIT}") } else { String::new() };
             (format!("the step of {} s", legible(step_s)), format!("--step {:.0e}{or}", step_s / 10.0))
         }
-        Method::Dop853(Tolerance { relative, .. })
-        | Method::Taylor(Tolerance { relative, .. })
-        | Method::Gauss(Tolerance { relative, .. })
-        | Method::Radau(Tolerance { relative, .. }) => {
+        None => {
+            let relative = method.setting();
             if relative <= Tolerance::SMALLEST_RELATIVE {
                 return format!(
                     "remark: energy and work {difference} at the smallest tolerance; compare with --method rk4\n"

@@ -72,13 +72,12 @@ pub(super) fn error_line(estimate: Option<&Estimate>) -> String {
 /// How a method is set on the command line.
 fn setting(method: Method) -> String {
     let short = |x: f64| rounded(x, 3);
-    match (method, method.tolerance()) {
-        (Method::Rk4 { step_s }, _) => format!("--step {}", short(step_s)),
-        (_, Some(Tolerance { relative, absolute, angle })) => {
+    match method.tolerance() {
+        Some(Tolerance { relative, absolute, angle }) => {
             let atol = if relative == absolute { String::new() } else { format!(" --atol {}", short(absolute)) };
             let angle_tol = angle.map_or(String::new(), |angle| format!(" --angle-tol {}", short(angle)));
             format!("--rtol {}{atol}{angle_tol}", short(relative))
         }
-        (_, None) => String::new(),
+        None => format!("--step {}", short(method.setting())),
     }
 }

@@ -21,7 +21,6 @@ use super::sweep_arguments::SweepArguments;
 use super::sweep_maps;
 use super::value::{Assignment, parse_number};
 use super::vary::{Target, Variation, set, target};
-use crate::integrate::Method;
 use crate::model::{Scene, SceneInfo};
 use crate::record::LimitedReader;
 use crate::simulate::InputTable;
@@ -193,13 +192,12 @@ impl Runs<'_> {
         let by_name =
             |all: &[Assignment]| all.iter().map(|a| (a.name.clone(), json!(a.value))).collect::<serde_json::Value>();
         let method = method(of)?;
-        let step_s = if let Method::Rk4 { step_s } = method { Some(step_s) } else { None };
         let tolerance = method.tolerance().map(|of| json!([of.relative, of.absolute, of.angle]));
         let tables: Vec<String> = self.inputs.iter().map(|(name, table)| format!("{name}: {table:?}")).collect();
         Ok(vec![
             ("until", json!(end(of, self.info))),
             ("method", json!(method.name())),
-            ("step", json!(step_s)),
+            ("step", json!(method.step_s())),
             ("tolerance", json!(tolerance)),
             ("project", json!(format!("{:?}", of.project).to_lowercase())),
             ("metric", json!(format!("{:?}", of.metric).to_lowercase())),

@@ -1,6 +1,7 @@
 //! Interpolation within a step.
 
 use crate::dynamics::State;
+use crate::scalar::Scalar;
 
 /// A state with its accelerations and powers, at one end of a step.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +22,7 @@ pub(crate) struct Node<'a, T = f64> {
 ///
 /// # Source
 /// Hermite interpolation; Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I (1993), II.6.
-pub(crate) fn interpolate(from: Node<'_>, to: Node<'_>, t: f64, out: &mut State) {
+pub(crate) fn interpolate<T: Scalar>(from: Node<'_, T>, to: Node<'_, T>, t: f64, out: &mut State<T>) {
     let h = to.state.t - from.state.t;
     let s = (t - from.state.t) / h;
     let (r, s2) = (1.0 - s, s * s);
@@ -36,6 +37,10 @@ pub(crate) fn interpolate(from: Node<'_>, to: Node<'_>, t: f64, out: &mut State)
     let bend_to = 0.5 * s * s2 * r * r;
     let bend_from_rate = 0.5 * s * r * r * (2.0 - 5.0 * s);
     let bend_to_rate = 0.5 * s2 * r * (3.0 - 5.0 * s);
+    let [h, end, end_rate, slope_from, slope_to, bend_from, bend_to] =
+        [h, end, end_rate, slope_from, slope_to, bend_from, bend_to].map(T::from_f64);
+    let [slope_from_rate, slope_to_rate, bend_from_rate, bend_to_rate] =
+        [slope_from_rate, slope_to_rate, bend_from_rate, bend_to_rate].map(T::from_f64);
     for i in 0..out.q.len() {
         let (q0, q1, v0, v1) = (from.state.q[i], to.state.q[i], from.state.v[i], to.state.v[i]);
         let (a0, a1) = (from.a[i], to.a[i]);
@@ -46,10 +51,12 @@ pub(crate) fn interpolate(from: Node<'_>, to: Node<'_>, t: f64, out: &mut State)
             + slope_to_rate * v1
             + h * (bend_from_rate * a0 + bend_to_rate * a1);
     }
+    let (rise, bulge) = (T::from_f64(s2 * (3.0 - 2.0 * s)), h * T::from_f64(s) * T::from_f64(r));
+    let [r, s] = [r, s].map(T::from_f64);
     for i in 0..out.work.len() {
         let (w0, w1) = (from.state.work[i], to.state.work[i]);
         let (p0, p1) = (from.power[i], to.power[i]);
-        out.work[i] = w0 + s2 * (3.0 - 2.0 * s) * (w1 - w0) + h * s * r * (r * p0 - s * p1);
+        out.work[i] = w0 + rise * (w1 - w0) + bulge * (r * p0 - s * p1);
     }
     out.t = t;
 }

@@ -1,6 +1,11 @@
 //! The classical Runge–Kutta method of order 4.
 
-use super::{Node, compensated};
+use super::Integrator;
+use super::family::{Family, MethodInfo, Needs, Sizes};
+use super::fixed_steps::{FixedSteps, Stages, add, advance};
+use super::hermite::Node;
+use super::step_control::Tolerance;
+use super::tolerances::second_run::{ROUNDING, TIGHTER};
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 
@@ -11,8 +16,7 @@ use crate::scalar::Scalar;
 ///
 /// # Source
 /// W. Kutta, Z. Math. Phys. 46 (1901) 435–453.
-#[derive(Debug)]
-pub(crate) struct Rk4<T = f64> {
+pub(super) struct Rk4<T = f64> {
     stage: State<T>,
     slope: State<T>,
     sum: State<T>,
@@ -21,37 +25,45 @@ pub(crate) struct Rk4<T = f64> {
     lambda: Vec<T>,
 }
 
+impl Family for Rk4 {
+    const INFO: MethodInfo = MethodInfo {
+        name: "rk4",
+        summary: "Classical Runge-Kutta method of order 4 with a fixed step",
+        order: Some(4),
+        chooses_steps: false,
+        is_implicit: false,
+        needs: Needs::Nothing,
+        tighter: TIGHTER,
+        rounding: ROUNDING,
+    };
+
+    fn in_any_number<D: Dynamics<T>, T: Scalar>(
+        sizes: Sizes,
+        _tolerance: Tolerance,
+    ) -> Option<Box<dyn Integrator<D, T>>> {
+        Some(Box::new(FixedSteps(Rk4::new(sizes))))
+    }
+}
+
 impl<T: Scalar> Rk4<T> {
-    /// Storage for a scene with these sizes.
-    pub(crate) fn new(n_coordinates: usize, n_rows: usize, n_effects: usize) -> Self {
-        let zero = State::zeros(n_coordinates, n_effects);
+    fn new(Sizes { n_q, n_c, n_works }: Sizes) -> Self {
+        let zero = State::zeros(n_q, n_works);
         Self {
             stage: zero.clone(),
             slope: zero.clone(),
             sum: zero.clone(),
             rest: zero,
-            lambda: vec![T::from_f64(0.0); n_rows],
+            lambda: vec![T::from_f64(0.0); n_c],
         }
     }
+}
 
-    /// Forgets the rounding errors of the sums, before another run.
-    pub(crate) fn restart(&mut self) {
-        [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work]
-            .into_iter()
-            .for_each(|rest| rest.fill(T::from_f64(0.0)));
-    }
-
-    /// One step of length `h` from `from`; writes `to`, not yet projected. `t_next` is the time that `to` gets, so that
-    /// the clock can say it without rounding. `from` is the (projected) result of the step before. Works are integrated
-    /// as far as the states hold them.
-    ///
-    /// # Errors
-    /// [`MotionError`] of a stage; `to` is then unspecified.
+impl<T: Scalar> Stages<T> for Rk4<T> {
     /// # Cost
     /// Three evaluations of the accelerations; no allocation.
-    pub(crate) fn step(
+    fn go<D: Dynamics<T> + ?Sized>(
         &mut self,
-        system: &mut impl Dynamics<T>,
+        system: &mut D,
         from: Node<'_, T>,
         h: f64,
         t_next: f64,
@@ -70,36 +82,18 @@ impl<T: Scalar> Rk4<T> {
             system.power(t, &self.stage.q, &self.stage.v, &self.lambda, &mut self.slope.work);
             accumulate(&mut self.sum, b, &self.slope);
         }
-        add(&mut to.q, &from.q, h / 6.0, &self.sum.q, &mut self.rest.q);
-        add(&mut to.v, &from.v, h / 6.0, &self.sum.v, &mut self.rest.v);
-        add(&mut to.work, &from.work, h / 6.0, &self.sum.work, &mut self.rest.work);
+        add(to, from, h / 6.0, &self.sum, &mut self.rest);
         to.t = t_next;
         Ok(())
     }
 
-    /// The state of the last stage, near the end of the step; works are left out.
-    pub(crate) fn last_stage(&self) -> &State<T> {
+    fn last_stage(&self) -> &State<T> {
         &self.stage
     }
-}
 
-/// `to = from + h slope`, with what rounding cuts off in `rest`.
-fn add<T: Scalar>(to: &mut [T], from: &[T], h: f64, slope: &[T], rest: &mut [T]) {
-    let h = T::from_f64(h);
-    for (((to, from), slope), rest) in to.iter_mut().zip(from).zip(slope).zip(rest) {
-        *to = compensated::add(*from, h * *slope, rest);
+    fn rest(&mut self) -> &mut State<T> {
+        &mut self.rest
     }
-}
-
-/// `to = from + h slope`.
-fn advance<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slope: &State<T>) {
-    let h = T::from_f64(h);
-    let line = |to: &mut [T], from: &[T], slope: &[T]| {
-        to.iter_mut().zip(from).zip(slope).for_each(|((to, from), slope)| *to = *from + h * *slope);
-    };
-    line(&mut to.q, &from.q, &slope.q);
-    line(&mut to.v, &from.v, &slope.v);
-    line(&mut to.work, &from.work, &slope.work);
 }
 
 /// `sum += b slope`.

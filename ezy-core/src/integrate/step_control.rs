@@ -30,6 +30,9 @@ impl Tolerance {
     /// The relative tolerance when none is given, and then the absolute one: nine digits a step, which costs few steps at order 8.
     pub const DEFAULT: f64 = 1e-9;
 
+    /// Accepts any motion.
+    pub(crate) const ANY: Self = Self::new(f64::INFINITY, f64::INFINITY);
+
     /// Relative and absolute tolerance, the same for angles.
     pub const fn new(relative: f64, absolute: f64) -> Self {
         Self { relative, absolute, angle: None }

@@ -137,11 +137,8 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
 
     /// The fixed step of a method that has one.
     fn fixed_step(&self) -> Result<f64, SetupError> {
-        match self.settings.method {
-            Method::Rk4 { step_s } if step_s.is_finite() && step_s > 0.0 => Ok(step_s),
-            Method::Rk4 { step_s } => Err(SetupError::Step { step_s }),
-            _ => Err(SetupError::NeedsFixedStep { method: self.settings.method.name() }),
-        }
+        let method = self.settings.method;
+        method.step_s().map_or(Err(SetupError::NeedsFixedStep { method: method.name() }), check_step)
     }
 
     /// `idle`: whether inputs stay constant. Inputs that change are held over steps of fixed length.
@@ -230,6 +227,18 @@ fn refuse_integrated(info: &SceneInfo, i: usize) -> Result<(), SetupError> {
         Some(&first) => Err(SetupError::IntegratedInput { name: info.inputs[i].name, input: info.inputs[first].name }),
         None => Ok(()),
     }
+}
+
+/// The method that a run takes, whose step or tolerance can be used.
+pub(super) fn checked(method: Method) -> Result<Method, SetupError> {
+    let method = method.lifted();
+    method.step_s().map(check_step).transpose()?;
+    method.tolerance().map(check_tolerance).transpose()?;
+    Ok(method)
+}
+
+fn check_step(step_s: f64) -> Result<f64, SetupError> {
+    if step_s.is_finite() && step_s > 0.0 { Ok(step_s) } else { Err(SetupError::Step { step_s }) }
 }
 
 pub(super) fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {

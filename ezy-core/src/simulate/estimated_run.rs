@@ -7,12 +7,13 @@
 use super::error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};
 use super::monitor::Limits;
 use super::simulation::{Hooks, Settings};
-use super::tolerances::error_estimate::{LOOSER, MOVED, ROUNDING, ROUNDING_OF_RADAU, SMALLEST_MOVE, TIGHTER};
+use super::tolerances::error_estimate::{LOOSER, MOVED, SMALLEST_MOVE};
 use super::tolerances::orders::LARGEST_TOLERANCE;
-use super::tolerances::steps::ON_STEP;
+use super::tolerances::samples::ON_STEP;
 use super::{Outcome, Run, SetupError, Simulation};
 use crate::dynamics::State;
-use crate::integrate::{Method, Tolerance};
+use crate::integrate::second_run::{ROUNDING, TIGHTER};
+use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::model::{SceneRef, Start};
 use crate::record::{Sample, Wanted};
 use crate::scalar::GOLDEN_RATIO;
@@ -96,31 +97,27 @@ fn finished(run: Result<Run, SetupError>) -> Result<Run, String> {
 /// How a second run is made, each next one where that before does not come to its end. At the level of rounding another method shows what
 /// the same one would do in the same way again. A larger tolerance gives too large an error rather than none.
 fn seconds(method: Method) -> Vec<Method> {
-    type WithTolerance = fn(Tolerance) -> Method;
-    let (tolerance, same, other, rounding): (_, WithTolerance, WithTolerance, _) = match method {
+    let (kind, info) = (method.kind(), method.info());
+    let Some(tolerance) = method.tolerance() else {
         // half the step may sample a fast force as seldom
-        Method::Rk4 { step_s } => return vec![Method::dop853(LOOSER * ROUNDING), Method::rk4(0.5 * step_s)],
-        Method::Dop853(tolerance) => (tolerance, Method::Dop853, Method::Taylor, ROUNDING),
-        Method::Taylor(tolerance) => (tolerance, Method::Taylor, Method::Dop853, ROUNDING),
-        Method::Gauss(tolerance) => (tolerance, Method::Gauss, Method::Dop853, ROUNDING),
-        Method::Radau(tolerance) => (tolerance, Method::Radau, Method::Dop853, ROUNDING_OF_RADAU),
+        let half = method.step_s().and_then(|step_s| kind.with_step(0.5 * step_s));
+        return [Method::dop853(LOOSER * ROUNDING)].into_iter().chain(half).collect();
     };
     let relative = tolerance.relative;
     let with = |other: f64| tolerance.with_relative(other);
-    // errors of gauss lie far below its tolerance now and then, and a smaller one costs it little
-    let part = if matches!(method, Method::Gauss(_)) { TIGHTER * TIGHTER } else { TIGHTER };
-    let tighter = with(Tolerance::SMALLEST_RELATIVE.max(part * relative));
+    let tighter = with(Tolerance::SMALLEST_RELATIVE.max(info.tighter * relative));
     let looser = with(LARGEST_TOLERANCE.min(LOOSER * relative));
-    let first = if relative < rounding { other(tighter) } else { same(tighter) };
-    vec![first, same(looser)]
+    let other = if kind == MethodKind::Dop853 { MethodKind::Taylor } else { MethodKind::Dop853 };
+    let first = if relative < info.rounding { other } else { kind };
+    [first.with_tolerance(tighter), kind.with_tolerance(looser)].into_iter().flatten().collect()
 }
 
 /// How a second run is made where the same method takes the same steps, as over a very short time. Their errors may be far below the tolerance.
 fn others(method: Method) -> Vec<Method> {
     let Some(tolerance) = method.tolerance() else { return Vec::new() };
     let tighter = tolerance.with_relative(Tolerance::SMALLEST_RELATIVE.max(TIGHTER * TIGHTER * tolerance.relative));
-    let all = [Method::Dop853(tighter), Method::Taylor(tighter), Method::Gauss(tighter)];
-    all.into_iter().filter(|other| other.name() != method.name()).collect()
+    let all = [MethodKind::Dop853, MethodKind::Taylor, MethodKind::Gauss];
+    all.into_iter().filter(|other| *other != method.kind()).filter_map(|other| other.with_tolerance(tighter)).collect()
 }
 
 /// What the start of a third run is moved by, of the sizes of its numbers: large beside the errors of that run, small enough for changes
@@ -226,8 +223,8 @@ mod tests {
         assert_eq!(relative_of(Method::radau(2e-11))[0].0, "radau");
         assert_eq!(relative_of(Method::radau(0.5e-11))[0].0, "dop853");
         assert_eq!(relative_of(Method::radau(0.5))[1], ("radau", 1.0));
-        let with = Method::Dop853(Tolerance::new(1e-6, 1e-3));
-        let Method::Dop853(Tolerance { absolute, .. }) = seconds(with)[0] else { panic!() };
+        let with = Method::default().with_tolerance(Tolerance::new(1e-6, 1e-3));
+        let Tolerance { absolute, .. } = seconds(with)[0].tolerance().unwrap();
         assert!((absolute / 1e-5 - 1.0).abs() <= 1e-15, "{absolute:e}");
     }
 

@@ -1,39 +1,31 @@
 //! Runs a scene: step, project, record. Knows no formula.
 
-mod adaptive;
 mod build;
-mod collocation;
 mod control;
-mod discontinuities;
 mod ensemble;
 mod error;
 mod error_estimate;
 mod estimated_run;
 mod events;
 mod given;
-mod implicit;
 mod input_file;
 mod input_table;
 mod inputs_guard;
-mod integrator;
 mod modes;
 mod monitor;
 mod now;
 mod outcome;
 mod processor_time;
 mod rank_watch;
-mod root;
 mod run_loop;
 mod sample_times;
 mod sampler;
 mod schedule;
 mod sensitivity;
-mod series;
 mod simulation;
 mod singular;
 mod singularity_crossing;
 mod snapshot;
-mod step_limit;
 mod stepper;
 mod stepper_state;
 #[cfg(feature = "sweep")]

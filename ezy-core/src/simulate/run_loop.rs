@@ -11,7 +11,7 @@ use super::sampler::Sampler;
 use super::schedule::Schedule;
 use super::snapshot::Snapshot;
 use super::stepper_state::StepperState;
-use super::tolerances::steps::{N_PROGRESS, ON_STEP};
+use super::tolerances::samples::{N_PROGRESS, ON_STEP};
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, MovedValue, not_finite};
 use crate::model::{EventInfo, SceneRef};

@@ -102,7 +102,7 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
     /// Keeps a sample every `every_s` seconds, besides the start and the end. It replaces [`Simulation::at`].
     ///
     /// Recording never changes the motion. A sample that falls on a step is the state of that step; one in between
-    /// is interpolated ([`crate::integrate::interpolate`]), and its accelerations and multipliers are solved for at
+    /// is interpolated, and its accelerations and multipliers are solved for at
     /// the interpolated state.
     #[must_use]
     pub fn every(mut self, every_s: f64) -> Self {

@@ -1,14 +1,12 @@
 //! A scene with the state of its integration: one step, projected. Shared by runs and steppers.
 
 use super::SetupError;
-use super::discontinuities::Discontinuities;
-use super::integrator::Integrator;
 use super::singular::Approach;
 use super::singularity_crossing::{SingularityCrossed, SingularityCrossing};
 use super::snapshot::Snapshot;
-use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, QUARTERED, SHORTENED, TOO_NEAR};
+use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, SHORTENED, TOO_NEAR};
 use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
-use crate::integrate::{Method, Tolerance};
+use crate::integrate::{EventDiscontinuities, Integrator, Method, Needs, QUARTERED, Tolerance};
 use crate::model::{SceneInfo, SceneRef};
 use crate::scalar::Scalar;
 use std::sync::Arc;
@@ -16,8 +14,8 @@ use std::sync::Arc;
 /// The state `now`, and the end `next` of the step under way.
 pub(super) struct StepperState<P: SceneRef> {
     pub system: System<P>,
-    integrator: Integrator,
-    discontinuities: Discontinuities,
+    integrator: Box<dyn Integrator<System<P>>>,
+    discontinuities: EventDiscontinuities,
     projection: Projection,
     metric: Metric,
     /// Whether singular positions are crossed by special steps: only when steps are projected.
@@ -55,8 +53,8 @@ impl<P: SceneRef> StepperState<P> {
         let info = Arc::clone(system.info());
         let [now, next] = std::array::from_fn(|_| Snapshot::zero(&info, work));
         let projects = projection == Projection::Both && metric == Metric::Mass;
-        let integrator = Integrator::new(method, system.scene(), now.power.len())?;
-        let discontinuities = Discontinuities::new(&info);
+        let integrator = integrator(&system, method, now.power.len())?;
+        let discontinuities = EventDiscontinuities::new(&info);
         Ok(Self {
             system,
             integrator,
@@ -128,7 +126,7 @@ impl<P: SceneRef> StepperState<P> {
 
     /// A step across a singular position, or a part of such a step; false where there is none.
     fn advance_across_singularity(&mut self, t_next: f64) -> Result<bool, MotionError> {
-        let chooses_steps = self.integrator.chooses_steps();
+        let chooses_steps = self.chooses_steps();
         let Self { system, crossing, now, next, .. } = self;
         if let Some(crossing) = crossing
             && now.state.t >= crossing.end.state.t
@@ -178,7 +176,7 @@ impl<P: SceneRef> StepperState<P> {
     /// method chooses steps.
     #[inline]
     fn advance_past_singular_positions(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        if !self.integrator.chooses_steps() {
+        if !self.chooses_steps() {
             return self.step(h, t_next);
         }
         let mut outcome = self.step(h, t_next);
@@ -238,21 +236,19 @@ impl<P: SceneRef> StepperState<P> {
         self.integrator.step(system, now.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         self.project_next()?;
-        if matches!(self.integrator, Integrator::Taylor(_)) { self.follow_motion(t_next) } else { Ok(()) }
+        if self.integrator.expands() { self.judge_by_end(h, t_next) } else { Ok(()) }
     }
 
-    /// A series does not see what is farther away than its terms tell, such as a steep law of friction. Where the equations at the end of the
-    /// step disagree with it, the step is taken again shorter.
-    fn follow_motion(&mut self, t_next: f64) -> Result<(), MotionError> {
+    /// Takes the step again shorter, as long as the method refuses it for the accelerations at its end.
+    fn judge_by_end(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         loop {
             // an error here comes again when the end is evaluated
-            self.is_next_evaluated = self.integrator.evaluate(&mut self.system, &mut self.next).is_ok();
+            self.is_next_evaluated = evaluate(&mut *self.integrator, &mut self.system, &mut self.next).is_ok();
             let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
-            let Integrator::Taylor(series) = &mut self.integrator else { return Ok(()) };
-            if !self.is_next_evaluated || !series.shortens(now.node(), next.node()) {
+            if !self.is_next_evaluated || !self.integrator.refuses(now.node(), next.node()) {
                 return Ok(());
             }
-            series.step(system, now.node(), t_next, &mut next.state)?;
+            self.integrator.step(system, now.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
             check_finite(system, now.state.t, &next.state)?;
             self.project_next()?;
         }
@@ -261,8 +257,8 @@ impl<P: SceneRef> StepperState<P> {
     #[inline]
     fn project_next(&mut self) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &mut self.next.state;
-        // a series finds its own accelerations, and inputs may change before the next step
-        let is_final = !matches!(self.integrator, Integrator::Taylor(_)) && self.system.inputs().is_empty();
+        // some methods find their own accelerations, and inputs may change before the next step
+        let is_final = !self.integrator.expands() && self.system.inputs().is_empty();
         self.projected = match is_final {
             true => self.system.project_end(*t, q, v, self.projection, self.metric)?,
             false => self.system.project(*t, q, v, self.projection, self.metric)?,
@@ -273,7 +269,7 @@ impl<P: SceneRef> StepperState<P> {
 
     /// A state between `now` and `next`, both evaluated; projected and evaluated like them.
     pub(super) fn between(&mut self, t: f64, out: &mut Snapshot) -> Result<(), MotionError> {
-        if self.integrator.chooses_steps() {
+        if self.chooses_steps() {
             self.find(t, &mut out.state)?;
         } else {
             self.inside(t, &mut out.state)?;
@@ -283,7 +279,7 @@ impl<P: SceneRef> StepperState<P> {
 
     /// Whether the method chooses the length of its steps.
     pub(super) fn chooses_steps(&self) -> bool {
-        self.integrator.chooses_steps()
+        self.tolerance.is_some()
     }
 
     /// The largest acceleration at `now`, which is evaluated, and its cause.
@@ -385,7 +381,7 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     pub(super) fn evaluate_now(&mut self) -> Result<(), MotionError> {
-        self.integrator.evaluate(&mut self.system, &mut self.now)?;
+        evaluate(&mut *self.integrator, &mut self.system, &mut self.now)?;
         self.integrator.accept();
         Ok(())
     }
@@ -400,13 +396,40 @@ impl<P: SceneRef> StepperState<P> {
         if self.is_next_evaluated {
             return Ok(());
         }
-        self.integrator.evaluate(&mut self.system, &mut self.next)
+        evaluate(&mut *self.integrator, &mut self.system, &mut self.next)
     }
 
     /// `next` becomes `now`.
     pub(super) fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);
         self.integrator.accept();
+    }
+}
+
+/// The method with its storage.
+fn integrator<P: SceneRef>(
+    system: &System<P>,
+    method: Method,
+    n_works: usize,
+) -> Result<Box<dyn Integrator<System<P>>>, SetupError> {
+    let made = method.kind().of_system(system, n_works, method.tolerance().unwrap_or(Tolerance::ANY))?;
+    let info = system.info();
+    made.ok_or(match method.info().needs {
+        Needs::Jacobians => SetupError::NoJacobians { scene: info.name },
+        Needs::Series | Needs::Nothing => SetupError::NoSeries { scene: info.name, series: info.series },
+    })
+}
+
+/// Accelerations, multipliers and powers at a state, and what the method needs for the next step.
+fn evaluate<P: SceneRef>(
+    integrator: &mut dyn Integrator<System<P>>,
+    system: &mut System<P>,
+    at: &mut Snapshot,
+) -> Result<(), MotionError> {
+    let Snapshot { state, a, lambda, .. } = at;
+    match integrator.expand(system, state, a, lambda) {
+        Some(solved) => at.complete(system, solved?),
+        None => at.evaluate(system),
     }
 }
 

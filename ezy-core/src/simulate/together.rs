@@ -7,7 +7,7 @@ use super::tolerances::singular::TOO_NEAR;
 use super::trajectory::Trajectory;
 use super::{InputTable, Simulation};
 use crate::dynamics::{Dynamics, Metric, MotionError, Projecting, Projection, State, System, check_pivots};
-use crate::integrate::{Method, Tolerance};
+use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::linalg::Backend;
 use crate::model::{Derived as _, Eight, EquationsInLanes, EventKind, N_LANES, Scene, SceneRef};
 use crate::record::Wanted;
@@ -49,7 +49,10 @@ impl<P: SceneRef> Simulation<'_, P> {
     /// Why it has to step by itself, also to say what is wrong with it.
     pub(crate) fn waiting(&self) -> Result<Waiting, Alone> {
         let (settings, info) = (&self.settings, self.scene.info());
-        let Method::Dop853(tolerance) = settings.method else { return Err("only dop853 steps in lanes") };
+        let Some(tolerance) = settings.method.tolerance().filter(|_| settings.method.kind() == MethodKind::Dop853)
+        else {
+            return Err("only dop853 steps in lanes");
+        };
         let is_located = |kind| kind != EventKind::Mark;
         let is_usual = (settings.projection, settings.metric) == (Projection::default(), Metric::default());
         let changes = |(_, table): &(String, InputTable)| table.constant().is_none();
@@ -117,8 +120,9 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
     let start = State { t: first.start.t, q, v, work: Vec::new() };
     let (q, v) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_coordinates()]);
     let together = Together { kernels, systems, fixed, q, v, first_pivot: None, is_near_singular: false };
-    let mut trajectory = Trajectory::new(together, Arc::clone(&info), start, Method::Dop853(first.tolerance))
-        .map_err(|_| CANNOT_START)?;
+    let mut trajectory =
+        Trajectory::new(together, Arc::clone(&info), start, Method::default().with_tolerance(first.tolerance))
+            .map_err(|_| CANNOT_START)?;
     let mut n_steps = 0;
     while trajectory.now.t < first.until_s {
         let is_over = interrupts.iter().any(|flag| flag.load(Ordering::Relaxed));

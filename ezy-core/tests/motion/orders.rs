@@ -67,7 +67,7 @@ fn invariant_tolerances_beyond_what_numbers_tell_are_refused() {
     assert!(order(&scene).method(Method::dop853(1.0)).run().is_ok());
     // below rounding the smallest one is kept
     let steps = |relative| {
-        let method = Method::Taylor(Tolerance::new(relative, 1e-9));
+        let method = Method::taylor(relative).with_tolerance(Tolerance::new(relative, 1e-9));
         order(&scene).method(method).run().unwrap().cost
     };
     let kept = steps(Tolerance::SMALLEST_RELATIVE);

@@ -133,7 +133,10 @@ fn invariant_wrong_use_exits_with_2_and_says_what_to_do() {
         (&["run", "ezyroller/coast", "--step", "-1"], "give a positive step"),
         (&["run", "ezyroller/coast", "--step", "0"], "give a positive step"),
         (&["run", "ezyroller/coast", "--until", "nan"], "is not a finite number"),
-        (&["run", "ezyroller/coast", "--method", "euler"], "[possible values: rk4, dop853, taylor, gauss, radau]"),
+        (
+            &["run", "ezyroller/coast", "--method", "euler"],
+            "[possible values: taylor, dop853, gauss, radau, rk4, midpoint]",
+        ),
         (&["run", "ezyroller/coast", "--step", "1e-3", "--rtol", "1e-9"], "rk4 has a fixed step and no tolerance"),
         (&["run", "ezyroller/coast", "--method", "dop853", "--step", "1e-3"], "give `--rtol` in place of `--step`"),
         (&["run", "ezyroller/coast", "--method", "taylor", "--step", "1e-3"], "taylor chooses the length of its steps"),

@@ -434,15 +434,13 @@ impl Case {
     /// The command line that runs it.
     pub(super) fn command(&self, method: Method) -> String {
         let Self { model, entry, changed, given, until_s, .. } = self;
-        let setting = match (method, method.tolerance()) {
-            (Method::Rk4 { step_s }, _) => format!("--step {step_s:e}"),
-            (_, tolerance) => format!("--rtol {:e}", tolerance.map_or(f64::NAN, |tolerance| tolerance.relative)),
-        };
+        let option = if method.info().chooses_steps { "--rtol" } else { "--step" };
         let id: String = model.name.chars().filter(|c| *c != '_').collect::<String>().to_lowercase();
         let mut line = format!(
-            "ezy run {id}/{} --project-start --until {until_s} --method {} {setting}",
+            "ezy run {id}/{} --project-start --until {until_s} --method {} {option} {:e}",
             entry.name,
-            method.name()
+            method.name(),
+            method.setting()
         );
         changed.iter().for_each(|(name, value)| line += &format!(" --set {name}={value:e}"));
         given.iter().for_each(|(name, value)| line += &format!(" --start {name}={value:e}"));

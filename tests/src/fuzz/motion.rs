@@ -37,9 +37,9 @@ impl Order {
         let relative = draw.instead_of(1e-8, wild);
         let tolerance = Tolerance::new(relative, draw.instead_of(relative, wild));
         let (method, until_s) = match draw.below(6) {
-            0 => (Method::Dop853(tolerance), draw.instead_of(1e-2, false)),
-            1 => (Method::Taylor(tolerance), draw.instead_of(1e-2, false)),
-            2 => (Method::Radau(tolerance), draw.instead_of(1e-2, false)),
+            0 => (Method::dop853(relative).with_tolerance(tolerance), draw.instead_of(1e-2, false)),
+            1 => (Method::taylor(relative).with_tolerance(tolerance), draw.instead_of(1e-2, false)),
+            2 => (Method::radau(relative).with_tolerance(tolerance), draw.instead_of(1e-2, false)),
             _ => (Method::rk4(step_s), N_STEPS * step_s),
         };
         let backends = [Backend::Auto, Backend::Auto, Backend::Generated, Backend::Dense, Backend::Sparse];

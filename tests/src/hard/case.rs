@@ -1,6 +1,6 @@
 //! A case, and what was found when it was run.
 
-use ezy_core::prelude::Method;
+use ezy_core::prelude::{Method, MethodKind};
 
 /// A model with its bounds, and the program that measures what is reached.
 pub struct Case {
@@ -100,11 +100,11 @@ impl How {
                 Method::rk4(format!("{step_s:.1e}").parse().expect("a number"))
             }
         };
-        let most = match (self.purpose, method) {
-            (_, Method::Radau(_)) => Some(MOST_IMPLICIT),
+        let most = match (self.purpose, method.kind()) {
+            (_, MethodKind::Radau) => Some(MOST_IMPLICIT),
             (Purpose::Matrix, _) => Some(MOST),
             // as many as the naive program
-            (_, Method::Rk4 { .. }) => None,
+            (_, MethodKind::Rk4) => None,
             _ => Some(OF_PAGE * MOST),
         };
         let naive_step_s = (self.purpose == Purpose::PageWithNaive).then_some(step_s);

@@ -115,10 +115,9 @@ const OF_A_PASSAGE: f64 = f64::EPSILON / (0.005 * 0.005);
 fn allowed(member: &Member, course: &Course, method: Method, steps: u64) -> f64 {
     let steps = steps as f64;
     let turned = 1.0 + member.start.angle.abs().max(course.end.angle.abs());
-    let of_method = match (method, method.tolerance()) {
-        (Method::Rk4 { step_s }, _) => steps * OF_RK4 * (step_s * course.pace).powi(5),
-        (_, Some(tolerance)) => steps * OF_A_STEP * tolerance.relative * turned,
-        (_, None) => 0.0,
+    let of_method = match method.step_s() {
+        Some(step_s) => steps * OF_RK4 * (step_s * course.pace).powi(5),
+        None => steps * OF_A_STEP * method.setting() * turned,
     };
     let of_rounding = steps * f64::EPSILON * turned + f64::from(course.n_level) * OF_A_PASSAGE;
     course.growth * (of_method + of_rounding)

@@ -25,14 +25,17 @@ fn order_dop853_is_eight_and_its_dense_output_seven() {
     let middle = |h: f64| {
         let n = (0.4 / h).round() as usize - 1;
         let lengths = std::iter::repeat_n(h, n).chain([2.0 * (0.4 - n as f64 * h)]);
-        stepped(&scene, StepsBy::Dop853, lengths)[1].q.clone()
+        stepped(&scene, StepsBy::Method(MethodKind::Dop853), lengths)[1].q.clone()
     };
     let dense = slope(&STEPS.map(|h| distance(&middle(h), &at(0.4).q)));
     // one step of order 8 has an error of order 9, its dense output one of order 8
     assert!(dense >= 7.0 - ORDER_TOLERANCE, "dense output: order {dense:.2}");
     let steps = [0.1, 0.05];
-    let end =
-        |h: f64| stepped(&scene, StepsBy::Dop853, std::iter::repeat_n(h, (1.0 / h).round() as usize))[0].q.clone();
+    let end = |h: f64| {
+        stepped(&scene, StepsBy::Method(MethodKind::Dop853), std::iter::repeat_n(h, (1.0 / h).round() as usize))[0]
+            .q
+            .clone()
+    };
     let error = |h: f64| distance(&end(h), &at(1.0).q);
     let order = (error(steps[0]) / error(steps[1])).ln() / (steps[0] / steps[1]).ln();
     assert!((order - 8.0).abs() <= ORDER_TOLERANCE, "order {order:.2}");

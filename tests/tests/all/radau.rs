@@ -45,7 +45,7 @@ const STEPS: [f64; 3] = [0.05, 0.025, 0.0125];
 const ORDER_TOLERANCE: f64 = 0.4;
 /// The state at `end_s` after equal steps, and the one in the middle of the last step.
 fn equal_steps(scene: &dyn Scene, end_s: f64, h: f64) -> [State; 2] {
-    stepped(scene, StepsBy::Radau, std::iter::repeat_n(h, (end_s / h).round() as usize))
+    stepped(scene, StepsBy::Method(MethodKind::Radau), std::iter::repeat_n(h, (end_s / h).round() as usize))
 }
 
 fn order(errors: [f64; 3]) -> f64 {

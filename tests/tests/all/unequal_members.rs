@@ -183,13 +183,7 @@ model! {
 const ROUNDING: f64 = 1e-12;
 
 fn methods() -> [Method; 5] {
-    [
-        Method::Rk4 { step_s: 2e-3 },
-        Method::dop853(1e-11),
-        Method::taylor(1e-13),
-        Method::gauss(1e-13),
-        Method::radau(1e-9),
-    ]
+    [Method::rk4(2e-3), Method::dop853(1e-11), Method::taylor(1e-13), Method::gauss(1e-13), Method::radau(1e-9)]
 }
 
 /// Both routes take the same steps, so that they differ by rounding alone.

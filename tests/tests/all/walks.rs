@@ -4,7 +4,7 @@
 //! not so, the page says what is:
 //!
 //! - "(called in step 2)": an earlier step calls it.
-//! - "(as `Trait::function`)": it is called under this name, by way of a trait or a `match` in a file that the walk does not open.
+//! - "(as `Trait::function`)": it is called under this name: it implements the trait, or is called by who does.
 //! - a type beside the functions (`Type`): the step before hands on a value of this type, and calls nothing.
 //!
 //! Everything else that a step puts in backquotes stands in its file.
@@ -151,6 +151,13 @@ fn check_link(steps: &[Step], i: usize) -> Result<(), String> {
         return Err(format!("`{called}` is not called by {:?}", before.functions));
     }
     let Some(between) = &step.called_as else { return Ok(()) };
+    let implements = |function: Function| {
+        let a_trait = between.split_once("::").map_or("", |(a_trait, _)| a_trait);
+        words(&function.around, a_trait).any(|rest| rest.contains(" for "))
+    };
+    if last(between) == last(callee) && functions(&step.text, callee).into_iter().any(implements) {
+        return Ok(());
+    }
     let source = &step.file[..step.file.find("/src/").ok_or("the file is in no crate")? + "/src".len()];
     let mut found = modules(source).into_values().flat_map(|text| functions(&text, between));
     let leads = |function: Function| {

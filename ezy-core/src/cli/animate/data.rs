@@ -148,10 +148,10 @@ impl<'r> Animation<'r> {
 
     /// The method and how it ended, in words.
     pub(super) fn method(&self) -> String {
-        match (self.method, self.method.tolerance()) {
-            (Method::Rk4 { step_s }, _) => format!("rk4, steps of {step_s} s"),
-            (method, Some(tolerance)) => format!("{}, tolerance {:e}", method.name(), tolerance.relative),
-            (method, None) => method.name().to_owned(),
+        let name = self.method.name();
+        match self.method.step_s() {
+            Some(step_s) => format!("{name}, steps of {step_s} s"),
+            None => format!("{name}, tolerance {:e}", self.method.setting()),
         }
     }
 }

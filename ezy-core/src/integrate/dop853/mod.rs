@@ -1,5 +1,6 @@
 //! The method of Dormand and Prince of order 8, with error estimates of orders 5 and 3 and dense output of order 7.
 
+mod adaptive;
 mod dense;
 mod stiffness;
 mod sums;
@@ -15,6 +16,7 @@ use crate::scalar::Scalar;
 use sums::{Block, Sum, WIDTH};
 use tableau::{N_STAGES, N_STAGES_OF_DENSE_OUTPUT, NODES, difference_6, error_3, error_5, stages};
 
+pub(crate) use adaptive::Adaptive;
 pub(crate) use stiffness::StiffnessWatch;
 
 /// Order of the error estimate's power of the step.

@@ -1,5 +1,6 @@
 //! Gauss–Legendre collocation with eight nodes, of order 16: accelerations at all nodes at once, improved by sweeps.
 
+mod collocation;
 mod control;
 mod lanes;
 mod tableau;
@@ -8,7 +9,8 @@ use super::{Node, compensated, step_control::Tolerance};
 use crate::dynamics::{EightStates, MotionError, State, System};
 use crate::model::{Eight, Scene, SceneRef};
 use crate::scalar::{Lanes, Scalar};
-pub(crate) use control::GaussControl;
+pub(crate) use collocation::Collocation;
+use control::GaussControl;
 use tableau::{LARGEST_INTEGRAL, N, NODES, WEIGHTS, legendre, weights_up_to};
 
 /// Sweeps end where the next one would change a velocity by less than this part of its tolerance.

@@ -7,6 +7,7 @@ mod dense;
 mod entries;
 mod estimate;
 mod factors;
+mod implicit;
 mod matrix;
 mod newton;
 mod stages;
@@ -25,7 +26,8 @@ use newton::Newton;
 use stages::Stages;
 use tableau::{N_STAGES, NODES, Triple};
 
-pub(crate) use control::{RadauControl, tolerance_of_estimate};
+use control::{RadauControl, tolerance_of_estimate};
+pub(crate) use implicit::Implicit;
 
 /// Stages of the method for q' = v, v' = a, w' = power of each effect, where a and the multipliers λ solve the equations of
 /// motion.

@@ -1,5 +1,6 @@
 //! Taylor's method: the motion as a power series about the start of each step.
 
+mod along_series;
 mod expansion;
 mod length;
 mod precise;
@@ -12,7 +13,8 @@ use crate::model::{Derived as _, Scene, SceneRef, Series, SeriesStore};
 use expansion::{OrderSolver, expand, expand_with, increment, second_derivative};
 use work::Quadrature;
 
-pub(crate) use length::order_for as taylor_order;
+pub(crate) use along_series::AlongSeries;
+use length::order_for;
 pub use precise::{PreciseError, PreciseMotion};
 
 /// Series of q, v and the multipliers, one a step, from one factorisation of K.

@@ -6,9 +6,9 @@
 mod double_root;
 mod event_function;
 
-use super::root::{resolution_at, root, side_of};
 use super::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
+use crate::integrate::{resolution_at, root, side_of};
 use crate::model::{EventInfo, EventKind, SceneRef};
 use crate::simulate::tolerances::events::{N_PARTS, NOTHING};
 use double_root::double_root;

@@ -6,10 +6,10 @@
 
 use super::Modes;
 use crate::dynamics::{MotionError, SystemRow};
+use crate::integrate::resolution_at;
 use crate::model::{EventInfo, SceneRef, StopInfo};
 use crate::simulate::SetupError;
 use crate::simulate::events::EventFunction;
-use crate::simulate::root::resolution_at;
 use crate::simulate::stepper_state::StepperState;
 use crate::simulate::tolerances::modes::{LOWEST_FLIGHT, SHORTEST_FLIGHT};
 

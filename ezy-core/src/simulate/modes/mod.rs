@@ -5,9 +5,9 @@ mod stick_slip;
 
 use super::SetupError;
 use super::events::{EventDetector, Occurrence};
-use super::root::resolution_at;
 use super::stepper_state::StepperState;
 use crate::dynamics::MotionError;
+use crate::integrate::resolution_at;
 use crate::model::{EventInfo, SceneInfo, SceneRef, StickSlipInfo, StopInfo};
 use crate::simulate::tolerances::events::N_PARTS;
 use crate::simulate::tolerances::modes::MAX_AT_ONCE;

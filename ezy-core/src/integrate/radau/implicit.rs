@@ -1,17 +1,20 @@
 //! Radau IIA with its step control.
 
-use super::discontinuities::{Cut, Discontinuities};
-use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::{
-    singular::QUARTERED,
-    steps::{GROW_AGAIN, LARGEST_CORRECTION, RESOLVED},
-};
-use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{Attempt, Node, Radau, RadauControl, Tolerance, tolerance_of_estimate};
+use super::{Attempt, Radau, RadauControl, tolerance_of_estimate};
+use crate::dynamics::{MotionError, State, System, SystemError};
+use crate::integrate::discontinuities::{Cut, Discontinuities};
+use crate::integrate::family::{Family, MethodInfo, Needs};
+use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
+use crate::integrate::tolerances::second_run::{ROUNDING_OF_RADAU, TIGHTER};
+use crate::integrate::tolerances::steps::{GROW_AGAIN, LARGEST_CORRECTION, QUARTERED, RESOLVED};
+use crate::integrate::{Integrator, Node, Tolerance};
 use crate::model::SceneRef;
 
+/// For given steps: the iteration goes on to rounding.
+const CONVERGED: Tolerance = Tolerance::new(1e-10, 1e-10);
+
 /// Radau IIA with the length of its next step.
-pub(super) struct Implicit {
+pub(crate) struct Implicit {
     method: Radau,
     control: RadauControl,
     /// As asked for.
@@ -45,8 +48,30 @@ struct Made {
     is_cut: bool,
 }
 
+impl Family for Implicit {
+    const INFO: MethodInfo = MethodInfo {
+        name: "radau",
+        summary: "Implicit method Radau IIA of order 5 with steps that keep to a tolerance, for stiff scenes",
+        order: Some(5),
+        chooses_steps: true,
+        is_implicit: true,
+        needs: Needs::Jacobians,
+        tighter: TIGHTER,
+        rounding: ROUNDING_OF_RADAU,
+    };
+
+    fn of_system<P: SceneRef>(
+        system: &System<P>,
+        n_works: usize,
+        tolerance: Tolerance,
+    ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
+        let Some(radau) = Radau::new(system.scene(), n_works)? else { return Ok(None) };
+        Ok(Some(Box::new(Self::new(radau, system.info().n_coordinates(), tolerance))))
+    }
+}
+
 impl Implicit {
-    pub(super) fn new(method: Radau, n_q: usize, tolerance: Tolerance) -> Self {
+    fn new(method: Radau, n_q: usize, tolerance: Tolerance) -> Self {
         Self {
             method,
             control: RadauControl::default(),
@@ -63,8 +88,18 @@ impl Implicit {
         }
     }
 
-    /// Forgets the steps taken so far.
-    pub(super) fn restart(&mut self) {
+    /// The largest change of a velocity, to `v`, by the projection of the state that was found last, over what errors within the tolerance
+    /// explain. Where constraints make fast velocities of small errors of positions, such as of a wheel that trails its hinge by 1 mm, a long
+    /// step has errors that its estimate does not see.
+    fn correction(&self, v: &[f64]) -> f64 {
+        let Tolerance { relative, absolute, .. } = self.tolerance;
+        let explained = |v: f64| LARGEST_CORRECTION * (absolute + relative * v.abs());
+        self.found.iter().zip(v).fold(0.0, |largest: f64, (found, v)| largest.max((v - found).abs() / explained(*v)))
+    }
+}
+
+impl<P: SceneRef> Integrator<System<P>> for Implicit {
+    fn restart(&mut self) {
         self.method.restart();
         self.control = RadauControl::default();
         self.step_s = None;
@@ -74,40 +109,37 @@ impl Implicit {
         self.longest_s = f64::INFINITY;
     }
 
-    /// Forgets the steps taken so far, and begins with this step length, s.
-    pub(super) fn restart_with(&mut self, step_s: f64) {
-        self.restart();
+    fn restart_with(&mut self, step_s: f64) {
+        Integrator::<System<P>>::restart(self);
         self.step_s = Some(step_s);
     }
 
-    /// Rejected steps.
-    pub(super) fn n_rejected(&self) -> u64 {
+    fn n_rejected(&self) -> u64 {
         self.rejected
     }
 
-    /// The state at `t` between the ends of the last step, not projected; its time is left alone.
-    pub(super) fn between(&mut self, from: &State, to: &State, t: f64, out: &mut State) {
+    fn between(
+        &mut self,
+        _system: &mut System<P>,
+        from: Node<'_>,
+        to: Node<'_>,
+        t: f64,
+        out: &mut State,
+    ) -> Result<(), MotionError> {
+        let (from, to) = (from.state, to.state);
         self.method.dense_at(from, to, (t - from.t) / (to.t - from.t), out);
         self.found.copy_from_slice(&out.v);
+        out.t = t;
+        Ok(())
     }
 
-    /// The largest change of a velocity, to `v`, by the projection of the state that was found last, over what errors within the tolerance
-    /// explain. Where constraints make fast velocities of small errors of positions, such as of a wheel that trails its hinge by 1 mm, a long
-    /// step has errors that its estimate does not see.
-    fn correction(&self, v: &[f64]) -> f64 {
-        let Tolerance { relative, absolute, .. } = self.tolerance;
-        let explained = |v: f64| LARGEST_CORRECTION * (absolute + relative * v.abs());
-        self.found.iter().zip(v).fold(0.0, |largest: f64, (found, v)| largest.max((v - found).abs() / explained(*v)))
-    }
-
-    /// Whether neither the tolerance nor rounding explains the correction of the state that was found last, to the velocities `v`.
-    pub(super) fn is_off_constraints(&self, v: &[f64]) -> bool {
+    /// Neither the tolerance nor rounding explains it.
+    fn is_off_constraints(&self, v: &[f64]) -> bool {
         self.correction(v) > self.rounding.max(1.0)
     }
 
-    /// The state at `t` in the last step, from steps of its own, not projected: one, or so many that their iteration converges. `out` is left
-    /// alone, and the answer is false, where four do not.
-    pub(super) fn step_to<P: SceneRef>(
+    /// By one step, or by so many that their iteration converges, up to four.
+    fn step_to(
         &mut self,
         system: &mut System<P>,
         from: Node<'_>,
@@ -140,9 +172,8 @@ impl Implicit {
         Ok(false)
     }
 
-    /// The length of the next try, s, where the projection changed the velocities of the last step, to `v`, by more than errors within the
-    /// tolerance explain. A change that stays in the shorter step is rounding.
-    pub(super) fn shorter_for_constraints(&mut self, v: &[f64]) -> Option<f64> {
+    /// A change that stays in the shorter step is rounding.
+    fn shorter_for_constraints(&mut self, v: &[f64]) -> Option<f64> {
         let correction = self.correction(v);
         if self.refused.take().is_some_and(|refused| correction > RESOLVED * refused) {
             (self.rounding, self.longest_s) = (correction / RESOLVED, f64::INFINITY);
@@ -156,8 +187,7 @@ impl Implicit {
         Some(self.longest_s)
     }
 
-    /// Accepts the last step: the next one starts at its end.
-    pub(super) fn accept(&mut self) {
+    fn accept(&mut self) {
         let Some(Made { length_s, error, n_passes, whole_s, is_cut }) = self.made.take() else { return };
         let keeps = self.method.keeps_factors();
         let wanted_s = whole_s.unwrap_or_else(|| self.control.accept(length_s, error, n_passes, keeps));
@@ -171,13 +201,13 @@ impl Implicit {
         }
     }
 
-    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. It ends at a discontinuity.
-    pub(super) fn step<P: SceneRef>(
+    fn step(
         &mut self,
         system: &mut System<P>,
         from: Node<'_>,
+        _h: f64,
         end: f64,
-        discontinuities: &mut Discontinuities,
+        discontinuities: &mut dyn Discontinuities<System<P>>,
         to: &mut State,
     ) -> Result<(), MotionError> {
         let t = from.state.t;
@@ -222,5 +252,19 @@ impl Implicit {
             }
             self.rejected += 1;
         }
+    }
+
+    fn given_step(
+        &mut self,
+        system: &mut System<P>,
+        from: Node<'_>,
+        h: f64,
+        to: &mut State,
+    ) -> Result<bool, MotionError> {
+        Ok(matches!(self.method.attempt(system, from, h, CONVERGED, to)?, Attempt::Solved { .. }))
+    }
+
+    fn accept_given(&mut self, h: f64) {
+        self.method.accept(h);
     }
 }

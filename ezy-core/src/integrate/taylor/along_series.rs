@@ -1,16 +1,20 @@
 //! Taylor's method with its step control.
 
-use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::steps::{
+use super::{Taylor, order_for};
+use crate::dynamics::{MotionError, Solved, State, System, SystemError};
+use crate::integrate::discontinuities::Discontinuities;
+use crate::integrate::family::{Family, MethodInfo, Needs};
+use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
+use crate::integrate::tolerances::second_run::{ROUNDING, TIGHTER};
+use crate::integrate::tolerances::steps::{
     CORRECTION_OF_ROUNDING, DEFECT_OF_ROUNDING, LARGEST_DEFECT, SERIES_CORRECTION, SHORTEST_OF_SERIES,
 };
-use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{Node, Taylor, Tolerance};
+use crate::integrate::{Integrator, Node, Tolerance};
 use crate::model::SceneRef;
 
 /// Steps along series, of lengths that their coefficients choose.
-pub(super) struct AlongSeries {
-    pub taylor: Taylor,
+pub(crate) struct AlongSeries {
+    taylor: Taylor,
     tolerance: Tolerance,
     /// Longest step after one that was taken again, s; infinite once coefficients choose shorter ones.
     at_most_s: f64,
@@ -43,30 +47,82 @@ impl Corrections {
     }
 }
 
+impl Family for AlongSeries {
+    const INFO: MethodInfo = MethodInfo {
+        name: "taylor",
+        summary: "Taylor's method with order and steps that keep to a tolerance",
+        order: None,
+        chooses_steps: true,
+        is_implicit: false,
+        needs: Needs::Series,
+        tighter: TIGHTER,
+        rounding: ROUNDING,
+    };
+
+    fn of_system<P: SceneRef>(
+        system: &System<P>,
+        n_works: usize,
+        tolerance: Tolerance,
+    ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
+        let series = Self::of_order(system, n_works, order_for(tolerance), tolerance);
+        Ok(series.map(|series| Box::new(series) as Box<dyn Integrator<System<P>>>))
+    }
+}
+
 impl AlongSeries {
-    pub(super) fn new(taylor: Taylor, tolerance: Tolerance) -> Self {
+    /// Steps of this order, at least 4; none for a scene without a Taylor series.
+    pub(crate) fn of_order<P: SceneRef>(
+        system: &System<P>,
+        n_works: usize,
+        order: usize,
+        tolerance: Tolerance,
+    ) -> Option<Self> {
+        Some(Self::new(Taylor::new(system.scene(), order, n_works)?, tolerance))
+    }
+
+    fn new(taylor: Taylor, tolerance: Tolerance) -> Self {
         let corrections = Corrections::new(taylor.n_coordinates());
         Self { taylor, tolerance, at_most_s: f64::INFINITY, rejected: 0, corrections }
     }
+}
 
-    /// Forgets the steps taken so far.
-    pub(super) fn restart(&mut self) {
+impl<P: SceneRef> Integrator<System<P>> for AlongSeries {
+    fn restart(&mut self) {
         self.taylor.restart();
         self.at_most_s = f64::INFINITY;
         self.corrections.part = 1.0;
     }
 
-    /// Steps taken again.
-    pub(super) fn n_rejected(&self) -> u64 {
+    fn n_rejected(&self) -> u64 {
         self.rejected
     }
 
-    /// A step from `from` towards `end`, of a length that keeps to the tolerance; not yet projected.
-    pub(super) fn step<P: SceneRef>(
+    fn accept(&mut self) {
+        self.taylor.accept();
+    }
+
+    fn expands(&self) -> bool {
+        true
+    }
+
+    fn expand(
         &mut self,
-        system: &System<P>,
+        system: &mut System<P>,
+        at: &State,
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Option<Result<Solved, MotionError>> {
+        Some(self.taylor.expand(system, at, a, lambda))
+    }
+
+    /// Of a length that coefficients choose.
+    fn step(
+        &mut self,
+        system: &mut System<P>,
         from: Node<'_>,
+        _h: f64,
         end: f64,
+        _discontinuities: &mut dyn Discontinuities<System<P>>,
         to: &mut State,
     ) -> Result<(), MotionError> {
         let (t, mut length) = (from.state.t, self.corrections.part * self.taylor.longest_step(self.tolerance));
@@ -85,8 +141,22 @@ impl AlongSeries {
         Ok(())
     }
 
-    /// Whether the step from `from` to `to`, both evaluated, is to be taken again, half as long: its series is not the motion.
-    pub(super) fn shortens(&mut self, from: Node<'_>, to: Node<'_>) -> bool {
+    fn between(
+        &mut self,
+        system: &mut System<P>,
+        from: Node<'_>,
+        _to: Node<'_>,
+        t: f64,
+        out: &mut State,
+    ) -> Result<(), MotionError> {
+        self.taylor.dense_at(system, from.state, t - from.state.t, out);
+        out.t = t;
+        Ok(())
+    }
+
+    /// A series does not see what is farther away than its terms tell, such as a steep law of friction: where the equations at the end
+    /// disagree with it, the next try is half as long.
+    fn refuses(&mut self, from: Node<'_>, to: Node<'_>) -> bool {
         let (t, h) = (from.state.t, to.state.t - from.state.t);
         let shortens = !is_too_short(t, 0.5 * h) && !self.taylor.follows(h, to.a, LARGEST_DEFECT, DEFECT_OF_ROUNDING);
         if shortens {
@@ -97,6 +167,22 @@ impl AlongSeries {
             self.corrections.note(&to.state.v, self.tolerance, self.taylor.order());
         }
         shortens
+    }
+
+    fn given_step(
+        &mut self,
+        system: &mut System<P>,
+        from: Node<'_>,
+        h: f64,
+        to: &mut State,
+    ) -> Result<bool, MotionError> {
+        self.taylor.accept();
+        self.taylor.advance(system, from.state, h, to);
+        Ok(true)
+    }
+
+    fn longest_step(&mut self) -> Option<f64> {
+        Some(self.taylor.longest_step(self.tolerance))
     }
 }
 
@@ -152,11 +238,9 @@ mod tests {
             let (from, mut to) = (State::zero(3, 0), State::zero(3, 0));
             to.t = h;
             let node = |state| Node { state, a: &[f64::NAN; 3], power: &[] };
-            assert_eq!(series.shortens(node(&from), node(&to)), is_halved, "{h:e}");
-            assert_eq!(
-                (series.at_most_s, series.n_rejected()),
-                if is_halved { (0.5 * h, 1) } else { (f64::INFINITY, 0) }
-            );
+            let refused = Integrator::<System<&stone::Falls>>::refuses(&mut series, node(&from), node(&to));
+            assert_eq!(refused, is_halved, "{h:e}");
+            assert_eq!((series.at_most_s, series.rejected), if is_halved { (0.5 * h, 1) } else { (f64::INFINITY, 0) });
         }
     }
 }

@@ -11,16 +11,16 @@
 //! A smoothed law turns around within a layer. A step may pass over the layer, or begin in it and leave it, with hardly a stage in
 //! it; DOP853 then judges it by its lower order.
 
+use super::hermite::{Node, interpolate};
 use super::root::{resolution_at, root, side_of};
 use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, TURNED, UNKNOWN};
 use super::tolerances::steps::SHORTEST;
 use crate::dynamics::{Rows, State, System};
-use crate::integrate::{Node, interpolate};
 use crate::model::{EventKind, SceneInfo, SceneRef};
 
 /// A step that ends at a discontinuity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::simulate) enum Cut {
+pub(crate) enum Cut {
     /// Stop before the discontinuity, after this time, s.
     Before(f64),
     /// Stop just behind the discontinuity, after this time, s.
@@ -29,7 +29,7 @@ pub(in crate::simulate) enum Cut {
 
 impl Cut {
     /// After a step of this length, s, from `t` that crossed the discontinuity before which it should have stopped.
-    pub(in crate::simulate) fn nearer(t: f64, length: f64) -> Self {
+    pub(crate) fn nearer(t: f64, length: f64) -> Self {
         let half = 0.5 * length;
         if half > AT_END * resolution_at(t) { Self::Before(half) } else { Self::Over(length) }
     }
@@ -37,7 +37,7 @@ impl Cut {
 
 /// What a step passes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::simulate) enum Passage {
+pub(crate) enum Passage {
     /// Nothing.
     Smooth,
     /// Most of the layer of a smoothed law.
@@ -46,8 +46,48 @@ pub(in crate::simulate) enum Passage {
     Ends(f64),
 }
 
+/// What a method has to be told of the motion that it steps along.
+pub(crate) trait Discontinuities<D, T = f64> {
+    /// What the step from `from` to `end` passes; its length ends at the first discontinuity.
+    fn passage(&mut self, system: &mut D, from: Node<'_, T>, end: &State<T>) -> Passage;
+
+    /// The step from `from` to the first discontinuity; none when the step to `ends`, its end and other stages, crosses none. `whole_s` is
+    /// the usual step length.
+    fn cut(&mut self, system: &D, from: Node<'_, T>, ends: &[&State<T>], whole_s: f64) -> Option<Cut>;
+
+    /// Whether a step crosses a discontinuity, at its end or at one of the other stages in `ends`.
+    fn are_crossed(&mut self, system: &D, from: &State<T>, ends: &[&State<T>]) -> bool;
+
+    /// Nothing was cut before.
+    fn restart(&mut self);
+
+    /// A step of fixed length was completed.
+    fn rest(&mut self);
+}
+
+/// A motion without discontinuities.
+pub(crate) struct Smooth;
+
+impl<D, T> Discontinuities<D, T> for Smooth {
+    fn passage(&mut self, _system: &mut D, _from: Node<'_, T>, _end: &State<T>) -> Passage {
+        Passage::Smooth
+    }
+
+    fn cut(&mut self, _system: &D, _from: Node<'_, T>, _ends: &[&State<T>], _whole_s: f64) -> Option<Cut> {
+        None
+    }
+
+    fn are_crossed(&mut self, _system: &D, _from: &State<T>, _ends: &[&State<T>]) -> bool {
+        false
+    }
+
+    fn restart(&mut self) {}
+
+    fn rest(&mut self) {}
+}
+
 /// The discontinuities and layers of a scene, with buffers.
-pub(in crate::simulate) struct Discontinuities {
+pub(crate) struct EventDiscontinuities {
     /// Indices into the events.
     places: Vec<usize>,
     /// The same of layers.
@@ -61,7 +101,7 @@ pub(in crate::simulate) struct Discontinuities {
     chattering: u32,
 }
 
-impl Discontinuities {
+impl EventDiscontinuities {
     pub(crate) fn new(info: &SceneInfo) -> Self {
         let of_kind = |kind: EventKind| (0..info.events.len()).filter(|&i| info.events[i].kind == kind).collect();
         let [places, layers]: [Vec<usize>; 2] = [EventKind::Discontinuity, EventKind::Layer].map(of_kind);
@@ -87,45 +127,8 @@ impl Discontinuities {
     }
 
     /// A step of fixed length was completed.
-    pub(crate) fn rest(&mut self) {
+    fn rest(&mut self) {
         self.chattering = self.chattering.saturating_sub(1);
-    }
-
-    /// Whether a step crosses a discontinuity, at its end or at one of the other stages in `ends`. Keeps the values at the start and
-    /// beyond the discontinuity.
-    pub(crate) fn are_crossed<P: SceneRef>(&mut self, system: &System<P>, from: &State, ends: &[&State]) -> bool {
-        let Self { places, values: [before, after, inside], .. } = self;
-        if places.is_empty() {
-            return false;
-        }
-        system.events(from.t, &from.q, &from.v, before);
-        after.copy_from_slice(before);
-        let mut are_crossed = false;
-        for end in ends {
-            system.events(end.t, &end.q, &end.v, inside);
-            for &i in &*places {
-                if !changes(before[i], after[i]) {
-                    after[i] = inside[i];
-                    are_crossed |= changes(before[i], after[i]);
-                }
-            }
-        }
-        are_crossed
-    }
-
-    /// What the step from `from` to `end` passes; its length ends at the first discontinuity.
-    pub(crate) fn passage<P: SceneRef>(&mut self, system: &mut System<P>, from: Node<'_>, end: &State) -> Passage {
-        if let Some(length) = self.up_to(system, from, end) {
-            return Passage::Ends(length);
-        }
-        if self.layers.is_empty() {
-            return Passage::Smooth;
-        }
-        let Self { layers, values: [before, after, _], .. } = self;
-        system.events(from.state.t, &from.state.q, &from.state.v, before);
-        system.events(end.t, &end.q, &end.v, after);
-        let turns = |&i: &usize| (after[i] - before[i]).abs() > TURNED;
-        if layers.iter().any(turns) { Passage::Layer } else { Passage::Smooth }
     }
 
     /// Length of the step from `from` to the first discontinuity, s; none when the step to `end` crosses none.
@@ -152,15 +155,24 @@ impl Discontinuities {
         let length = first - start;
         (length > near && last - first > near).then_some(length + BEHIND * resolution)
     }
+}
 
-    /// The step from `from` to the first discontinuity; none when the step to `ends` crosses none. `whole_s` is the usual step length.
-    pub(crate) fn cut<P: SceneRef>(
-        &mut self,
-        system: &System<P>,
-        from: Node<'_>,
-        ends: &[&State],
-        whole_s: f64,
-    ) -> Option<Cut> {
+impl<P: SceneRef> Discontinuities<System<P>> for EventDiscontinuities {
+    fn passage(&mut self, system: &mut System<P>, from: Node<'_>, end: &State) -> Passage {
+        if let Some(length) = self.up_to(system, from, end) {
+            return Passage::Ends(length);
+        }
+        if self.layers.is_empty() {
+            return Passage::Smooth;
+        }
+        let Self { layers, values: [before, after, _], .. } = self;
+        system.events(from.state.t, &from.state.q, &from.state.v, before);
+        system.events(end.t, &end.q, &end.v, after);
+        let turns = |&i: &usize| (after[i] - before[i]).abs() > TURNED;
+        if layers.iter().any(turns) { Passage::Layer } else { Passage::Smooth }
+    }
+
+    fn cut(&mut self, system: &System<P>, from: Node<'_>, ends: &[&State], whole_s: f64) -> Option<Cut> {
         let end_s = ends.first()?.t;
         if self.chattering >= CHATTERING_GUARD {
             return None;
@@ -205,6 +217,35 @@ impl Discontinuities {
             Cut::Over(length + shortest_crossing)
         })
     }
+
+    /// Keeps the values at the start and beyond the discontinuity.
+    fn are_crossed(&mut self, system: &System<P>, from: &State, ends: &[&State]) -> bool {
+        let Self { places, values: [before, after, inside], .. } = self;
+        if places.is_empty() {
+            return false;
+        }
+        system.events(from.t, &from.q, &from.v, before);
+        after.copy_from_slice(before);
+        let mut are_crossed = false;
+        for end in ends {
+            system.events(end.t, &end.q, &end.v, inside);
+            for &i in &*places {
+                if !changes(before[i], after[i]) {
+                    after[i] = inside[i];
+                    are_crossed |= changes(before[i], after[i]);
+                }
+            }
+        }
+        are_crossed
+    }
+
+    fn restart(&mut self) {
+        self.restart();
+    }
+
+    fn rest(&mut self) {
+        self.rest();
+    }
 }
 
 /// Whether a value changes its sign.
@@ -224,8 +265,8 @@ fn follow(from: Node<'_>, t: f64, out: &mut State) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integrate::step_limit::is_too_short;
     use crate::linalg::Backend;
-    use crate::simulate::step_limit::is_too_short;
 
     crate::model! {
         /// A puck that a spring pushes from x = 0 on, and from x = 4 m on another one.
@@ -290,13 +331,13 @@ mod tests {
         let system = System::new(&scene, Backend::Auto).unwrap();
         let from = At::new(-1.0, 1.0, 0.0);
         for (h, whole) in [(1.5, 1.5), (2.0, 4.0)] {
-            let mut discontinuities = Discontinuities::new(system.info());
+            let mut discontinuities = EventDiscontinuities::new(system.info());
             let cut = discontinuities.cut(&system, from.node(), &[&from.after(h)], whole);
             let Some(Cut::Before(length)) = cut else { panic!("{cut:?}") };
             assert!((length - (1.0 - 1.0 / 32.0 / whole)).abs() <= LOCATED, "{length}");
             assert_eq!(discontinuities.chattering, CUT);
         }
-        let mut discontinuities = Discontinuities::new(system.info());
+        let mut discontinuities = EventDiscontinuities::new(system.info());
         assert_eq!(discontinuities.cut(&system, from.node(), &[&from.after(0.9)], 1.0), None);
         // the first one of two, 1 s and 5 s away
         let cut = discontinuities.cut(&system, from.node(), &[&from.after(6.0)], 6.0);
@@ -337,7 +378,7 @@ mod tests {
         let system = System::new(&scene, Backend::Auto).unwrap();
         let from = At::new(-1.0, 1.0, 0.0);
         let (end, stage) = (from.after(0.8), from.after(1.2));
-        let mut discontinuities = Discontinuities::new(system.info());
+        let mut discontinuities = EventDiscontinuities::new(system.info());
         assert!(discontinuities.are_crossed(&system, &from.state, &[&end, &stage]));
         assert!(!discontinuities.are_crossed(&system, &from.state, &[&end]));
         let cut = discontinuities.cut(&system, from.node(), &[&end, &stage], 0.8);
@@ -350,7 +391,7 @@ mod tests {
     fn analytic_steps_of_high_order_end_behind_a_discontinuity() {
         let scene = buffer::Bounces::default();
         let mut system = System::new(&scene, Backend::Auto).unwrap();
-        let mut discontinuities = Discontinuities::new(system.info());
+        let mut discontinuities = EventDiscontinuities::new(system.info());
         let from = At::new(-1.0, 1.0, 0.0);
         let length = |passage| if let Passage::Ends(length) = passage { length } else { f64::NAN };
         // no force up to the wall, where the end is taken from: the interpolant is that of the force at the end

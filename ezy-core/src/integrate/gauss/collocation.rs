@@ -1,14 +1,20 @@
 //! Gauss–Legendre collocation with its step control.
 
-use super::discontinuities::Passage;
-use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
-use crate::dynamics::{MotionError, State, System};
-use crate::integrate::{Collocated, Gauss, GaussControl, Node, Tolerance};
+use super::{Collocated, Gauss, GaussControl};
+use crate::dynamics::{MotionError, State, System, SystemError};
+use crate::integrate::discontinuities::{Discontinuities, Passage};
+use crate::integrate::family::{Family, MethodInfo, Needs};
+use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
+use crate::integrate::tolerances::second_run::{ROUNDING, TIGHTER};
+use crate::integrate::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
+use crate::integrate::{Integrator, Node, Tolerance};
 use crate::model::SceneRef;
 
+/// For given steps: their changes are compared with the tolerance itself.
+const TO_ROUNDING: Tolerance = Tolerance::new(1e-14, 1e-14);
+
 /// Collocation with the length of its next step.
-pub(super) struct Collocation {
+pub(crate) struct Collocation {
     method: Gauss,
     control: GaussControl,
     tolerance: Tolerance,
@@ -19,74 +25,86 @@ pub(super) struct Collocation {
     dense_error: f64,
 }
 
-impl Collocation {
-    pub(super) fn new(method: Gauss, tolerance: Tolerance) -> Self {
-        Self { method, control: GaussControl::default(), tolerance, step_s: None, rejected: 0, dense_error: 0.0 }
-    }
+impl Family for Collocation {
+    const INFO: MethodInfo = MethodInfo {
+        name: "gauss",
+        summary: "Gauss-Legendre collocation of order 16 with steps that keep to a tolerance, for smooth motions",
+        order: Some(16),
+        chooses_steps: true,
+        is_implicit: false,
+        needs: Needs::Nothing,
+        // its errors lie far below the tolerance now and then, and a smaller one costs it little
+        tighter: TIGHTER * TIGHTER,
+        rounding: ROUNDING,
+    };
 
-    /// Forgets the steps taken so far.
-    pub(super) fn restart(&mut self) {
+    fn of_system<P: SceneRef>(
+        system: &System<P>,
+        n_works: usize,
+        tolerance: Tolerance,
+    ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
+        let method = Gauss::new(system.scene(), n_works);
+        let control = GaussControl::default();
+        Ok(Some(Box::new(Self { method, control, tolerance, step_s: None, rejected: 0, dense_error: 0.0 })))
+    }
+}
+
+impl<P: SceneRef> Integrator<System<P>> for Collocation {
+    fn restart(&mut self) {
         self.method.restart();
         self.control = GaussControl::default();
         self.step_s = None;
     }
 
-    /// Forgets the steps taken so far, and begins with this step length, s.
-    pub(super) fn restart_with(&mut self, step_s: f64) {
-        self.restart();
+    fn restart_with(&mut self, step_s: f64) {
+        Integrator::<System<P>>::restart(self);
         self.step_s = Some(step_s);
     }
 
-    /// Rejected steps.
-    pub(super) fn n_rejected(&self) -> u64 {
+    fn n_rejected(&self) -> u64 {
         self.rejected
     }
 
-    /// The smallest pivot within the last step; infinite where accelerations were not eliminated.
-    pub(super) fn smallest_pivot(&self) -> f64 {
+    /// Infinite where accelerations were not eliminated.
+    fn smallest_pivot_within(&self) -> f64 {
         self.method.smallest_pivot()
     }
 
-    /// The next step starts at the end of the last one.
-    pub(super) fn accept(&mut self) {
+    fn accept(&mut self) {
         self.method.accept();
     }
 
-    /// The state at `t` between the ends of the last step, not projected; its time is left alone.
-    ///
-    /// # Errors
-    /// [`MotionError`] at a node.
     /// # Cost
     /// Where the polynomial of the step is not good enough, some sweeps for each of its parts, once a step.
-    pub(super) fn between<P: SceneRef>(
+    fn between(
         &mut self,
         system: &mut System<P>,
         from: Node<'_>,
-        to: &State,
+        to: Node<'_>,
         t: f64,
         out: &mut State,
     ) -> Result<(), MotionError> {
-        let share = (t - from.state.t) / (to.t - from.state.t);
+        let share = (t - from.state.t) / (to.state.t - from.state.t);
         if self.dense_error <= 1.0 {
             self.method.dense_at(from.state, share, out);
-            return Ok(());
+        } else {
+            let n_parts = Collocated::n_parts(self.dense_error);
+            self.method.dense_in_parts(system, from.state, n_parts, self.tolerance, share, out)?;
         }
-        let n_parts = Collocated::n_parts(self.dense_error);
-        self.method.dense_in_parts(system, from.state, n_parts, self.tolerance, share, out)
+        out.t = t;
+        Ok(())
     }
 
-    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. `passage` says what a step to a
-    /// state passes.
-    ///
     /// In a layer a force changes by nearly all of itself, and the step is not short beside that: the order of its end is not reached, and
     /// the error of its polynomial counts.
-    pub(super) fn step<P: SceneRef>(
+    fn step(
         &mut self,
         system: &mut System<P>,
         from: Node<'_>,
+        _h: f64,
         end: f64,
+        discontinuities: &mut dyn Discontinuities<System<P>>,
         to: &mut State,
-        mut passage: impl FnMut(&mut System<P>, &State) -> Passage,
     ) -> Result<(), MotionError> {
         let t = from.state.t;
         let left = end - t;
@@ -100,7 +118,7 @@ impl Collocation {
             }
             match self.method.attempt(system, from, h, self.tolerance, to) {
                 Ok(Collocated::Solved { mut error, dense_error, rate }) => {
-                    let passage = passage(system, to);
+                    let passage = discontinuities.passage(system, from, to);
                     if passage == Passage::Layer {
                         error = error.max(dense_error);
                     }
@@ -134,5 +152,20 @@ impl Collocation {
             }
             self.rejected += 1;
         }
+    }
+
+    fn given_step(
+        &mut self,
+        system: &mut System<P>,
+        from: Node<'_>,
+        h: f64,
+        to: &mut State,
+    ) -> Result<bool, MotionError> {
+        self.dense_error = 0.0;
+        Ok(matches!(self.method.attempt(system, from, h, TO_ROUNDING, to)?, Collocated::Solved { .. }))
+    }
+
+    fn accept_given(&mut self, _h: f64) {
+        self.method.accept();
     }
 }

@@ -1,6 +1,6 @@
 //! Where a function passes zero.
 
-use super::tolerances::events::{MAX_EVALUATIONS, RESOLUTION_S};
+use super::tolerances::roots::{MAX_EVALUATIONS, RESOLUTION_S};
 
 /// Where `f` passes zero between `a` and `b`, to `resolution`; its values there, `f_a` and `f_b`, have different signs,
 /// or one of them is zero.
@@ -8,7 +8,7 @@ use super::tolerances::events::{MAX_EVALUATIONS, RESOLUTION_S};
 /// # Source
 /// Chandrupatla, Advances in Engineering Software 28 (1997): inverse quadratic interpolation where it can be trusted,
 /// otherwise bisection.
-pub(super) fn root<E>(
+pub(crate) fn root<E>(
     (a, f_a): (f64, f64),
     (b, f_b): (f64, f64),
     resolution: f64,
@@ -51,12 +51,12 @@ fn next_part([x1, x2, x3]: [f64; 3], [f1, f2, f3]: [f64; 3]) -> f64 {
 }
 
 /// Resolution of an event time near `t`, s.
-pub(super) fn resolution_at(t: f64) -> f64 {
+pub(crate) fn resolution_at(t: f64) -> f64 {
     RESOLUTION_S.max(2.0 * f64::EPSILON * t.abs())
 }
 
 /// -1, 0 or 1; 0 for a value that is not a number.
-pub(super) fn side_of(x: f64) -> f64 {
+pub(crate) fn side_of(x: f64) -> f64 {
     match x.partial_cmp(&0.0) {
         Some(std::cmp::Ordering::Greater) => 1.0,
         Some(std::cmp::Ordering::Less) => -1.0,

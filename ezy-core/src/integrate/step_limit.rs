@@ -3,13 +3,13 @@
 use super::tolerances::steps::SHORTEST;
 
 /// Length and end of a step, s.
-pub(super) struct StepLimit {
+pub(crate) struct StepLimit {
     pub step_s: f64,
     pub t_next: f64,
 }
 
 /// A step of about `length` from `t` towards `end`. The last two steps share the rest equally.
-pub(super) fn limited_step(t: f64, end: f64, length: f64) -> StepLimit {
+pub(crate) fn limited_step(t: f64, end: f64, length: f64) -> StepLimit {
     let left = end - t;
     let n_left = left / length;
     if n_left <= 1.0 {
@@ -22,7 +22,7 @@ pub(super) fn limited_step(t: f64, end: f64, length: f64) -> StepLimit {
 }
 
 /// Whether a step of this length from `t` would change nothing.
-pub(super) fn is_too_short(t: f64, length: f64) -> bool {
+pub(crate) fn is_too_short(t: f64, length: f64) -> bool {
     length <= SHORTEST * t.abs().max(1.0)
 }
 

@@ -1,14 +1,18 @@
 //! DOP853 with its step control.
 
-use super::discontinuities::Passage;
-use super::step_limit::{StepLimit, is_too_short, limited_step};
-use super::tolerances::steps::{APPROACH, LARGEST_DENSE_ERROR, LEFT, MAX_DISCONTINUITIES};
+use super::{Dop853, ERROR_ORDER, StiffnessWatch};
 use crate::dynamics::{Dynamics, MotionError, State};
-use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Node, StepControl, StiffnessWatch, Tolerance};
+use crate::integrate::discontinuities::{Discontinuities, Passage};
+use crate::integrate::family::{Family, MethodInfo, Needs, Sizes};
+use crate::integrate::step_control::StepControl;
+use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
+use crate::integrate::tolerances::second_run::{ROUNDING, TIGHTER};
+use crate::integrate::tolerances::steps::{APPROACH, LARGEST_DENSE_ERROR, LEFT, MAX_DISCONTINUITIES};
+use crate::integrate::{Integrator, Node, Tolerance};
 use crate::scalar::Scalar;
 
 /// DOP853 with the length of its next step.
-pub(super) struct Adaptive<T = f64> {
+pub(crate) struct Adaptive<T = f64> {
     method: Dop853<T>,
     control: StepControl,
     tolerance: Tolerance,
@@ -33,11 +37,31 @@ enum Between {
     Steps,
 }
 
+impl Family for Adaptive {
+    const INFO: MethodInfo = MethodInfo {
+        name: "dop853",
+        summary: "Method of Dormand and Prince of order 8 with steps that keep to a tolerance",
+        order: Some(8),
+        chooses_steps: true,
+        is_implicit: false,
+        needs: Needs::Nothing,
+        tighter: TIGHTER,
+        rounding: ROUNDING,
+    };
+
+    fn in_any_number<D: Dynamics<T>, T: Scalar>(
+        Sizes { n_q, n_c, n_works }: Sizes,
+        tolerance: Tolerance,
+    ) -> Option<Box<dyn Integrator<D, T>>> {
+        Some(Box::new(Adaptive::new(n_q, n_c, n_works, tolerance)))
+    }
+}
+
 impl<T: Scalar> Adaptive<T> {
-    pub(super) fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance) -> Self {
+    fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance) -> Self {
         Self {
             method: Dop853::new(n_coordinates, n_rows, n_works),
-            control: StepControl::new(DOP853_ERROR_ORDER),
+            control: StepControl::new(ERROR_ORDER),
             tolerance,
             step_s: None,
             last_s: None,
@@ -47,44 +71,35 @@ impl<T: Scalar> Adaptive<T> {
             part: None,
         }
     }
+}
 
-    /// Forgets the steps taken so far.
-    pub(super) fn restart(&mut self) {
+impl<D: Dynamics<T>, T: Scalar> Integrator<D, T> for Adaptive<T> {
+    fn restart(&mut self) {
         self.method.restart();
-        self.control = StepControl::new(DOP853_ERROR_ORDER);
+        self.control = StepControl::new(ERROR_ORDER);
         self.step_s = None;
         self.last_s = None;
         self.watch.restart();
     }
 
-    /// Forgets the steps taken so far, and begins with this step length, s.
-    pub(super) fn restart_with(&mut self, step_s: f64) {
-        self.restart();
+    fn restart_with(&mut self, step_s: f64) {
+        Integrator::<D, T>::restart(self);
         self.step_s = Some(step_s);
     }
 
-    /// Time since which stability limits the steps, s.
-    pub(super) fn stiff_since(&self) -> Option<f64> {
+    fn stiff_since(&self) -> Option<f64> {
         self.watch.since()
     }
 
-    /// Tolerated errors.
-    pub(super) fn tolerance(&self) -> Tolerance {
-        self.tolerance
-    }
-
-    /// Rejected steps.
-    pub(super) fn n_rejected(&self) -> u64 {
+    fn n_rejected(&self) -> u64 {
         self.rejected
     }
 
-    /// The state at `t` between the ends of the last step, not projected; its time is left alone.
-    ///
     /// # Cost
     /// Three evaluations of the accelerations for all values of a step, or eleven each where the polynomial is not good enough.
-    pub(super) fn between(
+    fn between(
         &mut self,
-        system: &mut impl Dynamics<T>,
+        system: &mut D,
         from: Node<'_, T>,
         to: Node<'_, T>,
         t: f64,
@@ -103,7 +118,6 @@ impl<T: Scalar> Adaptive<T> {
         match between {
             Between::Polynomial => self.method.dense_at(length / (to.state.t - from.state.t), out),
             Between::Steps => {
-                let time = out.t;
                 self.part.get_or_insert_with(|| Box::new(self.method.another())).attempt(
                     system,
                     from,
@@ -111,24 +125,22 @@ impl<T: Scalar> Adaptive<T> {
                     self.tolerance,
                     out,
                 )?;
-                out.t = time;
             }
         }
+        out.t = t;
         Ok(())
     }
 
-    /// A step from `from` towards `end` whose error is within the tolerance; not yet projected. `passage` says what a step to a
-    /// state passes.
-    ///
     /// In a layer a force changes by nearly all of itself, and the step is not short beside that: order 8 is not reached, and the
     /// estimate of order 5 counts as it is.
-    pub(super) fn step<D: Dynamics<T>>(
+    fn step(
         &mut self,
         system: &mut D,
         from: Node<'_, T>,
+        _h: f64,
         end: f64,
+        discontinuities: &mut dyn Discontinuities<D, T>,
         to: &mut State<T>,
-        mut passage: impl FnMut(&mut D, &State<T>) -> Passage,
     ) -> Result<(), MotionError> {
         self.between = None;
         let t = from.state.t;
@@ -151,7 +163,7 @@ impl<T: Scalar> Adaptive<T> {
             }
             match self.method.attempt(system, from, h, self.tolerance, to) {
                 Ok(mut error) => {
-                    let passage = passage(system, to);
+                    let passage = discontinuities.passage(system, from, to);
                     if passage == Passage::Layer {
                         error = error.max(self.method.error_of_order_5(h, self.tolerance));
                     }
@@ -183,11 +195,49 @@ impl<T: Scalar> Adaptive<T> {
             self.rejected += 1;
         }
     }
+
+    fn given_step(
+        &mut self,
+        system: &mut D,
+        from: Node<'_, T>,
+        h: f64,
+        to: &mut State<T>,
+    ) -> Result<bool, MotionError> {
+        self.between = None;
+        self.method.attempt(system, from, h, self.tolerance, to)?;
+        Ok(true)
+    }
+
+    fn accept_given(&mut self, _h: f64) {
+        self.method.accept();
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integrate::discontinuities::{Cut, Smooth};
+
+    /// Every step passes this.
+    struct Passes(Passage);
+
+    impl<D> Discontinuities<D> for Passes {
+        fn passage(&mut self, _: &mut D, _: Node<'_>, _: &State) -> Passage {
+            self.0
+        }
+
+        fn cut(&mut self, _: &D, _: Node<'_>, _: &[&State], _: f64) -> Option<Cut> {
+            None
+        }
+
+        fn are_crossed(&mut self, _: &D, _: &State, _: &[&State]) -> bool {
+            false
+        }
+
+        fn restart(&mut self) {}
+
+        fn rest(&mut self) {}
+    }
 
     /// Moves uniformly, up to a wall at 1 m.
     struct UpToAWall;
@@ -236,10 +286,10 @@ mod tests {
             let (size, step_s) = (10_f64.powf(-10.0 + 0.01 * f64::from(i)), 1.0 + 0.01 * f64::from(i % 7));
             let [smooth, layer] = [Passage::Smooth, Passage::Layer].map(|passage| {
                 let mut adaptive = Adaptive::new(1, 0, 0, Tolerance::new(1e-9, 1e-9));
-                adaptive.restart_with(step_s);
+                adaptive.step_s = Some(step_s);
                 let from = Node { state: &start, a: &[0.0], power: &[] };
-                adaptive.step(&mut Rough(size), from, 10.0, &mut start.clone(), |_, _| passage).unwrap();
-                adaptive.n_rejected() > 0
+                adaptive.step(&mut Rough(size), from, 10.0, 10.0, &mut Passes(passage), &mut start.clone()).unwrap();
+                adaptive.rejected > 0
             });
             assert!(layer || !smooth, "{size:e} {step_s}");
             refused[0] += u32::from(layer);
@@ -254,10 +304,10 @@ mod tests {
         let at = |x: f64| State { t: 0.0, q: vec![x], v: vec![1.0], work: Vec::new() };
         let step = |start: &State, to: &mut State| {
             let mut adaptive = Adaptive::new(1, 0, 0, Tolerance::new(1e-9, 1e-9));
-            adaptive.restart_with(4.0);
+            adaptive.step_s = Some(4.0);
             let from = Node { state: start, a: &[0.0], power: &[] };
-            let outcome = adaptive.step(&mut UpToAWall, from, 10.0, to, |_, _| Passage::Smooth);
-            (outcome, adaptive.n_rejected())
+            let outcome = adaptive.step(&mut UpToAWall, from, 10.0, 10.0, &mut Smooth, to);
+            (outcome, adaptive.rejected)
         };
         let mut to = at(0.0);
         assert_eq!(step(&at(0.0), &mut to), (Ok(()), 2));

@@ -1,0 +1,79 @@
+//! The explicit midpoint method of order 2.
+
+use super::Integrator;
+use super::family::{Family, MethodInfo, Needs, Sizes};
+use super::fixed_steps::{FixedSteps, Stages, add, advance};
+use super::hermite::Node;
+use super::step_control::Tolerance;
+use super::tolerances::second_run::{ROUNDING, TIGHTER};
+use crate::dynamics::{Dynamics, MotionError, State};
+use crate::scalar::Scalar;
+
+/// Stages of the method for q' = v, v' = a(t, q, v), w' = power of each effect: the slope in the middle of the step, which half a step of
+/// Euler's method finds, carries the whole step.
+///
+/// # Source
+/// C. Runge, Math. Ann. 46 (1895) 167–178.
+pub(super) struct Midpoint<T = f64> {
+    stage: State<T>,
+    slope: State<T>,
+    /// What rounding cut off the last step.
+    rest: State<T>,
+    lambda: Vec<T>,
+}
+
+impl Family for Midpoint {
+    const INFO: MethodInfo = MethodInfo {
+        name: "midpoint",
+        summary: "Explicit midpoint method of order 2 with a fixed step, to compare with",
+        order: Some(2),
+        chooses_steps: false,
+        is_implicit: false,
+        needs: Needs::Nothing,
+        tighter: TIGHTER,
+        rounding: ROUNDING,
+    };
+
+    fn in_any_number<D: Dynamics<T>, T: Scalar>(
+        Sizes { n_q, n_c, n_works }: Sizes,
+        _tolerance: Tolerance,
+    ) -> Option<Box<dyn Integrator<D, T>>> {
+        let zero = State::zeros(n_q, n_works);
+        let lambda = vec![T::from_f64(0.0); n_c];
+        Some(Box::new(FixedSteps(Midpoint { stage: zero.clone(), slope: zero.clone(), rest: zero, lambda })))
+    }
+}
+
+impl<T: Scalar> Stages<T> for Midpoint<T> {
+    /// # Cost
+    /// One evaluation of the accelerations; no allocation.
+    fn go<D: Dynamics<T> + ?Sized>(
+        &mut self,
+        system: &mut D,
+        from: Node<'_, T>,
+        h: f64,
+        t_next: f64,
+        to: &mut State<T>,
+    ) -> Result<(), MotionError> {
+        let Self { stage, slope, rest, lambda } = self;
+        slope.q.copy_from_slice(&from.state.v);
+        slope.v.copy_from_slice(from.a);
+        slope.work.copy_from_slice(from.power);
+        advance(stage, from.state, 0.5 * h, slope);
+        stage.t = from.state.t + 0.5 * h;
+        slope.q.copy_from_slice(&stage.v);
+        system.accelerations(stage.t, &stage.q, &stage.v, &mut slope.v, lambda)?;
+        system.power(stage.t, &stage.q, &stage.v, lambda, &mut slope.work);
+        add(to, from.state, h, slope, rest);
+        to.t = t_next;
+        Ok(())
+    }
+
+    fn last_stage(&self) -> &State<T> {
+        &self.stage
+    }
+
+    fn rest(&mut self) -> &mut State<T> {
+        &mut self.rest
+    }
+}

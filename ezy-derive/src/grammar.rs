@@ -294,12 +294,12 @@ mod tests {
     fn reference_manual_has_every_word_and_setting() {
         let manual = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/language.md");
         let manual = std::fs::read_to_string(manual).expect("the manual is there");
-        for word in WORDS {
-            let line = manual.lines().find(|line| line.starts_with(&format!("| `{} ", word.word)));
-            assert!(line.is_some(), "the manual has no line of `{}`", word.word);
-            for setting in settings(word.form) {
-                let lines = manual.lines().filter(|line| line.contains(word.word));
-                assert!(lines.clone().any(|line| line.contains(setting)), "`{setting}` of `{}`", word.word);
+        for Word { word, form, .. } in WORDS {
+            let row = format!("| [`{word}`](#{}) | `{word} ", word.replace(' ', "-"));
+            let row = manual.lines().find(|line| line.starts_with(&row));
+            let row = row.unwrap_or_else(|| panic!("the manual has no line of `{word}`"));
+            for setting in settings(form) {
+                assert!(row.contains(&format!(" {setting} ")), "`{setting}` of `{word}`");
             }
         }
     }

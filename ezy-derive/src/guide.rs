@@ -1,7 +1,8 @@
-//! The messages in the guide are those of the macro, and its chapter on the language has every word.
+//! The messages in the guide and in the reference of the language are those of the macro, and the reference has every word.
 //!
 //! A block of `text` with lines that begin with `error:` or `warning:` shows messages. Lines above it are wrong lines: each stands in the last
-//! model of the page in place of the first line that begins with the same words. `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the messages anew.
+//! model of the page in place of the first line that begins with the same words. `UPDATE_GOLDEN=1 cargo test -p ezy-derive` writes the messages anew,
+//! and the reference as the documentation of `model!` shows it.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,10 +15,19 @@ use crate::golden;
 use crate::parse::words_of_the_language;
 use crate::pipeline::expand;
 
+fn file(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
+}
+
+/// The reference of the language.
+fn reference() -> PathBuf {
+    file("docs/language.md")
+}
+
 fn pages() -> BTreeMap<PathBuf, String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/guide/src");
-    let entries = fs::read_dir(folder).expect("the guide is there").map(|entry| entry.expect("an entry").path());
-    let pages = entries.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
+    let entries = fs::read_dir(file("docs/guide/src")).expect("the guide is there");
+    let pages = entries.map(|entry| entry.expect("an entry").path()).chain([reference()]);
+    let pages = pages.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
     pages.map(|path| (path.clone(), fs::read_to_string(path).expect("a page can be read"))).collect()
 }
 
@@ -97,26 +107,54 @@ fn with_messages(page: &str) -> String {
     new
 }
 
+/// The reference in the documentation of `model!`: without its title, and without pictures and links to other pages, which are not there.
+fn for_rustdoc(page: &str) -> String {
+    let (_, body) = page.split_once("\n\n").expect("a title");
+    let is_picture = |paragraph: &&str| paragraph.starts_with("![");
+    let body = body.split("\n\n").filter(|paragraph| !is_picture(paragraph)).collect::<Vec<_>>().join("\n\n");
+    let mut new = String::new();
+    for part in body.replace("```rust,ignore", "```rust").split_inclusive(')') {
+        match part.rsplit_once("](") {
+            // of a link to a page its text stays, with the name of the page
+            Some((before, target)) if target.contains(".md") => {
+                let (path, _) = target.split_once(['#', ')']).unwrap_or((target, ""));
+                new += before;
+                new.remove(new.rfind('[').expect("a link begins"));
+                new += &format!(" (`docs/{path}`)");
+            }
+            _ => new += part,
+        }
+    }
+    new
+}
+
 #[test]
 fn regress_messages_of_the_guide_are_those_of_the_macro() {
-    golden::compare_all(&pages().into_iter().map(|(path, page)| (path, with_messages(&page))).collect());
+    let mut now: BTreeMap<_, _> = pages().into_iter().map(|(path, page)| (path, with_messages(&page))).collect();
+    now.insert(file("ezy-core/src/language.md"), for_rustdoc(&now[&reference()]));
+    golden::compare_all(&now);
+}
+
+#[test]
+fn invariant_documentation_of_the_macro_links_within_itself() {
+    let page = "# T\n\nSee [a](#a), [`b` (c)](b.md#c).\n\n![P](p.svg)\n\n```rust,ignore\nlink[0](1, 0)\n```\n";
+    assert_eq!(for_rustdoc(page), "See [a](#a), `b` (c) (`docs/b.md`).\n\n```rust\nlink[0](1, 0)\n```\n");
 }
 
 /// Each word has a heading, an equation, an example that uses it, and a wrong line that begins with it.
 #[test]
-fn reference_guide_has_every_word() {
-    let pages = pages();
-    let (_, page) = pages.iter().find(|(path, _)| path.ends_with("language.md")).expect("the chapter is there");
+fn reference_page_of_the_language_has_every_word() {
+    let page = &pages()[&reference()];
     let sections: BTreeMap<&str, &str> =
         page.split("\n### `").skip(1).filter_map(|section| section.split_once("`\n")).collect();
     for word in words_of_the_language() {
-        let section = sections.get(word).unwrap_or_else(|| panic!("the guide has no section of `{word}`"));
+        let section = sections.get(word).unwrap_or_else(|| panic!("the reference has no section of `{word}`"));
         let section = section.split("\n## ").next().unwrap_or_default();
         let begins = |line: &str| beginning(line).join(" ").starts_with(word);
         let block =
             |kind: &str| section.split(kind).nth(1).and_then(|rest| rest.split("```").next()).unwrap_or_default();
         assert!(section.contains("\n> "), "`{word}` has no equation");
-        assert!(block("```rust\n").lines().any(begins), "the example of `{word}` does not use it");
+        assert!(block("```rust,ignore\n").lines().any(begins), "the example of `{word}` does not use it");
         let wrong = block("```text\n");
         assert!(wrong.lines().next().is_some_and(begins) && wrong.contains("\nerror: "), "`{word}` has no wrong line");
     }

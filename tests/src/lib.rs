@@ -26,6 +26,5 @@ pub mod shapes;
 #[doc = include_str!("../../docs/guide/src/trouble.md")]
 #[doc = include_str!("../../docs/guide/src/controllers.md")]
 #[doc = include_str!("../../docs/guide/src/sweeps.md")]
-#[doc = include_str!("../../docs/guide/src/language.md")]
 #[doc = include_str!("../../docs/guide/src/wrong-models.md")]
 pub mod readme {}

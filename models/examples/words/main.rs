@@ -1,4 +1,4 @@
-//! The model of each word in the guide's chapter on the language, with a command line that draws them.
+//! The model of each word in `docs/language.md`, with a command line that draws them.
 //!
 //! `cargo run --example words -- sketch hinge/swing`
 

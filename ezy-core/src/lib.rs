@@ -65,6 +65,7 @@
 #[doc(hidden)]
 pub mod __private;
 pub mod accuracy;
+mod archive;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod dynamics;

@@ -1,6 +1,7 @@
 //! The factors of K at one configuration, and what they are made of.
 
 use super::solved::Rows;
+use crate::archive::Archive;
 use crate::linalg::{DampedKkt, KktFactorization, NullSpaceKkt, RankRevealing};
 
 /// How K is solved.
@@ -93,6 +94,13 @@ impl Ahead {
     pub(super) fn begin(&mut self) -> &mut [f64] {
         self.t = f64::NAN;
         &mut self.out
+    }
+
+    pub(super) fn remember(&mut self, archive: &mut Archive) {
+        archive.number(&mut self.t);
+        archive.number(&mut self.smallest_pivot);
+        archive.numbers(&mut self.q);
+        archive.numbers(&mut self.out);
     }
 
     pub(super) fn keep(&mut self, t: f64, q: &[f64], smallest_pivot: f64) {

@@ -22,6 +22,7 @@ mod no_derivative;
 mod on_rows;
 mod projection;
 mod rank;
+mod remembered;
 mod residual;
 mod row;
 mod singular_position;
@@ -54,6 +55,7 @@ pub use system::System;
 pub(crate) use system::described_solver;
 pub use worst::{Projected, Worst};
 
+use crate::archive::Archive;
 use crate::model::{Name, SceneInfo};
 use crate::scalar::Scalar;
 
@@ -82,6 +84,12 @@ impl<T: Scalar> State<T> {
     pub(crate) fn zeros(n_coordinates: usize, n_effects: usize) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
         Self { t: 0.0, q: zeros(n_coordinates), v: zeros(n_coordinates), work: zeros(n_effects) }
+    }
+
+    /// Writes it, or reads another one over it.
+    pub(crate) fn remember(&mut self, archive: &mut Archive<T>) {
+        archive.number(&mut self.t);
+        [&mut self.q, &mut self.v, &mut self.work].into_iter().for_each(|numbers| archive.scalars(numbers));
     }
 
     /// Takes the numbers of a state of the same scene, without allocation.

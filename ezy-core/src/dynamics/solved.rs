@@ -1,5 +1,6 @@
 //! What an answer of the solvers says of itself.
 
+use crate::archive::Archive;
 use crate::linalg::Left;
 
 /// How a linear system at one configuration was solved.
@@ -18,6 +19,14 @@ impl Solved {
     /// By an elimination whose pivots were all found.
     pub(crate) fn regular(smallest_pivot: f64) -> Self {
         Self { smallest_pivot, is_rank_deficient: false, left: Left::default() }
+    }
+
+    /// Writes it, or reads another one over it.
+    pub(crate) fn remember(&mut self, archive: &mut Archive) {
+        archive.number(&mut self.smallest_pivot);
+        archive.flag(&mut self.is_rank_deficient);
+        archive.number(&mut self.left.rows);
+        archive.number(&mut self.left.scale);
     }
 }
 

@@ -15,6 +15,7 @@ use super::hermite::{Node, interpolate};
 use super::root::{resolution_at, root, side_of};
 use super::tolerances::discontinuities::{AT_END, BEHIND, CHATTERING_GUARD, CUT, TURNED, UNKNOWN};
 use super::tolerances::steps::SHORTEST;
+use crate::archive::Archive;
 use crate::dynamics::{Rows, State, System};
 use crate::model::{EventKind, SceneInfo, SceneRef};
 
@@ -124,6 +125,11 @@ impl EventDiscontinuities {
     /// Nothing was cut before.
     pub(crate) fn restart(&mut self) {
         self.chattering = 0;
+    }
+
+    /// Writes what steps take from those before, or reads it.
+    pub(crate) fn remember(&mut self, archive: &mut Archive) {
+        archive.count_of_few(&mut self.chattering);
     }
 
     /// A step of fixed length was completed.

@@ -3,6 +3,7 @@
 use super::discontinuities::{Cut, Discontinuities};
 use super::hermite::{Node, interpolate};
 use super::{Integrator, compensated};
+use crate::archive::Archive;
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::scalar::Scalar;
 
@@ -82,6 +83,10 @@ impl<D: Dynamics<T>, T: Scalar, S: Stages<T>> Integrator<D, T> for FixedSteps<S>
     ) -> Result<(), MotionError> {
         interpolate(from, to, t, out);
         Ok(())
+    }
+
+    fn remember(&mut self, _system: &mut D, archive: &mut Archive<T>) {
+        self.0.rest().remember(archive);
     }
 
     fn given_step(

@@ -2,6 +2,7 @@
 
 use super::discontinuities::Discontinuities;
 use super::hermite::Node;
+use crate::archive::Archive;
 use crate::dynamics::{MotionError, Solved, State};
 use crate::scalar::Scalar;
 
@@ -49,6 +50,10 @@ pub(crate) trait Integrator<D, T: Scalar = f64>: Send {
 
     /// The next step starts at the state that was evaluated last, the end of the last step if there was one.
     fn accept(&mut self) {}
+
+    /// Writes what the next step takes from those before, once one is accepted, or reads it. A method that expands finds the rest
+    /// by [`Integrator::expand`] at the state.
+    fn remember(&mut self, system: &mut D, archive: &mut Archive<T>);
 
     /// Rejected steps.
     fn n_rejected(&self) -> u64 {

@@ -1,5 +1,6 @@
 //! The lengths of steps: fixed, or from the error of the last one.
 
+use crate::archive::Archive;
 use crate::model::coordinate::is_angle;
 use crate::scalar::Scalar;
 
@@ -83,6 +84,12 @@ impl StepControl {
     /// For a method of which an error estimate goes with `h^order`.
     pub(crate) fn new(order: i32) -> Self {
         Self { order: f64::from(order), last_error: LEAST_ERROR, just_rejected: false }
+    }
+
+    /// Writes it, or reads another one over it.
+    pub(crate) fn remember<T: Scalar>(&mut self, archive: &mut Archive<T>) {
+        archive.number(&mut self.last_error);
+        archive.flag(&mut self.just_rejected);
     }
 
     /// Factor for the step after one with this error, at most 1.

@@ -100,7 +100,16 @@ impl<'s, P: SceneRef> Simulation<'s, P> {
         let control = self.take_control(start.t, &mut system)?;
         let state = system.consistent_start(&start)?;
         let stepper = self.stepper_in(system)?;
-        Ok(Stepper::new(stepper, control, step_s, start, state))
+        let Settings { method, projection, metric, backend, wanted, .. } = &self.settings;
+        let settings = vec![
+            ("method", method.name().to_owned()),
+            ("step", format!("{step_s:?} s")),
+            ("projection", format!("{projection:?}")),
+            ("metric", format!("{metric:?}")),
+            ("backend", format!("{backend:?}")),
+            ("works", wanted.work.to_string()),
+        ];
+        Ok(Stepper::new(stepper, control, step_s, settings, start, state))
     }
 
     fn stepper_of(&self, scene: P) -> Result<StepperState<P>, SetupError> {

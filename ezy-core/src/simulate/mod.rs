@@ -1,6 +1,7 @@
 //! Runs a scene: step, project, record. Knows no formula.
 
 mod build;
+mod checkpoint;
 mod control;
 mod ensemble;
 mod error;
@@ -33,6 +34,7 @@ mod together;
 mod tolerances;
 mod trajectory;
 
+pub use checkpoint::{Checkpoint, CheckpointError};
 pub use ensemble::Ensemble;
 pub use error::SetupError;
 pub use error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};

@@ -4,6 +4,7 @@ use super::singular::{Approach, Vanishing, about};
 use super::snapshot::Snapshot;
 use super::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
 use super::tolerances::monitors::BESIDE;
+use crate::archive::Archive;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
 use crate::model::SceneRef;
@@ -80,6 +81,18 @@ impl SingularityCrossing {
             in_vain_until_s: f64::NEG_INFINITY,
             n_rejected: 0,
         }
+    }
+
+    /// Writes what is known of the step under way, or reads it.
+    pub(super) fn remember(&mut self, archive: &mut Archive) {
+        self.method.remember(archive);
+        self.control.remember(archive);
+        self.end.remember(archive);
+        let Self { length_s, begin_s, nearest, in_vain_until_s, .. } = self;
+        [length_s, begin_s, nearest, in_vain_until_s].into_iter().for_each(|number| archive.number(number));
+        archive.option(&mut self.ahead_s);
+        archive.flag(&mut self.is_under_way);
+        archive.count(&mut self.n_rejected);
     }
 
     /// Whether the last step approached a singular position.

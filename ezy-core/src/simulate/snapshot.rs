@@ -1,5 +1,6 @@
 //! One state of a run with its accelerations.
 
+use crate::archive::Archive;
 use crate::dynamics::{MotionError, Rows, Solved, State, System};
 use crate::integrate::Node;
 use crate::model::{SceneInfo, SceneRef};
@@ -30,6 +31,14 @@ impl Snapshot {
             solved: Solved::default(),
             end: Solved::default(),
         }
+    }
+
+    /// Writes it, or reads another one over it.
+    pub(super) fn remember(&mut self, archive: &mut Archive) {
+        let Self { state, a, lambda, power, solved, end } = self;
+        state.remember(archive);
+        [a, lambda, power].into_iter().for_each(|numbers| archive.numbers(numbers));
+        [solved, end].into_iter().for_each(|solved| solved.remember(archive));
     }
 
     /// Accelerations, multipliers and powers at the state.

@@ -1,9 +1,11 @@
 //! A scene that the caller steps: for controllers, learning programs and animation.
 
+use super::checkpoint::{Checkpoint, CheckpointError, Origin};
 use super::control::{Control, check_inputs};
 use super::given::give;
 use super::stepper_state::StepperState;
 use super::{Inputs, InputsGuard, Now, SetupError};
+use crate::archive::Archive;
 use crate::dynamics::{MotionError, State};
 use crate::model::{NamedScene, SceneInfo, SceneRef, Start};
 use crate::record::EnergyState;
@@ -52,6 +54,8 @@ pub struct Stepper<'s, P: SceneRef> {
     stepper: StepperState<P>,
     control: Control<'s>,
     step_s: f64,
+    /// What its numbers depend on besides the scene, by name.
+    settings: Vec<(&'static str, String)>,
     /// Steps since the start.
     n_steps: u64,
     /// Whether accelerations and powers belong to the present state and inputs.
@@ -79,12 +83,20 @@ struct Assembled {
 }
 
 impl<'s, P: SceneRef> Stepper<'s, P> {
-    pub(super) fn new(stepper: StepperState<P>, control: Control<'s>, step_s: f64, from: Start, state: State) -> Self {
+    pub(super) fn new(
+        stepper: StepperState<P>,
+        control: Control<'s>,
+        step_s: f64,
+        settings: Vec<(&'static str, String)>,
+        from: Start,
+        state: State,
+    ) -> Self {
         let system = &stepper.system;
         let home = Assembled { from: from.clone(), state };
         let mut new = Self {
             control,
             step_s,
+            settings,
             n_steps: 0,
             evaluated: false,
             first_inputs: system.inputs().to_vec(),
@@ -154,6 +166,41 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
         self.start_s = self.stepper.now.state.t;
         let (kinetic, potential) = self.mechanical_energy();
         self.initial_energy = kinetic + potential;
+    }
+
+    /// Where the motion is, and all that its continuation depends on: the same steps with the same inputs lead to the same bits from there, in
+    /// this stepper and in any other one of the same simulation, also of another process. A control law keeps its own state.
+    pub fn save(&mut self) -> Checkpoint {
+        let mut archive = Archive::new();
+        // what is written needs no evaluation, which alone can fail
+        let _ = self.remember(&mut archive);
+        Checkpoint::new(self.origin(), archive)
+    }
+
+    /// Goes back, or on, to where a checkpoint was made: by this stepper, or another one of the same simulation.
+    ///
+    /// # Errors
+    /// [`CheckpointError`] when it is one of another scene, method, step or parameter; or damaged, and the stepper is then at its start.
+    pub fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), CheckpointError> {
+        let mut archive = checkpoint.archive(&self.origin())?;
+        let outcome = self.remember(&mut archive);
+        if outcome.is_err() || !archive.is_read_whole() {
+            self.reset();
+        }
+        outcome?;
+        if archive.is_read_whole() { Ok(()) } else { Err(CheckpointError::Damaged) }
+    }
+
+    fn origin(&self) -> Origin {
+        Origin::new(self.stepper.system.scene(), &self.settings)
+    }
+
+    fn remember(&mut self, archive: &mut Archive) -> Result<(), MotionError> {
+        archive.count(&mut self.n_steps);
+        archive.flag(&mut self.evaluated);
+        archive.number(&mut self.start_s);
+        archive.number(&mut self.initial_energy);
+        self.stepper.remember(archive)
     }
 
     /// The present state by the names of the model file.

@@ -6,6 +6,7 @@ use ezy_core::prelude::*;
 
 mod accelerations;
 mod assembly_modes;
+
 mod counts;
 mod energy;
 mod events;

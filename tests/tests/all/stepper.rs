@@ -1,8 +1,11 @@
 //! Scenes that the caller steps.
 
 use ezy_core::prelude::*;
+use ezy_core::simulate::CheckpointError;
 use ezy_models::ezy_roller;
+use ezy_models::registry::MODELS;
 use ezy_tests::piloted::piloted;
+use std::sync::Arc;
 
 const STEP: f64 = 1e-3;
 
@@ -114,4 +117,78 @@ fn invariant_number_of_the_order_is_where_inputs_start() {
     assert_eq!(stepper.inputs(), [8.0]);
     stepper.reset();
     assert_eq!(stepper.inputs(), [5.0]);
+}
+
+/// Another stepper of each scene of the garage goes on from a checkpoint with the numbers of the first one, wherever it is
+/// made: also where rows are redundant, across singular positions, behind discontinuities.
+#[test]
+fn invariant_restored_stepper_goes_on_to_the_last_bit() {
+    let mut n_scenes = 0;
+    for entry in MODELS.iter().flat_map(|model| model.scenes) {
+        let scene: Arc<dyn Scene> = Arc::from((entry.new)());
+        for method in [Method::rk4(scene.info().until_s / 400.0), Method::midpoint(scene.info().until_s / 1600.0)] {
+            let new = || Simulation::new(Arc::clone(&scene)).method(method).work().stepper();
+            let Ok(mut first) = new() else { continue };
+            let mut push = |stepper: &mut Stepper<'_, Arc<dyn Scene>>, n: u32| {
+                stepper.inputs_mut().iter_mut().for_each(|input| *input += 1e-3 * f64::from(n % 3));
+                stepper.step(7).ok().map(|()| numbers(stepper))
+            };
+            let mut checkpoints = Vec::new();
+            for n in 0..40 {
+                checkpoints.push((n, first.save()));
+                if push(&mut first, n).is_none() {
+                    break;
+                }
+            }
+            n_scenes += 1;
+            for (n, checkpoint) in checkpoints.iter().step_by(6) {
+                first.restore(checkpoint).unwrap();
+                let mut other = new().unwrap();
+                other.restore(checkpoint).unwrap();
+                for n in *n..*n + 9 {
+                    let [one, two] = [&mut first, &mut other].map(|stepper| push(stepper, n));
+                    assert_eq!(one, two, "{} by {method:?}, {n}", scene.info().name);
+                }
+            }
+        }
+    }
+    assert!(n_scenes >= 40, "{n_scenes}");
+}
+
+/// Bits of all that a caller sees.
+fn numbers(stepper: &mut Stepper<'_, Arc<dyn Scene>>) -> Vec<u64> {
+    let State { t, q, v, work } = stepper.state().clone();
+    let multipliers = stepper.multipliers().map_or_else(|_| Vec::new(), <[f64]>::to_vec);
+    let all = [&[t][..], &q, &v, &work, &multipliers, stepper.outputs()].concat();
+    all.into_iter().map(f64::to_bits).collect()
+}
+
+/// What was changed is named.
+#[test]
+fn invariant_checkpoint_of_another_simulation_is_refused() {
+    let scene = piloted::Ridden::default();
+    let step = |step_s| Simulation::new(&scene).method(Method::rk4(step_s));
+    let checkpoint = step(1e-3).stepper().unwrap().save();
+    let differs =
+        |error: CheckpointError| if let CheckpointError::OfAnother { what, .. } = error { what } else { "".into() };
+    for (simulation, what) in [
+        (step(2e-3), "step"),
+        (step(1e-3).method(Method::midpoint(1e-3)), "method"),
+        (step(1e-3).work(), "works"),
+        (step(1e-3).project(Projection::None), "projection"),
+        (step(1e-3).metric(Metric::Euclidean), "metric"),
+        (step(1e-3).backend(Backend::Dense), "backend"),
+    ] {
+        let error = simulation.stepper().unwrap().restore(&checkpoint).unwrap_err();
+        assert_eq!(differs(error), what);
+    }
+    let roller = ezy_roller::Coast::default();
+    let mut stepper = Simulation::new(&roller).method(Method::rk4(1e-3)).stepper().unwrap();
+    assert_eq!(differs(stepper.restore(&checkpoint).unwrap_err()), "scene");
+    let of = stepper.save();
+    let other = ezy_roller::Coast { b: 0.7, ..Default::default() };
+    let mut stepper = Simulation::new(&other).method(Method::rk4(1e-3)).stepper().unwrap();
+    let error = stepper.restore(&of).unwrap_err();
+    let text = "the checkpoint is of b 0.6, and the stepper has 0.7; make the stepper as it was made then";
+    assert_eq!(error.to_string(), text);
 }

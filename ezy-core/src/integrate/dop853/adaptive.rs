@@ -1,6 +1,7 @@
 //! DOP853 with its step control.
 
 use super::{Dop853, ERROR_ORDER, StiffnessWatch};
+use crate::archive::Archive;
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::integrate::discontinuities::{Discontinuities, Passage};
 use crate::integrate::family::{Family, MethodInfo, Needs, Sizes};
@@ -194,6 +195,15 @@ impl<D: Dynamics<T>, T: Scalar> Integrator<D, T> for Adaptive<T> {
             }
             self.rejected += 1;
         }
+    }
+
+    fn remember(&mut self, _system: &mut D, archive: &mut Archive<T>) {
+        self.method.remember(archive);
+        self.control.remember(archive);
+        self.watch.remember(archive);
+        archive.option(&mut self.step_s);
+        archive.option(&mut self.last_s);
+        archive.count(&mut self.rejected);
     }
 
     fn given_step(

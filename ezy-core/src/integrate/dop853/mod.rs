@@ -10,6 +10,7 @@ mod tests;
 
 use super::step_control::Tolerance;
 use super::{Node, compensated};
+use crate::archive::Archive;
 use crate::dynamics::{Dynamics, MotionError, State};
 use crate::model::coordinate::is_angle;
 use crate::scalar::Scalar;
@@ -84,6 +85,13 @@ impl<T: Scalar> Dop853<T> {
     /// Forgets the rounding errors of the sums, before another run.
     pub(crate) fn restart(&mut self) {
         self.rest.fill([T::from_f64(0.0); WIDTH]);
+    }
+
+    /// Writes what is known of the last step, or reads it.
+    pub(crate) fn remember(&mut self, archive: &mut Archive<T>) {
+        for blocks in [&mut self.rest, &mut self.start, &mut self.slopes, &mut self.dense] {
+            archive.scalars(blocks.as_flattened_mut());
+        }
     }
 
     /// Attempts one step of length `h` from `from`; writes `to`, not yet projected, and returns the error over the tolerance.

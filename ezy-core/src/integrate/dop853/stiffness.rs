@@ -2,6 +2,7 @@
 
 use super::Dop853;
 use super::tableau::N_STAGES;
+use crate::archive::Archive;
 use crate::integrate::Node;
 use crate::scalar::Scalar;
 
@@ -30,6 +31,12 @@ impl StiffnessWatch {
     /// Forgets the motion so far.
     pub(crate) fn restart(&mut self) {
         (self.n_at_edge, self.n_others) = (0, 0);
+    }
+
+    /// Writes it, or reads another one over it.
+    pub(super) fn remember<T: Scalar>(&mut self, archive: &mut Archive<T>) {
+        [&mut self.n_steps, &mut self.n_at_edge, &mut self.n_others].into_iter().for_each(|n| archive.count_of_few(n));
+        archive.option(&mut self.since);
     }
 
     /// Whether the last step is to be examined.

@@ -1,6 +1,7 @@
 //! Gauss–Legendre collocation with its step control.
 
 use super::{Collocated, Gauss, GaussControl};
+use crate::archive::Archive;
 use crate::dynamics::{MotionError, State, System, SystemError};
 use crate::integrate::discontinuities::{Discontinuities, Passage};
 use crate::integrate::family::{Family, MethodInfo, Needs};
@@ -152,6 +153,13 @@ impl<P: SceneRef> Integrator<System<P>> for Collocation {
             }
             self.rejected += 1;
         }
+    }
+
+    fn remember(&mut self, _system: &mut System<P>, archive: &mut Archive) {
+        self.method.remember(archive);
+        self.control.remember(archive);
+        archive.option(&mut self.step_s);
+        archive.count(&mut self.rejected);
     }
 
     fn given_step(

@@ -1,6 +1,7 @@
 //! The lengths of steps of collocation.
 
 use super::{Collocated, tableau::N};
+use crate::archive::Archive;
 
 /// The error at the end of a step goes with this power of its length.
 const ERROR_ORDER: f64 = 2.0 * N as f64 + 1.0;
@@ -37,6 +38,11 @@ impl GaussControl {
         self.has_failed = error > 1.0 || error.is_nan();
         let by_error = (AIM / error).powf(1.0 / ERROR_ORDER);
         if by_error.is_nan() { SHRINK } else { by_error.min(BEST_RATE / rate).min(most).max(SHRINK) }
+    }
+
+    /// Writes it, or reads another one over it.
+    pub(super) fn remember(&mut self, archive: &mut Archive) {
+        archive.flag(&mut self.has_failed);
     }
 
     /// Factor for the next try after one that did not converge, or that could not be evaluated.

@@ -6,6 +6,7 @@ mod lanes;
 mod tableau;
 
 use super::{Node, compensated, step_control::Tolerance};
+use crate::archive::Archive;
 use crate::dynamics::{EightStates, MotionError, State, System};
 use crate::model::{Eight, Scene, SceneRef};
 use crate::scalar::{Lanes, Scalar};
@@ -132,6 +133,14 @@ impl Gauss {
     pub(crate) fn restart(&mut self) {
         (self.last_s, self.tried_s) = (None, None);
         [&mut self.rest.q, &mut self.rest.v, &mut self.rest.work].into_iter().for_each(|rest| rest.fill(0.0));
+    }
+
+    /// Writes what the next step takes from the last one, or reads it.
+    fn remember(&mut self, archive: &mut Archive) {
+        self.rest.remember(archive);
+        self.last.iter_mut().for_each(|lanes| archive.numbers(&mut lanes.0));
+        archive.numbers(&mut self.last_sizes);
+        archive.option(&mut self.last_s);
     }
 
     /// Attempts one step of length `h` from `from`; writes `to`, not yet projected.

@@ -1,6 +1,7 @@
 //! Step control.
 
 use super::convergence::MAX_PASSES;
+use crate::archive::Archive;
 use crate::integrate::Tolerance;
 
 /// The length of the next step from the errors of the last two and the passes that the iteration took.
@@ -41,6 +42,15 @@ pub(super) fn values_over_estimate(of_estimate: Tolerance) -> f64 {
 }
 
 impl RadauControl {
+    /// Writes it, or reads another one over it.
+    pub(super) fn remember(&mut self, archive: &mut Archive) {
+        let (mut h, mut error) = (self.last.map(|(h, _)| h), self.last.map(|(_, error)| error));
+        archive.option(&mut h);
+        archive.option(&mut error);
+        self.last = h.zip(error);
+        archive.flag(&mut self.just_rejected);
+    }
+
     /// Length of the step after one of length `h` with an error of at most 1; `keeps` says that an equal length would keep the
     /// factors.
     pub(crate) fn accept(&mut self, h: f64, error: f64, n_passes: u32, keeps: bool) -> f64 {

@@ -1,6 +1,7 @@
 //! Radau IIA with its step control.
 
 use super::{Attempt, Radau, RadauControl, tolerance_of_estimate};
+use crate::archive::Archive;
 use crate::dynamics::{MotionError, State, System, SystemError};
 use crate::integrate::discontinuities::{Cut, Discontinuities};
 use crate::integrate::family::{Family, MethodInfo, Needs};
@@ -252,6 +253,15 @@ impl<P: SceneRef> Integrator<System<P>> for Implicit {
             }
             self.rejected += 1;
         }
+    }
+
+    fn remember(&mut self, system: &mut System<P>, archive: &mut Archive) {
+        self.method.remember(system, archive);
+        self.control.remember(archive);
+        archive.option(&mut self.step_s);
+        archive.number(&mut self.rounding);
+        archive.number(&mut self.longest_s);
+        archive.count(&mut self.rejected);
     }
 
     fn given_step(

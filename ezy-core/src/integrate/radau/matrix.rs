@@ -3,6 +3,7 @@
 use super::entries::Entries;
 use super::factors::Factors;
 use super::tableau::{ALPHA, BETA, GAMMA};
+use crate::archive::Archive;
 use crate::dynamics::Jacobians;
 use crate::linalg::SparseKktError;
 use crate::model::{JacobianPlaces, SceneInfo};
@@ -29,6 +30,19 @@ impl Matrices {
         let entries = Entries::new(info, jacobians);
         let (real, complex) = (entries.factors()?, entries.factors()?);
         Ok(Self { entries, real, complex, step_s: None, negative_at_rest: None, has_regular_k: true })
+    }
+
+    /// Writes for which steps they are factored, or reads it and factors them; then they hold M, G and the Jacobians.
+    pub(super) fn remember(&mut self, archive: &mut Archive) {
+        let mut step_s = self.step_s;
+        archive.option(&mut step_s);
+        if let Some(h) = step_s.filter(|_| archive.is_read()) {
+            self.factor(h);
+        }
+        let mut negative = [self.negative_at_rest.is_some(), self.negative_at_rest == Some(true)];
+        negative.iter_mut().for_each(|flag| archive.flag(flag));
+        self.negative_at_rest = negative[0].then_some(negative[1]);
+        archive.flag(&mut self.has_regular_k);
     }
 
     /// h of the factors, s.

@@ -16,6 +16,7 @@ mod tableau;
 mod tests;
 
 use super::{Node, Tolerance};
+use crate::archive::Archive;
 use crate::dynamics::{Jacobians, MotionError, Rows, State, System};
 use crate::linalg::SparseKktError;
 use crate::model::{Scene, SceneRef};
@@ -151,6 +152,23 @@ impl Radau {
     /// Storage for other steps of the same scene; none without memory for the analysis of a large one.
     pub(crate) fn another<S: Scene + ?Sized>(&self, scene: &S) -> Option<Self> {
         Self::new(scene, self.n_works).ok().flatten()
+    }
+
+    /// Writes what the next step takes from those before, or reads it.
+    fn remember<P: SceneRef>(&mut self, system: &System<P>, archive: &mut Archive) {
+        self.before.remember(archive);
+        archive.option(&mut self.before_s);
+        let Jacobians { by_q, by_v, jacobian } = &mut self.jacobians;
+        [by_q, by_v, jacobian].into_iter().for_each(|entries| archive.numbers(entries));
+        if archive.is_read() {
+            self.matrices.write(system.mass_matrix(), &self.jacobians);
+        }
+        self.matrices.remember(archive);
+        archive.flag(&mut self.fresh);
+        archive.count_of_few(&mut self.n_coupled);
+        archive.number(&mut self.rate);
+        archive.number(&mut self.share);
+        self.rest.remember(archive);
     }
 
     /// Forgets the stages and Jacobians of the steps before, which belong to another law.

@@ -1,6 +1,7 @@
 //! The unknowns of a step: accelerations and multipliers of its stages, with the increments that follow from them.
 
 use super::tableau::{A, A_SQUARED, N_STAGES, NODES, Triple, through_nodes};
+use crate::archive::Archive;
 use crate::dynamics::State;
 
 /// Accelerations and multipliers at the three stages, and the increments of velocities and positions over the start of the
@@ -29,6 +30,12 @@ impl Stages {
             v: zero(n_coordinates),
             work: zero(n_works),
         }
+    }
+
+    /// Writes them, or reads others over them.
+    pub(super) fn remember(&mut self, archive: &mut Archive) {
+        let Self { a, lambda, q, v, work } = self;
+        [a, lambda, q, v, work].into_iter().flatten().for_each(|stage| archive.numbers(stage));
     }
 
     /// Everything as at the start.

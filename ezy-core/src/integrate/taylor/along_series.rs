@@ -1,6 +1,7 @@
 //! Taylor's method with its step control.
 
 use super::{Taylor, order_for};
+use crate::archive::Archive;
 use crate::dynamics::{MotionError, Solved, State, System, SystemError};
 use crate::integrate::discontinuities::Discontinuities;
 use crate::integrate::family::{Family, MethodInfo, Needs};
@@ -167,6 +168,13 @@ impl<P: SceneRef> Integrator<System<P>> for AlongSeries {
             self.corrections.note(&to.state.v, self.tolerance, self.taylor.order());
         }
         shortens
+    }
+
+    fn remember(&mut self, _system: &mut System<P>, archive: &mut Archive) {
+        self.taylor.remember(archive);
+        archive.number(&mut self.at_most_s);
+        archive.number(&mut self.corrections.part);
+        archive.count(&mut self.rejected);
     }
 
     fn given_step(

@@ -8,6 +8,7 @@ mod sums;
 mod work;
 
 use super::{Tolerance, compensated};
+use crate::archive::Archive;
 use crate::dynamics::{MotionError, Solved, State, System};
 use crate::model::{Derived as _, Scene, SceneRef, Series, SeriesStore};
 use expansion::{OrderSolver, expand, expand_with, increment, second_derivative};
@@ -64,6 +65,11 @@ impl Taylor {
     /// Order of a step.
     pub(crate) fn order(&self) -> usize {
         self.order
+    }
+
+    /// Writes what rounding cut off, or reads it.
+    fn remember(&mut self, archive: &mut Archive) {
+        self.rest.remember(archive);
     }
 
     /// Forgets what rounding cut off, before another run.

@@ -129,7 +129,7 @@ fn invariant_restored_stepper_goes_on_to_the_last_bit() {
         for method in [Method::rk4(scene.info().until_s / 400.0), Method::midpoint(scene.info().until_s / 1600.0)] {
             let new = || Simulation::new(Arc::clone(&scene)).method(method).work().stepper();
             let Ok(mut first) = new() else { continue };
-            let mut push = |stepper: &mut Stepper<'_, Arc<dyn Scene>>, n: u32| {
+            let push = |stepper: &mut Stepper<'_, Arc<dyn Scene>>, n: u32| {
                 stepper.inputs_mut().iter_mut().for_each(|input| *input += 1e-3 * f64::from(n % 3));
                 stepper.step(7).ok().map(|()| numbers(stepper))
             };

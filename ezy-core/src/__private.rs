@@ -14,8 +14,8 @@ pub use crate::model::{
     Abbreviation, BodyArray, BodyState, CoordinateInfo, CountInfo, Derived, Direction, EffectInfo, ElementInfo,
     EliminationStep, Equation, Equations, EventInfo, EventKind, Formula, InputInfo, JacobianPlaces, List, LoadKind,
     LocalVector, ModelInfo, Name, NamedInputs, NamedScene, NoInputs, NoOutputs, Operations, OutputArray, OutputInfo,
-    ParameterInfo, PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start, StickSlipInfo,
-    StopInfo, Vector,
+    ParameterInfo, PointInfo, RowInfo, Scene, SceneEntry, SceneInfo, SeriesInfo, SparsityPattern, Start, StateInfo,
+    StickSlipInfo, StopInfo, Vector,
 };
 pub use crate::scalar::Scalar;
 pub use ezy_derive::model as derive_model;

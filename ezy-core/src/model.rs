@@ -129,6 +129,10 @@ pub struct ParameterInfo {
 /// until it is set.
 pub type InputInfo = ParameterInfo;
 
+/// A number with a rate of its own, such as a current: a first-order state z, which a run integrates beside the motion. Its default is the
+/// value at the start.
+pub type StateInfo = ParameterInfo;
+
 /// A number that a scene computes from its state on request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputInfo {
@@ -264,6 +268,8 @@ pub struct SceneInfo {
     /// Places of the inputs that a run integrates (`by acceleration`). Behind each stand its rate, its acceleration, and the time of value
     /// and rate, as inputs of their own.
     pub integrated_inputs: &'static [usize],
+    /// `n_z` first-order states of the model and of the scene's effects.
+    pub states: &'static [StateInfo],
     /// `n_o` outputs of the model and of the scene's effects.
     pub outputs: List<OutputInfo>,
     /// `n_s` events of the model and of the scene's effects, then the conditions that end this scene, then the discontinuities of
@@ -279,7 +285,7 @@ pub struct SceneInfo {
     pub effects: &'static [EffectInfo],
     /// End of the run that the scene declares, s.
     pub until_s: f64,
-    /// Numbers that depend on parameters alone, and on counts and indices where there are some; they follow the inputs in `c`.
+    /// Numbers that depend on parameters alone, and on counts and indices where there are some; they follow inputs and first-order states in `c`.
     pub n_constants: usize,
     /// Pattern of G = [C_q; S], `n_c × n_q`.
     pub jacobian: SparsityPattern,
@@ -356,15 +362,20 @@ impl SceneInfo {
         self.inputs.len()
     }
 
+    /// n_z.
+    pub const fn n_states(&self) -> usize {
+        self.states.len()
+    }
+
     /// n_o.
     #[inline]
     pub fn n_outputs(&self) -> usize {
         self.outputs.len()
     }
 
-    /// Length of `c`: inputs, then constants.
+    /// Length of `c`: inputs, then first-order states, then constants.
     pub const fn n_fixed(&self) -> usize {
-        self.inputs.len() + self.n_constants
+        self.inputs.len() + self.states.len() + self.n_constants
     }
 }
 
@@ -385,6 +396,8 @@ pub struct Start {
     pub q_near: Vec<bool>,
     /// Which given velocities may change then.
     pub v_near: Vec<bool>,
+    /// `n_z` first-order states; empty for those that are declared.
+    pub z: Vec<f64>,
 }
 
 impl Start {
@@ -398,6 +411,7 @@ impl Start {
             v_given: vec![false; n_coordinates],
             q_near: vec![false; n_coordinates],
             v_near: vec![false; n_coordinates],
+            z: Vec::new(),
         }
     }
 
@@ -410,6 +424,7 @@ impl Start {
         self.v_given.copy_from_slice(&other.v_given);
         self.q_near.copy_from_slice(&other.q_near);
         self.v_near.copy_from_slice(&other.v_near);
+        self.z.clone_from(&other.z);
     }
 
     /// The same start with the values that are near made free; `None` when there are none.
@@ -441,6 +456,13 @@ impl Start {
         self.v[i] = value;
         self.v_given[i] = true;
         self.v_near[i] = false;
+    }
+
+    /// Lets first-order state `i` of the scene begin with `value`.
+    pub fn give_state(&mut self, info: &SceneInfo, i: usize, value: f64) {
+        let declared = info.states.iter().skip(self.z.len()).map(|state| state.default);
+        self.z.extend(declared);
+        self.z[i] = value;
     }
 
     /// Holds coordinate `i` at `value` if the constraints can be satisfied with it.

@@ -287,7 +287,8 @@ fn invariant_effects_that_a_scene_does_not_name_leave_its_code_as_it_is() {
         "effect pump { param m0: N*m = 2; torque seat ~ bar: m0 * cos(3 * t); } \
          effect slip { param c: N = 400; release rear; tyre at A along seat(1, 0): stiffness c; } \
          effect tie { rod tie: A ~ ground(0, 0) length 1; } \
-         scene driven { start folded; until 1 s; with pump, slip, tie; }",
+         effect motor { state current: A = 0 rate 2 A/s - current / (3 s); torque seat ~ bar: current * 2 (N*m/A); } \
+         scene driven { start folded; until 1 s; with pump, slip, tie, motor; }",
     );
     assert!(with_effects == equations_of_coast(""), "{with_effects}");
 }
@@ -298,6 +299,37 @@ fn invariant_scene_without_an_effect_has_no_cosine_of_time() {
     let parts = parts(model_text("vehicles/ezy_roller.rs"));
     let coast = coast.iter().fold(String::new(), |all, part| all + &parts[part]);
     assert!(coast.contains("fn accelerations") && !coast.contains("cos(product"), "{coast}");
+}
+
+#[test]
+fn analytic_states_are_read_behind_inputs_and_have_a_method_for_their_rates() {
+    let text = "model Motor { param k: N*m/A = 0.05; body wheel { mass: 1, inertia: 2 } \
+                state current: A = 0.5 rate 3 A/s - u*current; input u: Hz = 2; torque wheel: k*current; \
+                start s { at rest; } scene run { start s; until 1 s; } }";
+    let parts = parts(text.parse().expect("the text has tokens"));
+    let equations = &parts["motor/run/equations.rs"];
+    let (_, rates) = equations.split_once("fn state_rates").expect("the scene has rates");
+    let (rates, _) = rates.split_once("fn ").expect("other methods follow");
+    for line in
+        ["let c = ezy::array::<4usize, T>(c);", "let u = c[0usize];", "let current = c[1usize];", "out[0usize] = "]
+    {
+        assert!(rates.contains(line), "{line}: {rates}");
+    }
+    assert!(equations.contains("c[2usize] = k_half;"), "{equations}");
+    let info = &parts["motor/run/info.rs"];
+    let between = |begin: &str, end: &str| {
+        let (_, behind) = info.split_once(begin).expect("the description says so");
+        behind.split_once(end).expect("the description goes on").0.to_owned()
+    };
+    let (inputs, states) = (between("inputs:", "integrated_inputs:"), between("states:", "outputs:"));
+    assert!(inputs.contains("\"u\"") && !inputs.contains("\"current\""), "{inputs}");
+    assert!(states.contains("\"current\"") && states.contains("0.5") && !states.contains("\"u\""), "{states}");
+    assert!(info.contains("series: ezy::SeriesInfo::FirstOrderStates") && info.contains("d/dt current = "), "{info}");
+    let code: String = parts.iter().filter(|(name, _)| name.ends_with(".rs")).map(|(_, code)| code.as_str()).collect();
+    assert!(
+        !code.contains("jacobian_places") && !code.contains("fn series(") && !code.contains("pub current"),
+        "{code}"
+    );
 }
 
 #[test]

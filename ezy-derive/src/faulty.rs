@@ -72,7 +72,7 @@ impl Names {
                     };
                     (&mut self.bodies, &body.name.word, kind)
                 }
-                ItemKind::Input(input) => (&mut self.inputs, &input.name, quote!(: f64)),
+                ItemKind::Input(input) if input.rate.is_none() => (&mut self.inputs, &input.name, quote!(: f64)),
                 ItemKind::Output(output) => {
                     let number = match item.loops.len() {
                         0 => quote!(f64),

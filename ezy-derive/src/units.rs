@@ -2,9 +2,9 @@
 //! Dimensions of units are in `model`.
 
 /// In the order of the manual.
-pub const NAMES: [&str; 28] = [
+pub const NAMES: [&str; 36] = [
     "m", "mm", "cm", "km", "kg", "g", "t", "s", "ms", "us", "min", "h", "rad", "mrad", "deg", "Hz", "kHz", "N", "mN",
-    "kN", "MN", "J", "mJ", "kJ", "MJ", "W", "kW", "MW",
+    "kN", "MN", "J", "mJ", "kJ", "MJ", "W", "kW", "MW", "A", "mA", "V", "mV", "kV", "ohm", "H", "mH",
 ];
 
 /// Other signs for units of the language.
@@ -53,7 +53,7 @@ const OF_OTHER_SIZE: [(&str, &str, &str); 24] = [
 ];
 
 /// How units are written in full, plurals included: their beginnings.
-const SPELLED_OUT: [(&str, &str); 13] = [
+const SPELLED_OUT: [(&str, &str); 17] = [
     ("kilog", "kg"),
     ("gram", "g"),
     ("meter", "m"),
@@ -67,6 +67,10 @@ const SPELLED_OUT: [(&str, &str); 13] = [
     ("newton", "N"),
     ("joule", "J"),
     ("watt", "W"),
+    ("amp", "A"),
+    ("volt", "V"),
+    ("ohms", "ohm"),
+    ("henr", "H"),
 ];
 
 /// What may stand before another unit without a sign between them: `Nm`, `kgm2`.

@@ -41,8 +41,13 @@ fn repeat<S: Scene + Default>(column: usize, n: u64) -> Result<bool, Box<dyn Err
         return Ok(true);
     }
     let at = run(AT_S)?;
-    let state =
-        State { t: AT_S, q: at.last().coordinates.to_vec(), v: at.last().velocities.to_vec(), work: Vec::new() };
+    let state = State {
+        t: AT_S,
+        q: at.last().coordinates.to_vec(),
+        v: at.last().velocities.to_vec(),
+        z: Vec::new(),
+        work: Vec::new(),
+    };
     let system = System::new(&scene, Backend::Generated)?;
     if column == 0 {
         let (mut a, mut lambda) = (vec![0.0; state.q.len()], vec![0.0; scene.info().n_rows()]);

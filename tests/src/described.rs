@@ -45,6 +45,7 @@ pub(crate) const EMPTY: SceneInfo = SceneInfo {
     parameters: &[],
     inputs: &[],
     integrated_inputs: &[],
+    states: &[],
     outputs: List::Borrowed(&[]),
     events: &[],
     stick_slip: None,

@@ -128,7 +128,13 @@ fn precise(question: &Question<'_>) -> Option<Motion> {
     }
     let run = question.order(Method::taylor(1e-6)).run().ok().filter(|run| run.outcome.reached_end())?;
     let first = run.first();
-    let start = State { t: first.t, q: first.coordinates.to_vec(), v: first.velocities.to_vec(), work: Vec::new() };
+    let start = State {
+        t: first.t,
+        q: first.coordinates.to_vec(),
+        v: first.velocities.to_vec(),
+        z: Vec::new(),
+        work: Vec::new(),
+    };
     let mut precise = PreciseMotion::new(scene, &start).ok()?;
     let mut motion = Motion::new();
     for sample in run.samples() {

@@ -129,7 +129,13 @@ fn precise(runs: &Runs<'_>, start: &Sample<'_>, times: &[f64], deadline: Duratio
     if !runs.inputs.is_empty() {
         return Err("inputs are set, and the motion in double-double takes them as declared".to_owned());
     }
-    let state = State { t: start.t, q: start.coordinates.to_vec(), v: start.velocities.to_vec(), work: Vec::new() };
+    let state = State {
+        t: start.t,
+        q: start.coordinates.to_vec(),
+        v: start.velocities.to_vec(),
+        z: Vec::new(),
+        work: Vec::new(),
+    };
     let mut motion = PreciseMotion::new(runs.scene, &state).map_err(|error| error.to_string())?;
     let mut trajectory = Trajectory::empty(runs.scene.info());
     for &t in times {

@@ -43,6 +43,9 @@ pub(super) fn run_json(info: &SceneInfo, method: Method, run: Option<&Run>, free
     if info.n_inputs() > 0 {
         end["inputs"] = named(&mut info.inputs.iter().map(|input| input.name), |last, i| last.inputs[i]);
     }
+    if info.n_states() > 0 {
+        end["states"] = named(&mut info.states.iter().map(|state| state.name), |last, i| last.states[i]);
+    }
     if info.n_outputs() > 0 {
         end["outputs"] = named(&mut info.outputs.iter().map(|output| &*output.name), |last, i| last.outputs[i]);
     }
@@ -117,8 +120,11 @@ pub(super) fn run_text(run: &Run, free: &[Name], method: Method, radau_runs: boo
         text += &format!("\n{table}{}", left_out(info.n_rows(), "rows"));
     }
     let inputs = info.inputs.iter().zip(last.inputs).map(|(input, value)| (input.name, value, input.unit));
+    let states = info.states.iter().zip(last.states).map(|(state, value)| (state.name, value, state.unit));
     let outputs = info.outputs.iter().zip(last.outputs).map(|(output, value)| (&*output.name, value, output.unit));
-    for (title, values) in [("input", inputs.collect::<Vec<_>>()), ("output", outputs.collect())] {
+    for (title, values) in
+        [("input", inputs.collect::<Vec<_>>()), ("state", states.collect()), ("output", outputs.collect())]
+    {
         if !values.is_empty() {
             let mut table = Table::new([title, "value", "unit"]);
             values.iter().for_each(|(name, value, unit)| table.push([*name, &fixed(**value, 12), *unit]));

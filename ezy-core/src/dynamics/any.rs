@@ -15,6 +15,12 @@ pub(crate) trait Dynamics<T: Scalar> {
     /// [`MotionError`] when K is singular.
     fn accelerations(&mut self, t: f64, q: &[T], v: &[T], a: &mut [T], lambda: &mut [T]) -> Result<(), MotionError>;
 
+    /// Sets the first-order states (`n_z`) that all that follows is computed with.
+    fn place_states(&mut self, z: &[T]);
+
+    /// Rates of the first-order states at a state, `n_z`.
+    fn state_rates(&self, t: f64, q: &[T], v: &[T], out: &mut [T]);
+
     /// Power of each effect, W, as [`System::power`].
     fn power(&self, t: f64, q: &[T], v: &[T], lambda: &[T], out: &mut [T]);
 
@@ -48,6 +54,16 @@ impl<P: SceneRef> Dynamics<f64> for System<P> {
     }
 
     #[inline]
+    fn place_states(&mut self, z: &[f64]) {
+        self.place_states(z);
+    }
+
+    #[inline]
+    fn state_rates(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        self.state_rates(t, q, v, out);
+    }
+
+    #[inline]
     fn power(&self, t: f64, q: &[f64], v: &[f64], lambda: &[f64], out: &mut [f64]) {
         self.power(t, q, v, lambda, out);
     }
@@ -61,7 +77,7 @@ impl<P: SceneRef> Dynamics<f64> for System<P> {
 pub(crate) struct SystemOf<'s, S: ?Sized, T> {
     scene: &'s S,
     info: Arc<SceneInfo>,
-    /// Inputs, then constants.
+    /// Inputs, first-order states, then constants.
     fixed: Vec<T>,
     residual: Vec<T>,
     delta: Vec<T>,
@@ -95,6 +111,17 @@ impl<S: Equations<T> + ?Sized, T: Scalar> Dynamics<T> for SystemOf<'_, S, T> {
             || self.scene.accelerations(&self.fixed, T::from_f64(t), q, v, a, lambda),
         );
         check_pivots(&self.info, pivots, t)
+    }
+
+    fn place_states(&mut self, z: &[T]) {
+        let n_inputs = self.info.n_inputs();
+        self.fixed[n_inputs..][..z.len()].copy_from_slice(z);
+    }
+
+    fn state_rates(&self, t: f64, q: &[T], v: &[T], out: &mut [T]) {
+        if !out.is_empty() {
+            self.scene.state_rates(&self.fixed, T::from_f64(t), q, v, out);
+        }
     }
 
     fn power(&self, _t: f64, _q: &[T], _v: &[T], _lambda: &[T], _out: &mut [T]) {}

@@ -90,6 +90,10 @@ impl Ahead {
         Self { t: f64::NAN, q: vec![0.0; n_q], smallest_pivot: 0.0, out: vec![0.0; 2 * (n_q + n_rows)] }
     }
 
+    pub(super) fn forget(&mut self) {
+        self.t = f64::NAN;
+    }
+
     /// Where to write what is found next; what was found before is not good.
     pub(super) fn begin(&mut self) -> &mut [f64] {
         self.t = f64::NAN;

@@ -68,28 +68,32 @@ pub struct State<T = f64> {
     pub q: Vec<T>,
     /// Velocities, `n_q`.
     pub v: Vec<T>,
+    /// First-order states, `n_z`, each in its unit.
+    pub z: Vec<T>,
     /// Work of each effect since the start, J, `n_e`.
     pub work: Vec<T>,
 }
 
 impl State {
-    /// Everything zero.
+    /// Everything zero, without first-order states.
     pub fn zero(n_coordinates: usize, n_effects: usize) -> Self {
-        Self::zeros(n_coordinates, n_effects)
+        Self::zeros(n_coordinates, 0, n_effects)
     }
 }
 
 impl<T: Scalar> State<T> {
     /// Everything zero, in numbers `T`.
-    pub(crate) fn zeros(n_coordinates: usize, n_effects: usize) -> Self {
+    pub(crate) fn zeros(n_coordinates: usize, n_states: usize, n_effects: usize) -> Self {
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
-        Self { t: 0.0, q: zeros(n_coordinates), v: zeros(n_coordinates), work: zeros(n_effects) }
+        let [q, v] = [zeros(n_coordinates), zeros(n_coordinates)];
+        Self { t: 0.0, q, v, z: zeros(n_states), work: zeros(n_effects) }
     }
 
     /// Writes it, or reads another one over it.
     pub(crate) fn remember(&mut self, archive: &mut Archive<T>) {
-        archive.number(&mut self.t);
-        [&mut self.q, &mut self.v, &mut self.work].into_iter().for_each(|numbers| archive.scalars(numbers));
+        let Self { t, q, v, z, work } = self;
+        archive.number(t);
+        [q, v, z, work].into_iter().for_each(|numbers| archive.scalars(numbers));
     }
 
     /// Takes the numbers of a state of the same scene, without allocation.
@@ -97,6 +101,7 @@ impl<T: Scalar> State<T> {
         self.t = other.t;
         self.q.copy_from_slice(&other.q);
         self.v.copy_from_slice(&other.v);
+        self.z.copy_from_slice(&other.z);
         self.work.copy_from_slice(&other.work);
     }
 }

@@ -39,6 +39,15 @@ impl<P: SceneRef> Dynamics<f64> for OnRows<'_, P> {
         self.system.accelerations_unchecked(t, on_q, on_v, a, lambda, Rows::Held).map(|_| ())
     }
 
+    fn place_states(&mut self, z: &[f64]) {
+        self.system.place_states(z);
+    }
+
+    /// At the state whose accelerations were computed last.
+    fn state_rates(&self, t: f64, _q: &[f64], _v: &[f64], out: &mut [f64]) {
+        self.system.state_rates(t, &self.projected.q, &self.projected.v, out);
+    }
+
     /// At the state whose accelerations were computed last.
     fn power(&self, t: f64, _q: &[f64], _v: &[f64], lambda: &[f64], out: &mut [f64]) {
         self.system.power(t, &self.projected.q, &self.projected.v, lambda, out);

@@ -28,6 +28,7 @@ impl<P: SceneRef> System<P> {
     /// The start values of the scene.
     pub fn scene_start(&self) -> Start {
         let mut start = Start::free(self.info.n_coordinates());
+        start.z.extend(self.info.states.iter().map(|state| state.default));
         self.scene.start(&self.fixed, &mut start);
         start
     }
@@ -49,8 +50,13 @@ impl<P: SceneRef> System<P> {
     /// A dense singular value decomposition a pass; beyond 150 coordinates a sparse factorisation.
     pub fn consistent_start(&mut self, start: &Start) -> Result<State, StartError> {
         self.check_finite(start)?;
-        let mut state = State::zero(self.info.n_coordinates(), self.info.n_effects());
+        let (n_z, n_effects) = (self.info.n_states(), self.info.n_effects());
+        let mut state = State::zeros(self.info.n_coordinates(), n_z, n_effects);
         state.t = start.t;
+        let given = start.z.iter().copied().map(Some).chain(std::iter::repeat(None));
+        let values = self.info.states.iter().zip(given).map(|(declared, given)| given.unwrap_or(declared.default));
+        state.z.iter_mut().zip(values).for_each(|(z, value)| *z = value);
+        self.place_states(&state.z);
         state.q.copy_from_slice(&start.q);
         state.v.copy_from_slice(&start.v);
         let free = start.without_near();
@@ -75,6 +81,10 @@ impl<P: SceneRef> System<P> {
     fn check_finite(&self, start: &Start) -> Result<(), StartError> {
         let positions = self.info.coordinates.iter().map(|c| &c.name).zip(&start.q);
         let velocities = self.info.coordinates.iter().map(|c| &c.velocity_name).zip(&start.v);
+        let states = self.info.states.iter().map(|state| state.name).zip(&start.z);
+        if let Some((name, &value)) = states.clone().find(|(_, value)| !value.is_finite()) {
+            return Err(StartError::NotFinite { name: name.into(), value });
+        }
         for (name, &value) in positions.chain(velocities) {
             if !value.is_finite() {
                 return Err(StartError::NotFinite { name: name.clone(), value });

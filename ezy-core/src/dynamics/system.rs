@@ -23,7 +23,7 @@ pub(super) const SINCE: usize = 3;
 pub struct System<P: SceneRef> {
     pub(super) scene: P,
     pub(super) info: Arc<SceneInfo>,
-    /// What kernels read as `c`: inputs, then constants.
+    /// What kernels read as `c`: inputs, first-order states, then constants.
     pub(super) fixed: Vec<f64>,
     /// Value, rate and their time of the inputs that a run integrates.
     pub(super) integrated: Vec<[f64; 3]>,
@@ -83,7 +83,8 @@ impl<P: SceneRef> System<P> {
             }
         }
         let mut fixed = vec![0.0; info.n_fixed()];
-        fixed.iter_mut().zip(info.inputs).for_each(|(value, input)| *value = input.default);
+        let declared = info.inputs.iter().chain(info.states);
+        fixed.iter_mut().zip(declared).for_each(|(value, declared)| *value = declared.default);
         let integrated = info.integrated_inputs.iter().map(|&i| [fixed[i], fixed[i + 1], fixed[i + SINCE]]).collect();
         scene.constants(parameters, &mut fixed);
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
@@ -148,6 +149,26 @@ impl<P: SceneRef> System<P> {
     pub fn inputs_mut(&mut self) -> &mut [f64] {
         self.factors.forget();
         &mut self.fixed[..self.info.n_inputs()]
+    }
+
+    /// Sets the first-order states (`n_z`) that all that follows is computed with.
+    #[inline]
+    pub(crate) fn place_states(&mut self, z: &[f64]) {
+        let n_inputs = self.info.n_inputs();
+        let present = &mut self.fixed[n_inputs..][..z.len()];
+        if present != z {
+            present.copy_from_slice(z);
+            // no row depends on them, but forces do
+            self.factors.ahead.forget();
+        }
+    }
+
+    /// Rates of the first-order states that were set, at a state; writes `n_z`.
+    #[inline]
+    pub(crate) fn state_rates(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+        if !out.is_empty() {
+            self.scene.state_rates(&self.fixed, t, q, v, out);
+        }
     }
 
     /// Diagonal of M.

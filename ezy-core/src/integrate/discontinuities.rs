@@ -54,10 +54,10 @@ pub(crate) trait Discontinuities<D, T = f64> {
 
     /// The step from `from` to the first discontinuity; none when the step to `ends`, its end and other stages, crosses none. `whole_s` is
     /// the usual step length.
-    fn cut(&mut self, system: &D, from: Node<'_, T>, ends: &[&State<T>], whole_s: f64) -> Option<Cut>;
+    fn cut(&mut self, system: &mut D, from: Node<'_, T>, ends: &[&State<T>], whole_s: f64) -> Option<Cut>;
 
     /// Whether a step crosses a discontinuity, at its end or at one of the other stages in `ends`.
-    fn are_crossed(&mut self, system: &D, from: &State<T>, ends: &[&State<T>]) -> bool;
+    fn are_crossed(&mut self, system: &mut D, from: &State<T>, ends: &[&State<T>]) -> bool;
 
     /// Nothing was cut before.
     fn restart(&mut self);
@@ -74,11 +74,11 @@ impl<D, T> Discontinuities<D, T> for Smooth {
         Passage::Smooth
     }
 
-    fn cut(&mut self, _system: &D, _from: Node<'_, T>, _ends: &[&State<T>], _whole_s: f64) -> Option<Cut> {
+    fn cut(&mut self, _system: &mut D, _from: Node<'_, T>, _ends: &[&State<T>], _whole_s: f64) -> Option<Cut> {
         None
     }
 
-    fn are_crossed(&mut self, _system: &D, _from: &State<T>, _ends: &[&State<T>]) -> bool {
+    fn are_crossed(&mut self, _system: &mut D, _from: &State<T>, _ends: &[&State<T>]) -> bool {
         false
     }
 
@@ -96,6 +96,7 @@ pub(crate) struct EventDiscontinuities {
     /// Values at the start of the step, at its end, and between.
     values: [Vec<f64>; 3],
     a: Vec<f64>,
+    rate: Vec<f64>,
     lambda: Vec<f64>,
     between: State,
     /// Guard against chattering, see [`CHATTERING_GUARD`].
@@ -108,16 +109,17 @@ impl EventDiscontinuities {
         let [places, layers]: [Vec<usize>; 2] = [EventKind::Discontinuity, EventKind::Layer].map(of_kind);
         // without them there is nothing to look for
         let is_smooth = places.is_empty() && layers.is_empty();
-        let [n_s, n_q, n_c] =
-            [info.events.len(), info.n_coordinates(), info.n_rows()].map(|n| if is_smooth { 0 } else { n });
+        let [n_s, n_q, n_z, n_c] = [info.events.len(), info.n_coordinates(), info.n_states(), info.n_rows()]
+            .map(|n| if is_smooth { 0 } else { n });
         let zeros = |n: usize| vec![0.0; n];
         Self {
             places,
             layers,
             values: [zeros(n_s), zeros(n_s), zeros(n_s)],
             a: zeros(n_q),
+            rate: zeros(n_z),
             lambda: zeros(n_c),
-            between: State::zero(n_q, 0),
+            between: State::zeros(n_q, n_z, 0),
             chattering: 0,
         }
     }
@@ -142,17 +144,19 @@ impl EventDiscontinuities {
         if !self.are_crossed(system, from.state, &[end]) {
             return None;
         }
-        let Self { places, values: [before, after, inside], a, lambda, between, .. } = self;
+        let Self { places, values: [before, after, inside], a, rate, lambda, between, .. } = self;
+        system.place_states(&end.z);
         system.accelerations_unchecked(end.t, &end.q, &end.v, a, lambda, Rows::Held).ok()?;
+        system.state_rates(end.t, &end.q, &end.v, rate);
         let (start, last) = (from.state.t, end.t);
         // works do not matter here
-        let to = Node { state: end, a, power: from.power };
+        let to = Node { state: end, a, rate, power: from.power };
         let resolution = resolution_at(last);
         let mut first = last;
         for &i in places.iter().filter(|&&i| changes(before[i], after[i])) {
             let Ok(t) = root((start, before[i]), (last, after[i]), resolution, |t| {
                 interpolate(from, to, t, between);
-                system.events(t, &between.q, &between.v, inside);
+                events(system, between, inside);
                 Ok::<f64, std::convert::Infallible>(inside[i])
             });
             first = first.min(t);
@@ -172,13 +176,13 @@ impl<P: SceneRef> Discontinuities<System<P>> for EventDiscontinuities {
             return Passage::Smooth;
         }
         let Self { layers, values: [before, after, _], .. } = self;
-        system.events(from.state.t, &from.state.q, &from.state.v, before);
-        system.events(end.t, &end.q, &end.v, after);
+        events(system, from.state, before);
+        events(system, end, after);
         let turns = |&i: &usize| (after[i] - before[i]).abs() > TURNED;
         if layers.iter().any(turns) { Passage::Layer } else { Passage::Smooth }
     }
 
-    fn cut(&mut self, system: &System<P>, from: Node<'_>, ends: &[&State], whole_s: f64) -> Option<Cut> {
+    fn cut(&mut self, system: &mut System<P>, from: Node<'_>, ends: &[&State], whole_s: f64) -> Option<Cut> {
         let end_s = ends.first()?.t;
         if self.chattering >= CHATTERING_GUARD {
             return None;
@@ -200,7 +204,7 @@ impl<P: SceneRef> Discontinuities<System<P>> for EventDiscontinuities {
         for &i in places.iter().filter(|&&i| changes(before[i], after[i])) {
             let mut value = |t: f64| {
                 follow(from, t, between);
-                system.events(start + t, &between.q, &between.v, inside);
+                events(system, between, inside);
                 Ok::<f64, std::convert::Infallible>(inside[i])
             };
             let Ok(last) = value(h);
@@ -225,16 +229,16 @@ impl<P: SceneRef> Discontinuities<System<P>> for EventDiscontinuities {
     }
 
     /// Keeps the values at the start and beyond the discontinuity.
-    fn are_crossed(&mut self, system: &System<P>, from: &State, ends: &[&State]) -> bool {
+    fn are_crossed(&mut self, system: &mut System<P>, from: &State, ends: &[&State]) -> bool {
         let Self { places, values: [before, after, inside], .. } = self;
         if places.is_empty() {
             return false;
         }
-        system.events(from.t, &from.q, &from.v, before);
+        events(system, from, before);
         after.copy_from_slice(before);
         let mut are_crossed = false;
         for end in ends {
-            system.events(end.t, &end.q, &end.v, inside);
+            events(system, end, inside);
             for &i in &*places {
                 if !changes(before[i], after[i]) {
                     after[i] = inside[i];
@@ -266,6 +270,16 @@ fn follow(from: Node<'_>, t: f64, out: &mut State) {
         out.q[i] = q[i] + t * (v[i] + 0.5 * t * a);
         out.v[i] = v[i] + t * a;
     }
+    for (i, rate) in from.rate.iter().enumerate() {
+        out.z[i] = from.state.z[i] + t * rate;
+    }
+    out.t = from.state.t + t;
+}
+
+/// Event functions at a state.
+fn events<P: SceneRef>(system: &mut System<P>, at: &State, out: &mut [f64]) {
+    system.place_states(&at.z);
+    system.events(at.t, &at.q, &at.v, out);
 }
 
 #[cfg(test)]
@@ -307,7 +321,7 @@ mod tests {
         }
 
         fn node(&self) -> Node<'_> {
-            Node { state: &self.state, a: &self.a, power: &[] }
+            Node { state: &self.state, a: &self.a, rate: &[], power: &[] }
         }
     }
 
@@ -334,34 +348,34 @@ mod tests {
     #[test]
     fn analytic_fixed_steps_stop_before_a_discontinuity() {
         let scene = buffer::Bounces::default();
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
         let from = At::new(-1.0, 1.0, 0.0);
         for (h, whole) in [(1.5, 1.5), (2.0, 4.0)] {
             let mut discontinuities = EventDiscontinuities::new(system.info());
-            let cut = discontinuities.cut(&system, from.node(), &[&from.after(h)], whole);
+            let cut = discontinuities.cut(&mut system, from.node(), &[&from.after(h)], whole);
             let Some(Cut::Before(length)) = cut else { panic!("{cut:?}") };
             assert!((length - (1.0 - 1.0 / 32.0 / whole)).abs() <= LOCATED, "{length}");
             assert_eq!(discontinuities.chattering, CUT);
         }
         let mut discontinuities = EventDiscontinuities::new(system.info());
-        assert_eq!(discontinuities.cut(&system, from.node(), &[&from.after(0.9)], 1.0), None);
+        assert_eq!(discontinuities.cut(&mut system, from.node(), &[&from.after(0.9)], 1.0), None);
         // the first one of two, 1 s and 5 s away
-        let cut = discontinuities.cut(&system, from.node(), &[&from.after(6.0)], 6.0);
+        let cut = discontinuities.cut(&mut system, from.node(), &[&from.after(6.0)], 6.0);
         let Some(Cut::Before(length)) = cut else { panic!("{cut:?}") };
         assert!((length - (1.0 - 1.0 / 192.0)).abs() <= LOCATED, "{length}");
         // just before it, over it: within ten times what is located
         let from = At::new(-5e-12, 1.0, 0.0);
-        let cut = discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5);
+        let cut = discontinuities.cut(&mut system, from.node(), &[&from.after(0.5)], 0.5);
         assert!(matches!(cut, Some(Cut::Over(length)) if length > 5e-12 && length < 2e-11), "{cut:?}");
         // on it, to the side to which it moves
         let from = At::new(0.0, 1.0, 0.0);
-        let cut = discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5);
+        let cut = discontinuities.cut(&mut system, from.node(), &[&from.after(0.5)], 0.5);
         assert!(matches!(cut, Some(Cut::Over(length)) if length > 0.0 && length < 1e-11), "{cut:?}");
         // by a step that changes the time, whenever that is
         for t in [0.0, 1e5] {
             let mut from = At::new(0.0, 1.0, 0.0);
             from.state.t = t;
-            let cut = discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5);
+            let cut = discontinuities.cut(&mut system, from.node(), &[&from.after(0.5)], 0.5);
             assert!(
                 matches!(cut, Some(Cut::Over(length)) if !is_too_short(t, length) && length < 1e-11 * t.max(1.0)),
                 "{cut:?}"
@@ -369,7 +383,7 @@ mod tests {
         }
         // who chatters is not cut any more
         discontinuities.chattering = CHATTERING_GUARD;
-        assert_eq!(discontinuities.cut(&system, from.node(), &[&from.after(0.5)], 0.5), None);
+        assert_eq!(discontinuities.cut(&mut system, from.node(), &[&from.after(0.5)], 0.5), None);
         discontinuities.rest();
         assert_eq!(discontinuities.chattering, CHATTERING_GUARD - 1);
         discontinuities.restart();
@@ -381,13 +395,13 @@ mod tests {
     #[test]
     fn invariant_stages_beyond_a_discontinuity_cut_a_step() {
         let scene = buffer::Bounces::default();
-        let system = System::new(&scene, Backend::Auto).unwrap();
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
         let from = At::new(-1.0, 1.0, 0.0);
         let (end, stage) = (from.after(0.8), from.after(1.2));
         let mut discontinuities = EventDiscontinuities::new(system.info());
-        assert!(discontinuities.are_crossed(&system, &from.state, &[&end, &stage]));
-        assert!(!discontinuities.are_crossed(&system, &from.state, &[&end]));
-        let cut = discontinuities.cut(&system, from.node(), &[&end, &stage], 0.8);
+        assert!(discontinuities.are_crossed(&mut system, &from.state, &[&end, &stage]));
+        assert!(!discontinuities.are_crossed(&mut system, &from.state, &[&end]));
+        let cut = discontinuities.cut(&mut system, from.node(), &[&end, &stage], 0.8);
         let Some(Cut::Before(length)) = cut else { panic!("{cut:?}") };
         assert!((length - 0.4 * (1.0 - 0.5 / 32.0)).abs() <= LOCATED, "{length}");
     }

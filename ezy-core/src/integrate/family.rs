@@ -22,9 +22,11 @@ pub struct MethodInfo {
     pub is_implicit: bool,
     /// What it needs of a scene besides accelerations.
     pub needs: Needs,
+    /// Whether it integrates first-order states.
+    pub takes_states: bool,
     /// Tolerance of a second run that shows the error of a first one, over that of the first.
     pub(crate) tighter: f64,
-    /// Tolerance below which its errors are rounding.
+    /// Tolerance below which a smaller one may leave its errors as they are; at first for rounding.
     pub(crate) rounding: f64,
 }
 
@@ -68,16 +70,17 @@ pub(crate) trait Family {
     }
 }
 
-/// Numbers of coordinates, rows and works.
+/// Numbers of coordinates, rows, first-order states and works.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sizes {
     pub n_q: usize,
     pub n_c: usize,
+    pub n_z: usize,
     pub n_works: usize,
 }
 
 impl Sizes {
     pub(crate) fn new(info: &SceneInfo, n_works: usize) -> Self {
-        Self { n_q: info.n_coordinates(), n_c: info.n_rows(), n_works }
+        Self { n_q: info.n_coordinates(), n_c: info.n_rows(), n_z: info.n_states(), n_works }
     }
 }

@@ -39,8 +39,8 @@ impl<S> FixedSteps<S> {
     where
         S: Stages<T>,
     {
-        let State { q, v, work, .. } = self.0.rest();
-        [q, v, work].into_iter().for_each(|rest| rest.fill(T::from_f64(0.0)));
+        let State { q, v, z, work, .. } = self.0.rest();
+        [q, v, z, work].into_iter().for_each(|rest| rest.fill(T::from_f64(0.0)));
     }
 }
 
@@ -111,6 +111,7 @@ pub(super) fn add<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slope: 
     };
     add(&mut to.q, &from.q, &slope.q, &mut rest.q);
     add(&mut to.v, &from.v, &slope.v, &mut rest.v);
+    add(&mut to.z, &from.z, &slope.z, &mut rest.z);
     add(&mut to.work, &from.work, &slope.work, &mut rest.work);
 }
 
@@ -122,5 +123,6 @@ pub(super) fn advance<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slo
     };
     line(&mut to.q, &from.q, &slope.q);
     line(&mut to.v, &from.v, &slope.v);
+    line(&mut to.z, &from.z, &slope.z);
     line(&mut to.work, &from.work, &slope.work);
 }

@@ -10,12 +10,14 @@ pub(crate) struct Node<'a, T = f64> {
     pub state: &'a State<T>,
     /// Accelerations, `n_q`.
     pub a: &'a [T],
+    /// Rates of the first-order states, `n_z`.
+    pub rate: &'a [T],
     /// Powers of the effects, W, `n_e`.
     pub power: &'a [T],
 }
 
 /// The state at the time `t` within the step: positions by the quintic polynomial through q, v, a at both ends,
-/// velocities by its derivative, works by the cubic through work and power.
+/// velocities by its derivative, first-order states and works by the cubic through them and their rates.
 ///
 /// The error of positions is of order 6 in the step, of velocities 5, of works 4: not above that of the steps. The
 /// constraints are satisfied to the same order.
@@ -53,11 +55,14 @@ pub(crate) fn interpolate<T: Scalar>(from: Node<'_, T>, to: Node<'_, T>, t: f64,
     }
     let (rise, bulge) = (T::from_f64(s2 * (3.0 - 2.0 * s)), h * T::from_f64(s) * T::from_f64(r));
     let [r, s] = [r, s].map(T::from_f64);
-    for i in 0..out.work.len() {
-        let (w0, w1) = (from.state.work[i], to.state.work[i]);
-        let (p0, p1) = (from.power[i], to.power[i]);
-        out.work[i] = w0 + rise * (w1 - w0) + bulge * (r * p0 - s * p1);
-    }
+    let cubic = |out: &mut [T], [begin, end]: [&[T]; 2], [at_begin, at_end]: [&[T]; 2]| {
+        for i in 0..out.len() {
+            let (w0, w1, p0, p1) = (begin[i], end[i], at_begin[i], at_end[i]);
+            out[i] = w0 + rise * (w1 - w0) + bulge * (r * p0 - s * p1);
+        }
+    };
+    cubic(&mut out.z, [&from.state.z, &to.state.z], [from.rate, to.rate]);
+    cubic(&mut out.work, [&from.state.work, &to.state.work], [from.power, to.power]);
     out.t = t;
 }
 
@@ -92,7 +97,10 @@ mod tests {
             (state, [quintic(t)[2]], [cubic(t)[1]])
         };
         let ((from, a, power), (to, a_to, power_to)) = (at(begin), at(end));
-        let nodes = [Node { state: &from, a: &a, power: &power }, Node { state: &to, a: &a_to, power: &power_to }];
+        let nodes = [
+            Node { state: &from, a: &a, rate: &[], power: &power },
+            Node { state: &to, a: &a_to, rate: &[], power: &power_to },
+        ];
         for t in [begin, -0.1, 0.3, 0.9, end] {
             let mut found = State::zero(1, 1);
             interpolate(nodes[0], nodes[1], t, &mut found);

@@ -5,12 +5,12 @@ use crate::scalar::{DoubleDouble, Scalar};
 
 /// The kernels of a scene on numbers `T`.
 ///
-/// `c` holds the present inputs, then what [`Equations::constants`] wrote; `t` is the time in s, `q` and `v` are the `n_q`
+/// `c` holds the present inputs, then the present first-order states, then what [`Equations::constants`] wrote; `t` is the time in s, `q` and `v` are the `n_q`
 /// coordinates and velocities.
 pub trait Equations<T: Scalar>: Send + Sync {
     /// Everything that depends on parameters alone, from their values in the order of
-    /// [`SceneInfo::parameters`](super::SceneInfo::parameters). Writes `n_constants` numbers behind the inputs in `c`, which
-    /// it neither reads nor changes.
+    /// [`SceneInfo::parameters`](super::SceneInfo::parameters). Writes `n_constants` numbers behind inputs and first-order states in
+    /// `c`, which it neither reads nor changes.
     fn constants(&self, parameters: &[T], c: &mut [T]);
 
     /// Diagonal of M (kg, kg·m²). Writes `n_q`.
@@ -30,6 +30,11 @@ pub trait Equations<T: Scalar>: Send + Sync {
 
     /// F. Writes `n_q`.
     fn applied_force(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]);
+
+    /// Rates of the first-order states, in their units over s. Writes `n_z`; nothing in a scene without any.
+    fn state_rates(&self, c: &[T], t: T, q: &[T], v: &[T], out: &mut [T]) {
+        let _ = (c, t, q, v, out);
+    }
 
     /// Generated straight-line solution of `[M Gᵀ; G 0] [a; λ] = [F; −[h; s]]`; needs M > 0.
     /// Writes `n_q` accelerations and `n_c` multipliers, meaningless when a pivot vanished. A scene without

@@ -36,6 +36,8 @@ pub enum SeriesInfo {
         /// Name of the function.
         function: &'static str,
     },
+    /// The scene has first-order states, whose series are not derived.
+    FirstOrderStates,
     /// A scene written by hand: nothing was derived.
     Absent,
 }

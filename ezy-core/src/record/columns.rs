@@ -21,7 +21,7 @@ impl Column {
 /// The columns of every sample of a scene, in the order in which a sample stores them.
 ///
 /// Time; coordinates; velocities; accelerations (`body.ax`, `body.ay`, `body.alpha`); multipliers (`lambda.<row>`);
-/// inputs (`input.<name>`); outputs (`output.<name>`), if wanted; work of each effect (`work.<effect>`) and total
+/// inputs (`input.<name>`); first-order states (`state.<name>`); outputs (`output.<name>`), if wanted; work of each effect (`work.<effect>`) and total
 /// `work`, if wanted; `kinetic`, `potential`; `balance`, if work is wanted; `residual.position` and
 /// `residual.velocity`.
 pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
@@ -33,6 +33,7 @@ pub fn columns(info: &SceneInfo, wanted: Wanted) -> Vec<Column> {
     );
     all.extend(info.rows.iter().map(|r| Column::new(format!("lambda.{}", r.name), r.multiplier_unit)));
     all.extend(info.inputs.iter().map(|i| Column::new(format!("input.{}", i.name), i.unit)));
+    all.extend(info.states.iter().map(|z| Column::new(format!("state.{}", z.name), z.unit)));
     if wanted.outputs {
         all.extend(info.outputs.iter().map(|o| Column::new(format!("output.{}", o.name), o.unit)));
     }

@@ -43,6 +43,8 @@ pub struct Sample<'r> {
     pub multipliers: &'r [f64],
     /// Inputs that hold from here on, `n_i`; by name: `get("input.torque")`.
     pub inputs: &'r [f64],
+    /// First-order states, `n_z`, each in its unit; by name: `get("state.current")`.
+    pub states: &'r [f64],
     /// Outputs, `n_o`; empty unless wanted ([`Simulation::outputs`](crate::simulate::Simulation::outputs)). By name: `get("output.speed")`.
     pub outputs: &'r [f64],
     /// Work of each effect since the start, J, `n_e`; empty unless wanted.
@@ -89,7 +91,7 @@ impl<'r> Sample<'r> {
     /// Numbers in a sample of this scene.
     pub(super) fn n_numbers(info: &SceneInfo, wanted: Wanted) -> usize {
         let works = if wanted.work { info.n_effects() + 2 } else { 0 };
-        let of_motion = N_OF_COORDINATE * info.n_coordinates() + info.n_rows() + info.n_inputs();
+        let of_motion = N_OF_COORDINATE * info.n_coordinates() + info.n_rows() + info.n_inputs() + info.n_states();
         N_ALWAYS + of_motion + n_outputs(info, wanted) + works
     }
 
@@ -101,6 +103,7 @@ impl<'r> Sample<'r> {
         let (accelerations, rest) = rest.split_at(n_q);
         let (multipliers, rest) = rest.split_at(n_c);
         let (inputs, rest) = rest.split_at(info.n_inputs());
+        let (states, rest) = rest.split_at(info.n_states());
         let (outputs, rest) = rest.split_at(n_outputs(info, wanted));
         let (work, rest) = rest.split_at(if wanted.work { info.n_effects() } else { 0 });
         let (energy, rest) = if wanted.work {
@@ -117,6 +120,7 @@ impl<'r> Sample<'r> {
             accelerations,
             multipliers,
             inputs,
+            states,
             outputs,
             work,
             energy,
@@ -135,6 +139,7 @@ impl<'r> Sample<'r> {
             .chain(self.accelerations.iter().copied())
             .chain(self.multipliers.iter().copied())
             .chain(self.inputs.iter().copied())
+            .chain(self.states.iter().copied())
             .chain(self.outputs.iter().copied())
             .chain(self.work.iter().copied())
             .chain(of_work(work))

@@ -58,6 +58,7 @@ impl Control<'_> {
         h: f64,
         system: &mut System<P>,
     ) -> Result<(), MotionError> {
+        system.place_states(&state.z);
         let t = state.t;
         system.integrate_inputs(t);
         let inputs = system.inputs_mut();

@@ -61,6 +61,9 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         let systems: Vec<System<&S>> = systems.collect::<Result<_, _>>()?;
         let info = Arc::clone(systems[0].info());
         let expected = info.n_coordinates();
+        if let Some(start) = starts.iter().find(|start| start.z.len() != info.n_states()) {
+            return Err(SetupError::StartLength { expected: info.n_states(), found: start.z.len() });
+        }
         let lengths = starts.iter().flat_map(|start| [start.q.len(), start.v.len()]);
         if let Some(found) = lengths.into_iter().find(|n| *n != expected) {
             return Err(SetupError::StartLength { expected, found });
@@ -68,7 +71,8 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
         let fixed = packed(from_fn(|lane| systems[lane].fixed()));
         let q = packed(from_fn(|lane| &starts[lane].q[..]));
         let v = packed(from_fn(|lane| &starts[lane].v[..]));
-        let start = State { t: starts[0].t, q, v, work: Vec::new() };
+        let z = packed(from_fn(|lane| &starts[lane].z[..]));
+        let start = State { t: starts[0].t, q, v, z, work: Vec::new() };
         Ok(Self {
             trajectory: Trajectory::new(SystemOf::new(&scenes[0], Arc::clone(&info), fixed), info, start, method)?,
         })
@@ -90,7 +94,7 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
     /// Where run `lane` is, without works.
     pub fn state(&self, lane: usize) -> State {
         let of_lane = |x: &[Lanes<L>]| x.iter().map(|x| x.0[lane]).collect();
-        let State { t, q, v, .. } = &self.trajectory.now;
-        State { t: *t, q: of_lane(q), v: of_lane(v), work: Vec::new() }
+        let State { t, q, v, z, .. } = &self.trajectory.now;
+        State { t: *t, q: of_lane(q), v: of_lane(v), z: of_lane(z), work: Vec::new() }
     }
 }

@@ -22,6 +22,14 @@ pub enum SetupError {
         /// The step, s.
         step_s: f64,
     },
+    /// The method integrates no first-order states.
+    #[error("scene `{scene}` has first-order states, which {method} does not integrate; use dop853, rk4 or midpoint")]
+    FirstOrderStates {
+        /// Name of the scene.
+        scene: &'static str,
+        /// Name of the method.
+        method: &'static str,
+    },
     /// The tolerances are out of range.
     #[error("the tolerances are {relative:e} relative and {absolute:e} absolute; give positive ones up to {largest}")]
     Tolerance {
@@ -108,8 +116,7 @@ pub enum SetupError {
     },
     /// The scene does not know the Jacobians of its equations.
     #[error(
-        "scene `{scene}` has no Jacobians of its equations, which radau needs: it was written by hand without them, or they are \
-         too long to write; use another method, such as dop853"
+        "scene `{scene}` has no Jacobians of its equations, which radau needs: it was written by hand without them, or they are too long to write; use another method, such as dop853"
     )]
     NoJacobians {
         /// Name of the scene.
@@ -255,6 +262,7 @@ impl SetupError {
 fn why(series: SeriesInfo) -> String {
     match series {
         SeriesInfo::NotAnalytic { function } => format!("a law calls `{function}`, which is not analytic"),
+        SeriesInfo::FirstOrderStates => "its first-order states have none".to_owned(),
         _ => "its equations were written without one".to_owned(),
     }
 }

@@ -132,7 +132,9 @@ pub(super) fn beside(state: &State, by: f64) -> Start {
     let mut start = Start::free(state.q.len());
     start.t = state.t;
     let amounts = (1..).map(|i: u32| 2.0 * (f64::from(i) * GOLDEN_RATIO).fract() - 1.0);
-    let numbers = start.q.iter_mut().chain(&mut start.v).zip(state.q.iter().chain(&state.v));
+    start.z.clone_from(&state.z);
+    let numbers =
+        start.q.iter_mut().chain(&mut start.v).chain(&mut start.z).zip(state.q.iter().chain(&state.v).chain(&state.z));
     numbers.zip(amounts).for_each(|((moved, x), amount)| *moved = x + by * amount * (1.0 + x.abs()));
     start
 }
@@ -155,10 +157,12 @@ fn errors(one: &Run, other: &Run) -> Vec<QuantityError> {
     let positions = info.coordinates.iter().map(|c| c.unit.to_owned()).collect();
     let velocities = info.coordinates.iter().map(|c| of_rate(c.unit)).collect();
     let multipliers = info.rows.iter().map(|row| row.multiplier_unit.to_owned()).collect();
-    let quantities: [(_, Numbers, Vec<String>); 3] = [
+    let states = info.states.iter().map(|state| state.unit.to_owned()).collect();
+    let quantities: [(_, Numbers, Vec<String>); 4] = [
         ("positions", |sample| sample.coordinates, positions),
         ("velocities", |sample| sample.velocities, velocities),
         ("multipliers", |sample| sample.multipliers, multipliers),
+        ("states", |sample| sample.states, states),
     ];
     let mut errors = Vec::new();
     for (quantity, numbers, units) in quantities {
@@ -236,7 +240,7 @@ mod tests {
         {
             assert!((length_of_move(method) / expected - 1.0).abs() <= 1e-14, "{method:?}");
         }
-        let state = State { t: 2.0, q: vec![0.0, 9.0, -1.0], v: vec![0.0, 3.0, 99.0], work: vec![] };
+        let state = State { t: 2.0, q: vec![0.0, 9.0, -1.0], v: vec![0.0, 3.0, 99.0], z: Vec::new(), work: vec![] };
         let moved = beside(&state, 0.01);
         assert_eq!(moved.t, 2.0);
         let parts: Vec<f64> = moved

@@ -7,10 +7,13 @@ use crate::record::{UnknownName, find_name};
 pub(super) fn give(info: &SceneInfo, start: &mut Start, name: &str, value: f64) -> Result<(), UnknownName> {
     let positions = info.coordinates.iter().map(|c| &*c.name);
     let velocities = info.coordinates.iter().map(|c| &*c.velocity_name);
-    let i = find_name("start value", name, positions.chain(velocities))?;
-    match i.checked_sub(info.n_coordinates()) {
-        None => start.give_position(i, value),
-        Some(i) => start.give_velocity(i, value),
+    let states = info.states.iter().map(|state| state.name);
+    let i = find_name("start value", name, positions.chain(velocities).chain(states))?;
+    let n_q = info.n_coordinates();
+    match i {
+        _ if i < n_q => start.give_position(i, value),
+        _ if i < 2 * n_q => start.give_velocity(i - n_q, value),
+        _ => start.give_state(info, i - 2 * n_q, value),
     }
     Ok(())
 }

@@ -88,8 +88,7 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
         let mut rank = RankRecord::default();
         rank.see(&mut stepper);
         let inputs = stepper.system.inputs().to_vec();
-        let detector =
-            EventDetector::new(EventFunction::Events, plan.events, info.n_coordinates(), stepper.now.power.len());
+        let detector = EventDetector::new(EventFunction::Events, plan.events, &stepper.now.state);
         Ok(Self {
             stepper,
             control,

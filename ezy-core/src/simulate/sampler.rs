@@ -74,7 +74,8 @@ impl<'s> Sampler<'s> {
     /// Adds energies, residuals and outputs to an evaluated state and keeps the sample. The system holds the inputs of
     /// this state.
     pub(super) fn keep<P: SceneRef>(&mut self, system: &mut System<P>, at: &Snapshot) -> Result<(), RecordError> {
-        let State { t, q, v, work: works } = &at.state;
+        let State { t, q, v, z, work: works } = &at.state;
+        system.place_states(z);
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
         let initial = *self.initial_energy.get_or_insert(kinetic + potential);
         let energy = if self.wanted.work {
@@ -111,6 +112,7 @@ impl<'s> Sampler<'s> {
             accelerations: &self.a,
             multipliers,
             inputs: &self.inputs,
+            states: z,
             outputs: &self.outputs,
             work: works,
             energy,

@@ -17,6 +17,8 @@ pub struct Tangent {
     pub q: Vec<f64>,
     /// Of the velocities, `n_q`.
     pub v: Vec<f64>,
+    /// Of the first-order states, `n_z`.
+    pub z: Vec<f64>,
 }
 
 /// A run that carries the derivatives of its state by `N` quantities: start values and parameters, by name.
@@ -59,6 +61,7 @@ enum Quantity {
     Parameter(usize),
     Position(usize),
     Velocity(usize),
+    State(usize),
 }
 
 impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'s, S, N> {
@@ -71,15 +74,17 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
     pub fn new(scene: &'s S, start: &Start, by: [&str; N], method: Method) -> Result<Self, SetupError> {
         let mut system = System::new(scene, Backend::Generated)?;
         let info = Arc::clone(system.info());
-        let State { t, q, v, .. } = system.consistent_start(start)?;
+        let State { t, q, v, z, .. } = system.consistent_start(start)?;
         let mut parameters: Vec<Dual<N>> = scene.parameters().into_iter().map(Dual::constant).collect();
         let mut q: Vec<Dual<N>> = q.into_iter().map(Dual::constant).collect();
         let mut v: Vec<Dual<N>> = v.into_iter().map(Dual::constant).collect();
+        let mut z: Vec<Dual<N>> = z.into_iter().map(Dual::constant).collect();
         for (direction, name) in by.into_iter().enumerate() {
             let seeded = match quantity(&info, start, name)? {
                 Quantity::Parameter(i) => &mut parameters[i],
                 Quantity::Position(i) => &mut q[i],
                 Quantity::Velocity(i) => &mut v[i],
+                Quantity::State(i) => &mut z[i],
             };
             *seeded = Dual::variable(seeded.value, direction);
         }
@@ -94,7 +99,7 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
         scene.velocity_constraint(&fixed, Dual::constant(t), &q, &v, &mut residual);
         follow(&mut system, t, &values, &residual, &start.v_given, &mut v);
 
-        let start = State { t, q, v, work: Vec::new() };
+        let start = State { t, q, v, z, work: Vec::new() };
         Ok(Self { trajectory: Trajectory::new(SystemOf::new(scene, Arc::clone(&info), fixed), info, start, method)? })
     }
 
@@ -109,16 +114,16 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
     /// Where the run is, without works.
     pub fn state(&self) -> State {
         let values = |x: &[Dual<N>]| x.iter().map(|x| x.value).collect();
-        let State { t, q, v, .. } = &self.trajectory.now;
-        State { t: *t, q: values(q), v: values(v), work: Vec::new() }
+        let State { t, q, v, z, .. } = &self.trajectory.now;
+        State { t: *t, q: values(q), v: values(v), z: values(z), work: Vec::new() }
     }
 
     /// Derivatives of the present state, in the order of the names.
     pub fn tangents(&self) -> [Tangent; N] {
-        let State { q, v, .. } = &self.trajectory.now;
+        let State { q, v, z, .. } = &self.trajectory.now;
         std::array::from_fn(|i| {
             let along = |x: &[Dual<N>]| x.iter().map(|x| x.derivatives[i]).collect();
-            Tangent { q: along(q), v: along(v) }
+            Tangent { q: along(q), v: along(v), z: along(z) }
         })
     }
 }
@@ -143,9 +148,13 @@ fn quantity(info: &SceneInfo, start: &Start, name: &str) -> Result<Quantity, Set
     let parameters = info.parameters.iter().map(|parameter| parameter.name);
     let positions = info.coordinates.iter().map(|c| &*c.name);
     let velocities = info.coordinates.iter().map(|c| &*c.velocity_name);
-    let i = find_name("parameter or start value", name, parameters.chain(positions).chain(velocities))?;
+    let states = info.states.iter().map(|state| state.name);
+    let i = find_name("parameter or start value", name, parameters.chain(positions).chain(velocities).chain(states))?;
     let Some(i) = i.checked_sub(info.parameters.len()) else { return Ok(Quantity::Parameter(i)) };
     let n_q = info.n_coordinates();
+    if let Some(i) = i.checked_sub(2 * n_q) {
+        return Ok(Quantity::State(i));
+    }
     let (quantity, given, name) = match i.checked_sub(n_q) {
         None => (Quantity::Position(i), start.q_given[i], &info.coordinates[i].name),
         Some(i) => (Quantity::Velocity(i), start.v_given[i], &info.coordinates[i].velocity_name),

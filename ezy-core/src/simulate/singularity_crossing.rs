@@ -6,7 +6,7 @@ use super::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEP
 use super::tolerances::monitors::BESIDE;
 use crate::archive::Archive;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
-use crate::integrate::{DOP853_ERROR_ORDER, Dop853, StepControl, Tolerance};
+use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Sizes, StepControl, Tolerance};
 use crate::model::SceneRef;
 use std::ops::Range;
 
@@ -67,7 +67,7 @@ impl SingularityCrossing {
         let n_works = end.power.len();
         let wanted = tolerance.unwrap_or(Tolerance::new(OF_FIXED_STEPS, OF_FIXED_STEPS));
         Self {
-            method: Dop853::new(n_q, info.n_rows(), n_works),
+            method: Dop853::new(Sizes::new(info, n_works)),
             on_rows: State::zero(n_q, 0),
             control: StepControl::new(DOP853_ERROR_ORDER),
             tolerance: wanted,

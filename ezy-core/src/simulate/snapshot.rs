@@ -10,6 +10,8 @@ pub(super) struct Snapshot {
     pub state: State,
     pub a: Vec<f64>,
     pub lambda: Vec<f64>,
+    /// Rates of the first-order states.
+    pub rate: Vec<f64>,
     /// As many as the state has works.
     pub power: Vec<f64>,
     /// How the accelerations were solved for.
@@ -24,7 +26,8 @@ impl Snapshot {
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let n_works = if work { info.n_effects() } else { 0 };
         Self {
-            state: State::zero(n_q, n_works),
+            state: State::zeros(n_q, info.n_states(), n_works),
+            rate: vec![0.0; info.n_states()],
             a: vec![0.0; n_q],
             lambda: vec![0.0; n_c],
             power: vec![0.0; n_works],
@@ -35,15 +38,16 @@ impl Snapshot {
 
     /// Writes it, or reads another one over it.
     pub(super) fn remember(&mut self, archive: &mut Archive) {
-        let Self { state, a, lambda, power, solved, end } = self;
+        let Self { state, a, lambda, rate, power, solved, end } = self;
         state.remember(archive);
-        [a, lambda, power].into_iter().for_each(|numbers| archive.numbers(numbers));
+        [a, lambda, rate, power].into_iter().for_each(|numbers| archive.numbers(numbers));
         [solved, end].into_iter().for_each(|solved| solved.remember(archive));
     }
 
     /// Accelerations, multipliers and powers at the state.
     pub(super) fn evaluate<P: SceneRef>(&mut self, system: &mut System<P>) -> Result<(), MotionError> {
-        let State { t, q, v, .. } = &self.state;
+        let State { t, q, v, z, .. } = &self.state;
+        system.place_states(z);
         let solved = system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
         self.complete(system, solved)
     }
@@ -56,11 +60,12 @@ impl Snapshot {
         let State { t, q, v, .. } = &self.state;
         self.solved = solved;
         system.check_accelerations(*t, q, solved)?;
+        system.state_rates(*t, q, v, &mut self.rate);
         system.power(*t, q, v, &self.lambda, &mut self.power);
         Ok(())
     }
 
     pub(super) fn node(&self) -> Node<'_> {
-        Node { state: &self.state, a: &self.a, power: &self.power }
+        Node { state: &self.state, a: &self.a, rate: &self.rate, power: &self.power }
     }
 }

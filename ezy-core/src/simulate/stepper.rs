@@ -211,6 +211,7 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
     where
         P::Target: NamedScene,
     {
+        self.stepper.system.place_states(&self.stepper.now.state.z);
         let system = &self.stepper.system;
         Now::new(system.scene(), &self.stepper.now.state, system, &mut self.outputs)
     }
@@ -299,7 +300,8 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
 
     /// Outputs by index, `n_o`, each in its unit, with the present inputs.
     pub fn outputs(&mut self) -> &[f64] {
-        let State { t, q, v, .. } = &self.stepper.now.state;
+        let State { t, q, v, z, .. } = &self.stepper.now.state;
+        self.stepper.system.place_states(z);
         self.stepper.system.outputs(*t, q, v, &mut self.outputs);
         &self.outputs
     }

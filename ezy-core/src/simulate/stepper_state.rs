@@ -83,6 +83,7 @@ impl<P: SceneRef> StepperState<P> {
         now.t = state.t;
         now.q.copy_from_slice(&state.q);
         now.v.copy_from_slice(&state.v);
+        now.z.copy_from_slice(&state.z);
         now.work.fill(0.0);
         self.restart();
     }
@@ -282,7 +283,8 @@ impl<P: SceneRef> StepperState<P> {
 
     #[inline]
     fn project_next(&mut self) -> Result<(), MotionError> {
-        let State { t, q, v, .. } = &mut self.next.state;
+        let State { t, q, v, z, .. } = &mut self.next.state;
+        self.system.place_states(z);
         // some methods find their own accelerations, and inputs may change before the next step
         let is_final = !self.integrator.expands() && self.system.inputs().is_empty();
         self.projected = match is_final {
@@ -438,6 +440,9 @@ fn integrator<P: SceneRef>(
     method: Method,
     n_works: usize,
 ) -> Result<Box<dyn Integrator<System<P>>>, SetupError> {
+    if system.info().n_states() > 0 && !method.info().takes_states {
+        return Err(SetupError::FirstOrderStates { scene: system.info().name, method: method.name() });
+    }
     let made = method.kind().of_system(system, n_works, method.tolerance().unwrap_or(Tolerance::ANY))?;
     let info = system.info();
     made.ok_or(match method.info().needs {
@@ -519,7 +524,7 @@ mod tests {
         let (x, y) = (0.5 * cos, 0.5 * sin);
         let q = vec![x, y, angle, 2.0 + x, y, angle, 1.0 + 2.0 * x, 2.0 * y, 0.0];
         let v = vec![-y, x, 1.0, -y, x, 1.0, -2.0 * y, 2.0 * x, 0.0];
-        stepper.place(&State { t: 1.0, q, v, work: Vec::new() });
+        stepper.place(&State { t: 1.0, q, v, z: Vec::new(), work: Vec::new() });
         stepper.evaluate_now().unwrap();
         stepper
     }

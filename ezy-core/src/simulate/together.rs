@@ -69,6 +69,7 @@ impl<P: SceneRef> Simulation<'_, P> {
             (!is_usual, "projections are not the usual ones"),
             (self.hooks.law.is_some() || settings.inputs.iter().any(changes), "its inputs change"),
             (!info.integrated_inputs.is_empty(), "its inputs are integrated"),
+            (!info.states.is_empty(), "it has first-order states"),
             (self.scene.in_lanes().is_none(), WITHOUT_ELIMINATION),
         ];
         if let Some((_, reason)) = reasons.into_iter().find(|(holds, _)| *holds) {
@@ -117,7 +118,7 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
     let fixed = packed(from_fn(|lane| systems[of_run(lane)].fixed()));
     let q = packed(from_fn(|lane| &runs[of_run(lane)].start.q[..]));
     let v = packed(from_fn(|lane| &runs[of_run(lane)].start.v[..]));
-    let start = State { t: first.start.t, q, v, work: Vec::new() };
+    let start = State { t: first.start.t, q, v, z: Vec::new(), work: Vec::new() };
     let (q, v) = (vec![0.0; info.n_coordinates()], vec![0.0; info.n_coordinates()]);
     let together = Together { kernels, systems, fixed, q, v, first_pivot: None, is_near_singular: false };
     let mut trajectory =
@@ -139,7 +140,7 @@ pub(crate) fn run_together<'s, S: Scene + ?Sized>(
     let end = |(lane, mut system): (usize, System<&'s S>)| {
         let mut at = Snapshot::zero(&info, false);
         let of_lane = |x: &[Eight]| x.iter().map(|x| x.0[lane]).collect();
-        at.state = State { t: now.t, q: of_lane(&now.q), v: of_lane(&now.v), work: Vec::new() };
+        at.state = State { t: now.t, q: of_lane(&now.q), v: of_lane(&now.v), z: Vec::new(), work: Vec::new() };
         at.evaluate(&mut system).ok()?;
         let mut sampler = Sampler::new(Arc::clone(&info), Wanted { outputs: true, work: false }, None, false);
         sampler.keep(&mut system, &at).ok()?;
@@ -181,6 +182,10 @@ impl<S: Scene + ?Sized> Dynamics<Eight> for Together<'_, S> {
         self.is_near_singular |= smallest < TOO_NEAR * *self.first_pivot.get_or_insert(smallest);
         check_pivots(self.systems[0].info(), pivots, t)
     }
+
+    fn place_states(&mut self, _z: &[Eight]) {}
+
+    fn state_rates(&self, _t: f64, _q: &[Eight], _v: &[Eight], _out: &mut [Eight]) {}
 
     fn power(&self, _t: f64, _q: &[Eight], _v: &[Eight], _lambda: &[Eight], _out: &mut [Eight]) {}
 }

@@ -17,6 +17,7 @@ pub(super) struct Trajectory<D, T> {
     pub now: State<T>,
     next: State<T>,
     a: Vec<T>,
+    rate: Vec<T>,
     lambda: Vec<T>,
 }
 
@@ -29,10 +30,21 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
         let (step_s, tolerance) = (method.step_s(), method.tolerance());
         let integrator = method.kind().in_any_number(sizes, tolerance.unwrap_or(Tolerance::ANY));
         let integrator = integrator.ok_or(SetupError::SingleNumbers { method: method.name() })?;
-        let Sizes { n_q, n_c, .. } = sizes;
+        let Sizes { n_q, n_c, n_z, .. } = sizes;
         let zeros = |n: usize| vec![T::from_f64(0.0); n];
-        let next = State::zeros(n_q, 0);
-        Ok(Self { system, info, integrator, step_s, tolerance, now: start, next, a: zeros(n_q), lambda: zeros(n_c) })
+        let next = State::zeros(n_q, n_z, 0);
+        Ok(Self {
+            system,
+            info,
+            integrator,
+            step_s,
+            tolerance,
+            now: start,
+            next,
+            a: zeros(n_q),
+            rate: zeros(n_z),
+            lambda: zeros(n_c),
+        })
     }
 
     /// Steps to `until_s`; after an error `now` is the last good state.
@@ -53,9 +65,11 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
 
     /// A step of length `h` to `t_next`; a method that chooses its steps may stop before.
     pub(super) fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
-        let Self { system, info, integrator, tolerance, now, next, a, lambda, .. } = self;
+        let Self { system, info, integrator, tolerance, now, next, a, rate, lambda, .. } = self;
+        system.place_states(&now.z);
         system.accelerations(now.t, &now.q, &now.v, a, lambda)?;
-        let from = Node { state: now, a, power: &[] };
+        system.state_rates(now.t, &now.q, &now.v, rate);
+        let from = Node { state: now, a, rate, power: &[] };
         integrator.step(system, from, h, t_next, &mut Smooth, next)?;
         if let Some(quantity) = not_finite(info, &next.q, &next.v) {
             return Err(MotionError::NotFinite { t: now.t, quantity });

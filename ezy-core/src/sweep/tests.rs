@@ -156,8 +156,11 @@ fn invariant_case_that_fails_is_a_row() {
 }
 
 /// A fresh folder for one test.
+/// One of its own for each call, since tests run beside each other.
 fn folder(name: &str) -> PathBuf {
-    let path = std::env::temp_dir().join(format!("ezy-sweep-{name}-{}", std::process::id()));
+    static N_CALLS: AtomicU64 = AtomicU64::new(0);
+    let n = N_CALLS.fetch_add(1, Ordering::Relaxed);
+    let path = std::env::temp_dir().join(format!("ezy-sweep-{name}-{}-{n}", std::process::id()));
     _ = fs::remove_dir_all(&path);
     path
 }

@@ -53,6 +53,8 @@ pub fn check_scene<S: Scene + ?Sized>(scene: &S) -> Result<CheckReport, CheckErr
     let moved = system.moved_values(&given, &start);
     let mut fixed = system.fixed().to_vec();
     differ(&mut fixed[..info.n_inputs()], true);
+    let states = fixed[info.n_inputs()..].iter_mut().take(info.n_states());
+    states.enumerate().for_each(|(i, state)| *state += 1.0 + 0.5 * i as f64);
     let probe = Probe::new(scene, &fixed);
     let agreement = solvers::agreement_at_start(&mut system, &start);
     let rank = Some(system.rank_loss(start.t, &start.q)).filter(RankLoss::is_lost);

@@ -58,6 +58,7 @@ impl<'s, S: Scene + ?Sized> Probe<'s, S> {
     pub(super) fn system(&self, backend: Backend) -> Result<System<&'s S>, SystemError> {
         let mut system = System::new(self.scene, backend)?;
         system.inputs_mut().copy_from_slice(&self.fixed[..self.info.n_inputs()]);
+        system.place_states(&self.fixed[self.info.n_inputs()..][..self.info.n_states()]);
         Ok(system)
     }
 

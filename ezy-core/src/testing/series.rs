@@ -31,7 +31,7 @@ pub(super) fn ahead<S: Scene + ?Sized>(probe: &Probe<'_, S>) -> Result<Option<Ch
     let mut states = probe.states.iter();
     for _ in 0..N_STATES {
         let Some(RandomState { t, q, v }) = states.find(|state| is_regular(&mut system, state)) else { break };
-        let state = State { t: *t, q: q.clone(), v: v.clone(), work: Vec::new() };
+        let state = State { t: *t, q: q.clone(), v: v.clone(), z: Vec::new(), work: Vec::new() };
         if taylor.expand(&mut system, &state, &mut a, &mut lambda).is_err() {
             worst.n_left_out += 1;
             continue;

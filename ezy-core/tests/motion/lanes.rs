@@ -153,6 +153,7 @@ fn invariant_lanes_refuse_a_position_in_which_a_pivot_vanishes() {
         t: 0.0,
         q: vec![0.5, 0.0, 0.0, 2.5, 0.0, 0.0, 1.0, 0.0, 0.0],
         v: vec![0.0, -0.5, -1.0, 0.0, -0.5, -1.0, 0.0, -1.0, 0.0],
+        z: Vec::new(),
         work: Vec::new(),
     };
     for method in [Method::rk4(1e-3), Method::dop853(1e-9)] {

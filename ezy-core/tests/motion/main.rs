@@ -22,6 +22,7 @@ mod runs;
 mod singular;
 mod skates;
 mod starts;
+mod states;
 mod stops;
 mod systems;
 

@@ -5,8 +5,8 @@
 /// Words with one meaning: in lower case, without `_`; and the help, an edit.
 pub type Meaning = (&'static [&'static str], &'static str);
 
-const STATES: &str = "there are no variables of first order, but a body can carry one: `body memory { mass: 1, inertia: 1 }` and \
-    `velocity constraint rule: memory.vx = v;` make `memory.x` the integral of v, in m/s";
+const STATES: &str = "write `state current: A = 0 rate (u - R*current)/L;` for a number with a rate of its own; the integral of a value is \
+    `state way: m = 0 rate seat.vx;`";
 /// What stands in place of `if`.
 pub const CHOICES: &str = "write `smooth_step(x, from, to)`, `min`, `max` or `sign`, such as `max(x, 0)` for a force on one side; scenes choose \
     between laws by their effects, and `event` tells when a condition comes true";
@@ -17,8 +17,8 @@ const ACCELERATIONS: &str = "accelerations are results: runs record them, as `se
 const REMAINDER: &str = "write `T/2 + T*atan2(-sin(2*pi*x/T), -cos(2*pi*x/T))/(2*pi)` for the remainder of x by T, or a law of `sin(2*pi*x/T)`, \
     which does not jump";
 const OF_A_RUN: &str = "a run has its method and steps, a model has none: `ezy run --method dop853 --rtol 1e-9`, `.method(Method::dop853(1e-9))`";
-const NO_MECHANICS: &str = "units are made of m, kg, s and rad: a motor takes a plain number and gives a torque, \
-    `param u = 12;`, `param k: N*m = 0.1;` and `torque a ~ b: k * u;`";
+const NO_TEMPERATURES: &str =
+    "units are made of m, kg, s, A and rad: write a temperature as a plain number, `param temperature = 293;`";
 const ENERGIES: &str = "runs record energies, as `kinetic` and `potential`, and no law can read them; write the sum that is meant, such as \
     `m * norm(a.v)^2 / 2`";
 const TABLES: &str = "tables belong to runs: declare `input height: m = 0;`, use `height` here, and give its values by `ezy run --inputs FILE.csv --method rk4 --step 1e-3`";
@@ -36,7 +36,7 @@ const PARTS: &str =
 
 /// In place of items of models and effects.
 pub const ITEMS: &[Meaning] = &[
-    (&["state", "der", "differential", "ode", "integrator"], STATES),
+    (&["der", "differential", "ode", "integrator"], STATES),
     (&["contact", "collision", "collide", "obstacle", "limit", "impact", "bumper", "unilateral"], CONTACTS),
     (&["wheel", "tire", "caster", "castor", "rolling"], WHEELS),
     (
@@ -137,13 +137,14 @@ pub const VALUES: &[Meaning] = &[
 
 /// In place of units.
 pub const UNITS: &[Meaning] = &[
-    (
-        &[
-            "v", "volt", "volts", "a", "amp", "amps", "ampere", "ohm", "ohms", "ω", "k", "kelvin", "c", "celsius",
-            "coulomb", "farad", "henry", "tesla",
-        ],
-        NO_MECHANICS,
-    ),
+    (&["k", "kelvin", "c", "celsius", "fahrenheit"], NO_TEMPERATURES),
+    (&["v"], "write `V`"),
+    (&["a"], "write `A`"),
+    (&["ω"], "write `ohm`"),
+    (&["coulomb", "coulombs"], "write `A*s`"),
+    (&["f", "farad", "farads"], "write `A*s/V`"),
+    (&["wb", "weber", "vs"], "write `V*s`"),
+    (&["tesla"], "write `N/(A*m)`"),
     (
         &["percent", "none", "dimensionless", "unitless", "real", "float", "number", "one", "scalar"],
         "leave `:` and the unit out for a plain number: `param mu = 0.3;`",

@@ -69,6 +69,10 @@ messages! {
         "these brackets are nested more than {limit} deep",
         "name some of the parts with `let name = …;`";
 
+    state_without_rate(at: Span, name: &Ident):
+        "state `{name}` has no rate",
+        "a state needs the equation of its rate: `state current: A = 0 rate (u - R*current)/L;`";
+
     field_missing(body: &Ident, field: &str):
         "body `{body}` has no {field}", "write `body {body} {{ mass: …, inertia: … }}`";
 

@@ -23,8 +23,9 @@ pub struct Constants<'a> {
     model: &'a Model,
     parameters: &'a [ParameterId],
     coefficients: &'a Coefficients,
-    /// In the order of the vector `c` behind its inputs.
+    /// In the order of the vector `c` behind its inputs and first-order states.
     stored: &'a [CoefficientId],
+    /// Inputs and first-order states.
     n_inputs: usize,
     /// Of all that is computed, ascending: operands have smaller ids than what is computed from them.
     names: BTreeMap<CoefficientId, String>,

@@ -5,10 +5,11 @@ use std::ops::Range;
 
 use super::abbreviations::Abbreviations;
 use super::equation::{Equation, Side, WIDEST_MATRIX};
+use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Equations, ForceTemplate, RowTemplate, Templates};
-use crate::model::{Loop, Model};
+use crate::model::{InputId, Loop, Model};
 use crate::symbolic::SumId;
-use crate::symbolic::print::{Printed, print, print_definition};
+use crate::symbolic::print::{Names, Printed, print, print_definition};
 use crate::symbolic::spelling;
 
 /// A symbol of the equations that is no letter.
@@ -87,6 +88,7 @@ pub fn of_scene(equations: &Equations, names: &Abbreviations<'_>) -> Vec<Equatio
     if !equations.potential.is_zero() {
         list.push(definition("potential energy", "V", Side::One(names.print(equations.potential)), &[]));
     }
+    list.extend(rates(&equations.inputs, &equations.rates, symbols, |sum| names.print(sum)));
     let definitions = names.definitions();
     if !definitions.is_empty() {
         list.push(Equation::definitions("abbreviations", &definitions));
@@ -139,7 +141,23 @@ fn motion(position: bool, velocity: bool) -> Equation {
     Equation::new("equations of motion", &[Side::Product(matrix, unknowns), Side::column(right)], &[])
 }
 
+/// `d/dt z = …` of each first-order state, which are the last of the inputs.
+fn rates(inputs: &[InputId], rates: &[SumId], symbols: &Symbols, print: impl Fn(SumId) -> Printed) -> Option<Equation> {
+    let states = inputs[inputs.len() - rates.len()..].iter().filter_map(|&id| symbols.input(id));
+    let definitions =
+        states.zip(rates).map(|(state, &rate)| (spelling::time_derivative(&symbols.symbol(state)), print(rate)));
+    let definitions: Vec<_> = definitions.collect();
+    (!definitions.is_empty()).then(|| Equation::definitions("rates of the first-order states", &definitions))
+}
+
 /// The same of a scene with counts.
+pub fn rates_of(templates: &Templates<'_>) -> Option<Equation> {
+    let Templates { algebra, symbols, inputs, rates, .. } = templates;
+    let sums: Vec<SumId> = rates.iter().map(|(rate, _)| *rate).collect();
+    self::rates(inputs, &sums, symbols, |sum| print(algebra, symbols, sum))
+}
+
+/// The equations of motion of a scene with counts.
 pub fn motion_of(templates: &Templates<'_>) -> Equation {
     let has = |position: bool| templates.rows.iter().any(|row| row.is_position() == position);
     motion(has(true), has(false))

@@ -6,8 +6,7 @@ use quote::quote;
 use super::abbreviations::Abbreviations;
 use super::equation::Equation;
 use super::equations;
-use crate::function::Function;
-use crate::mechanics::derived::Straight;
+use crate::mechanics::derived::{NoSeries, Straight};
 use crate::mechanics::kernels::{Kernel, Quantity};
 use crate::mechanics::symbols::Symbols;
 use crate::mechanics::{Derived, Equations, EventKind, Group, SceneEvent};
@@ -37,7 +36,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let n_position_rows = equations.constraints.n_position_rows;
     let parameters = parameters(model, &equations.parameters, &equations.symbols);
     let integrated_inputs = integrated_inputs(model, &equations.inputs);
-    let inputs = inputs(model, &equations.inputs, &equations.symbols);
+    let [inputs, states] = inputs_and_states(model, &equations.inputs, &equations.symbols);
     let outputs = outputs(model, equations, names);
     let events = equations.events.iter().map(|event| self::event(event, &names.print(event.value)));
     let events: Vec<_> = events.collect();
@@ -86,6 +85,7 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
             integrated_inputs: &[#(#integrated_inputs),*],
+            states: &[#(#states),*],
             outputs: #outputs,
             events: &[#(#events),*],
             stick_slip: #stick_slip,
@@ -121,17 +121,18 @@ pub fn list<T: quote::ToTokens>(items: impl IntoIterator<Item = T>) -> TokenStre
     quote!(ezy::List::Borrowed(&[#(#items),*]))
 }
 
-/// Number of products and operations of one order, or the function that has no series.
-pub fn series(cost: Result<(usize, Count), Function>) -> TokenStream {
+/// Number of products and operations of one order, or why there is no series.
+pub fn series(cost: Result<(usize, Count), NoSeries>) -> TokenStream {
     match cost {
         Ok((n_products, count)) => {
             let operations = operations(count);
             quote!(ezy::SeriesInfo::Analytic { n_products: #n_products, operations: #operations })
         }
-        Err(function) => {
+        Err(NoSeries::Function(function)) => {
             let function = function.name();
             quote!(ezy::SeriesInfo::NotAnalytic { function: #function })
         }
+        Err(NoSeries::States) => quote!(ezy::SeriesInfo::FirstOrderStates),
     }
 }
 
@@ -202,14 +203,17 @@ pub fn parameters(model: &Model, parameters: &[ParameterId], symbols: &Symbols) 
         .collect()
 }
 
-pub fn inputs(model: &Model, inputs: &[InputId], symbols: &Symbols) -> Vec<TokenStream> {
-    (inputs.iter())
-        .filter_map(|&id| {
-            let symbol = symbols.symbol(symbols.input(id)?);
-            let members = declared(model, &model.inputs[id.0], &symbol);
-            Some(quote!(ezy::InputInfo { #members }))
-        })
-        .collect()
+/// Inputs and first-order states.
+pub fn inputs_and_states(model: &Model, inputs: &[InputId], symbols: &Symbols) -> [Vec<TokenStream>; 2] {
+    let members = |id: InputId| {
+        let symbol = symbols.symbol(symbols.input(id)?);
+        Some(declared(model, &model.inputs[id.0], &symbol))
+    };
+    let [inputs, states] = model.split_states(inputs).map(|ids| ids.iter().filter_map(|&id| members(id)));
+    [
+        inputs.map(|members| quote!(ezy::InputInfo { #members })).collect(),
+        states.map(|members| quote!(ezy::StateInfo { #members })).collect(),
+    ]
 }
 
 /// The places of inputs `by acceleration`.
@@ -217,7 +221,7 @@ pub fn integrated_inputs(model: &Model, inputs: &[InputId]) -> Vec<usize> {
     (0..inputs.len()).filter(|&i| model.inputs[inputs[i].0].part == Some(Part::Value)).collect()
 }
 
-/// The members that parameters and inputs have in common.
+/// The members that parameters, inputs and states have in common.
 fn declared(model: &Model, parameter: &Parameter, symbol: &Printed) -> TokenStream {
     let (name, unit, default) = (parameter.name.to_string(), &parameter.unit, parameter.default);
     let (default_text, documentation) = (&parameter.default_text, &parameter.documentation);

@@ -17,7 +17,7 @@ use crate::model::Model;
 
 /// The modules `names` and `events` of a model, and what each scene says of its names.
 pub fn of_model(model: &Model, scenes: &[Derived<'_>]) -> TokenStream {
-    let (of_inputs, inputs) = shared(scenes, "Inputs", |derived| derived.inputs().to_vec());
+    let (of_inputs, inputs) = shared(scenes, "Inputs", |derived| model.split_states(derived.inputs())[0].to_vec());
     let outputs = |derived: &Derived<'_>| model.outputs_of(&derived.scene).map(|(i, _)| i).collect();
     let (of_outputs, outputs) = shared(scenes, "Outputs", outputs);
     let bodies = bodies::definition(model);

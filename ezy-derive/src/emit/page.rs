@@ -56,7 +56,9 @@ pub fn scene(model: &Model, derived: &Derived<'_>, of: &Straight, names: &Abbrev
     let mut page = Page::default();
     page.paragraph(format!("Degrees of freedom: {positions} in position, {velocities} in velocity."));
     page.section("Parameters", tables::parameters(model, &equations.parameters, &equations.symbols));
-    page.section("Inputs", tables::inputs(model, &equations.inputs, &equations.symbols));
+    let [inputs, states] = model.split_states(&equations.inputs);
+    page.section("Inputs", tables::inputs(model, inputs, &equations.symbols));
+    page.section("First-order states", tables::states(model, states, &equations.symbols));
     page.section("Rows", tables::rows(equations));
     page.equations(&equations::of_scene(equations, names));
     page.section("Outputs", tables::outputs(model, equations, names));
@@ -78,7 +80,9 @@ pub fn repeated(model: &Model, templates: &Templates<'_>) -> TokenStream {
     page.paragraph(solved.to_owned());
     page.section("Counts", tables::counts(model));
     page.section("Parameters", tables::parameters(model, &templates.parameters, &templates.symbols));
-    page.section("Inputs", tables::inputs(model, &templates.inputs, &templates.symbols));
+    let [inputs, states] = model.split_states(&templates.inputs);
+    page.section("Inputs", tables::inputs(model, inputs, &templates.symbols));
+    page.section("First-order states", tables::states(model, states, &templates.symbols));
     let of = OfItems { model, templates };
     for item in templates::all(model, templates) {
         let equations = item.equations(&of);
@@ -87,6 +91,7 @@ pub fn repeated(model: &Model, templates: &Templates<'_>) -> TokenStream {
             page.equations(&equations);
         }
     }
+    page.equations(equations::rates_of(templates).as_slice());
     page.equations(&[equations::motion_of(templates)]);
     page.attribute()
 }

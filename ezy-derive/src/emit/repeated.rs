@@ -68,7 +68,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
     let fingerprint = model.fingerprint;
     let parameters = info::parameters(model, &templates.parameters, &templates.symbols);
     let integrated_inputs = info::integrated_inputs(model, &templates.inputs);
-    let inputs = info::inputs(model, &templates.inputs, &templates.symbols);
+    let [inputs, states] = info::inputs_and_states(model, &templates.inputs, &templates.symbols);
     let effects = info::effects(model, &templates.groups);
     let until = scene.until_s;
     let events = templates.events.iter().map(|EventTemplate { event, .. }| {
@@ -81,6 +81,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
     let none = quote!(ezy::List::Borrowed(&[]));
     let series = info::series(derived.series_cost());
     let lets = equations::lets_of(templates).map(|lets| lets.tokens()).into_iter();
+    let rates = equations::rates_of(templates).map(|rates| rates.tokens()).into_iter();
     let motion = equations::motion_of(templates).tokens();
     quote! {
         ezy::SceneInfo {
@@ -96,6 +97,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
             integrated_inputs: &[#(#integrated_inputs),*],
+            states: &[#(#states),*],
             outputs: #none,
             events: &[#(#events),*],
             stick_slip: ::core::option::Option::None,
@@ -109,7 +111,7 @@ fn fixed(model: &Model, derived: &Derived<'_>, of: &Counted<'_>, n_constants: us
             force_entries: &[],
             potential_energy: ezy::Formula { text: "0", latex: "0", mathml: "<mn>0</mn>" },
             abbreviations: &[],
-            equations: &[#(#lets,)* #motion],
+            equations: &[#(#lets,)* #(#rates,)* #motion],
             elimination: &[],
             acceleration_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },
             correction_operations: ezy::Operations { add: 0, mul: 0, div: 0, trig: 0, calls: 0 },

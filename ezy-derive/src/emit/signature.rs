@@ -76,13 +76,14 @@ impl Order {
 const OUT: Writes = Writes::Vectors(&["out"]);
 
 /// Every method, in the order in which they are emitted.
-pub const ALL: [Signature; 23] = [
+pub const ALL: [Signature; 24] = [
     any(Quantity::MassMatrix, "mass_matrix", &[], OUT),
     any(Quantity::PositionConstraint, "position_constraint", &["t", "q"], OUT),
     any(Quantity::VelocityConstraint, "velocity_constraint", &["t", "q", "v"], OUT),
     any(Quantity::VelocityJacobian, "velocity_jacobian", &["t", "q"], OUT),
     any(Quantity::ConvectiveTerm, "convective_term", &["t", "q", "v"], OUT),
     any(Quantity::AppliedForce, "applied_force", &["t", "q", "v"], OUT),
+    any(Quantity::StateRates, "state_rates", &["t", "q", "v"], OUT),
     any(Quantity::Accelerations, "accelerations", &["t", "q", "v"], Writes::Solution(&["a", "lambda"])),
     any(Quantity::Correction, "correction", &["t", "q", "residual"], Writes::Solution(&["delta"])),
     any(Quantity::ProjectedAccelerations, "projected_accelerations", &["t", "q", "v"], Writes::Solution(&["out"])),

@@ -136,7 +136,7 @@ impl Writer<'_> {
         self.items.push(format!("for i in {from}..{to} {{ {} }}", inside.join(" ")));
     }
 
-    /// Values, inputs, forces and outputs.
+    /// Values, inputs, states, forces and outputs.
     fn free_items(&mut self) {
         for i in 0..self.random.below(3) {
             let (unit, name) = (*self.random.of(&OUTPUTS), format!("l{i}"));
@@ -148,6 +148,11 @@ impl Writer<'_> {
             let name = format!("u{i}");
             self.items.push(format!("/// set from outside\n    input {name}: N = {};", self.random.of(&["0", "-1.5"])));
             self.names.values.push((name, "N", Depends::Everything));
+        }
+        if self.random.once_in(3) {
+            let rate = self.scalar("m/s", Depends::Everything);
+            self.items.push(format!("state z: mm = {} rate {rate};", self.random.of(&["0", "-1.5"])));
+            self.names.values.push(("z".to_owned(), "m", Depends::Everything));
         }
         for _ in 0..self.random.below(MOST_FORCES) {
             let force = self.force();

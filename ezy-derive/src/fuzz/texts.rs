@@ -20,7 +20,8 @@ const MORE: &str = "pub model More {
     gravity (0, -9.81); spring A ~ front(0, 0): stiffness 3, length 1, damping k; friction rear ~ front: torque 1, rate k;
     velocity constraint rear.omega = k * smooth_step(t, 0, 1) * extra.vx; drive crank: pin.angle = sin(k * t);
     input u: N*m = 2 * 3; output place: mm = (A.x, u / 1e3); output slip = pin.rate;
-    effect wind { input gust = -1; output side: N = gust * rear.vx; force at rear(0, 0): (gust, 2 * u); }
+    state lag: N*m = 2 rate (u - lag) / 3; torque rear: lag; output lagged: N*cm = lag; event late: lag > 3;
+    effect wind { input gust = -1; state w = 0 rate max(gust, w) - w * rear.vx + lag; output side: N = gust * rear.vx; force at rear(0, 0): (gust, 2 * u); }
     effect grip { release groove; tyre at front(0, 0) along front(1, 0): stiffness k, limit 2, tread k * extra.vx; }
     stop reach: pin.angle from -k to 2 + 0.1 * t restitution 1 / (2 + abs(pin.rate));
     effect drag { param c: N*s/m = 2; let f = -c * pin.v; force at pin: f; torque rear: c * 3; }
@@ -35,7 +36,7 @@ const REPEATED: &str = "pub model Repeated {
     for i in 1..n { hinge pin[i]: link[i-1](l/2, 0) ~ link[i](-l/2, 0); point P[i] = link[i](l*i/n, 0); }
     for i in 0..n { for j in 0..m { rod r[i, j]: node[i, j](0, 0) ~ node[i, j+1](0, 0) length l*(i + 1); } }
     for i in 1..n { constraint g[i]: P[i].y = 0.1 * i; output o[i]: rad = pin[i].angle; force at P[i]: (0, -2*i); }
-    gravity (0, -9.81);
+    gravity (0, -9.81); state z: m = 0.5 rate link[n-1].vx - 2 * z / 3; force at hub(0, 0): (z * 2 (N/m), n);
     effect rub { release g; for i in 1..n { torque link[i] ~ link[i-1]: -c * pin[i].rate; } torque hub: c * P[n-1].vx / l; }
     start s { for i in 0..n { link[i] angle 0.1*i; } link[n-1] rate 1; hub at (0, 0); }
     scene all { start s; until 1 s; } scene rubbed { start s; until 1 s; with rub; }

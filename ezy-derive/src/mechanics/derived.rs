@@ -23,14 +23,23 @@ pub struct Derived<'m> {
     pub scene: Scene,
     pub form: Form<'m>,
     pub kernels: Kernels<'m>,
-    /// Whether there are kernels of the Taylor series, or the function that has none.
-    pub series: Result<(), Function>,
+    /// Whether there are kernels of the Taylor series.
+    pub series: Result<(), NoSeries>,
     /// What kernels read of parameters; each is computed once.
     pub constants: ConstantPool,
     /// What a picture of the scene shows; none of its modes.
     pub elements: Vec<Element<'m>>,
     /// The scenes that a skate with a limit, or a stop, makes of it.
     pub modes: Vec<Derived<'m>>,
+}
+
+/// Why a scene has no Taylor series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoSeries {
+    /// A law calls a function that has none.
+    Function(Function),
+    /// The recurrences are those of coordinates alone.
+    States,
 }
 
 /// The equations, and what is derived of all of them together.
@@ -46,7 +55,7 @@ pub struct Straight {
     pub equations: Equations,
     /// Blocks in the order of elimination, with whether the pivot is constant.
     pub elimination: Vec<(Vec<usize>, bool)>,
-    /// `None` when they are too long to write.
+    /// `None` when they are too long to write, and with first-order states.
     pub jacobians: Option<Jacobians>,
 }
 
@@ -78,9 +87,14 @@ impl<'m> Derived<'m> {
         let mut equations = Equations::derive(model, scene);
         let mut constants = ConstantPool::default();
         let solutions = Solutions::derive(&mut equations, &mut constants);
-        let series = Series::derive(&mut equations, &mut constants);
+        let has_states = !equations.rates.is_empty();
+        let series = match has_states {
+            true => Err(NoSeries::States),
+            false => Series::derive(&mut equations, &mut constants).map_err(NoSeries::Function),
+        };
         let Equations { algebra, symbols, constraints, force, .. } = &mut equations;
-        let jacobians = Jacobians::derive(algebra, symbols, Some(constraints), force.iter().copied().enumerate());
+        let force = force.iter().copied().enumerate();
+        let jacobians = if has_states { None } else { Jacobians::derive(algebra, symbols, Some(constraints), force) };
         let mut kernels = programs::straight(&equations, jacobians.as_ref(), &mut constants);
         let series = series.map(|series| kernels.extend(programs::series(vec![series])));
         let elimination = solutions.as_ref().map(|solutions| solutions.order.clone()).unwrap_or_default();
@@ -94,8 +108,12 @@ impl<'m> Derived<'m> {
         let mut templates = Templates::derive(model, scene);
         let mut constants = ConstantPool::default();
         let mut kernels = programs::counted(&templates, &mut constants);
-        let series = templates.series(&mut constants);
-        let jacobians = templates.jacobians();
+        let has_states = !templates.rates.is_empty();
+        let series = match has_states {
+            true => Err(NoSeries::States),
+            false => templates.series(&mut constants).map_err(NoSeries::Function),
+        };
+        let jacobians = if has_states { None } else { templates.jacobians() };
         if let Some(jacobians) = &jacobians {
             kernels.insert(Quantity::Jacobians, programs::counted_jacobians(&templates, jacobians, &mut constants));
         }
@@ -111,21 +129,22 @@ impl<'m> Derived<'m> {
     /// Products and operations of one order of the series; in a scene with counts, those of one member of each item.
     ///
     /// # Errors
-    /// The function that has none.
-    pub fn series_cost(&self) -> Result<(usize, Count), Function> {
+    /// Why there is none.
+    pub fn series_cost(&self) -> Result<(usize, Count), NoSeries> {
         self.series?;
         let of_order = [Quantity::SeriesRightSide, Quantity::SeriesSolution, Quantity::SeriesFinish];
         let operations = of_order.map(|quantity| self.kernels[&quantity].count()).into_iter().sum();
         Ok((self.kernels[&Quantity::SeriesBegin].n(Entries::Products), operations))
     }
 
-    /// The coordinates that accelerations depend on; none in a scene without an elimination.
+    /// The coordinates that accelerations, or rates of states, depend on; none in a scene without an elimination.
     pub fn feedback(&self) -> Option<Vec<usize>> {
         let [pass] = &self.kernels.get(&Quantity::Accelerations)?.passes[..] else { return None };
-        let inputs = pass.program.inputs();
-        let mut coordinates: Vec<usize> =
-            inputs.into_iter().filter_map(|symbol| self.symbols().coordinate_of(symbol)).collect();
+        let of_rates = self.kernels.get(&Quantity::StateRates).into_iter().flat_map(|kernel| &kernel.passes);
+        let inputs = std::iter::once(pass).chain(of_rates).flat_map(|pass| pass.program.inputs());
+        let mut coordinates: Vec<usize> = inputs.filter_map(|symbol| self.symbols().coordinate_of(symbol)).collect();
         coordinates.sort_unstable();
+        coordinates.dedup();
         Some(coordinates)
     }
 
@@ -150,6 +169,7 @@ impl<'m> Derived<'m> {
         }
     }
 
+    /// Inputs, then first-order states.
     pub fn inputs(&self) -> &[InputId] {
         match &self.form {
             Form::Straight(of) => &of.equations.inputs,
@@ -157,7 +177,7 @@ impl<'m> Derived<'m> {
         }
     }
 
-    /// Length of the vector that kernels read: inputs, then constants.
+    /// Length of the vector that kernels read: inputs, first-order states, then constants.
     pub fn n_fixed(&self) -> usize {
         self.inputs().len() + self.constants.coefficients().len()
     }

@@ -38,7 +38,9 @@ impl<'a> Writer<'a> {
                 let parameter = self.algebra.coefficients.parameter(id.0);
                 self.algebra.constant(parameter)
             }
-            Expr::Input(id) => self.symbols.input(*id).map_or(SumId::ZERO, |symbol| self.algebra.symbol(symbol)),
+            Expr::Input(id) | Expr::State(id) => {
+                self.symbols.input(*id).map_or(SumId::ZERO, |symbol| self.algebra.symbol(symbol))
+            }
             Expr::Integrated(first, part) => self.integrated(*first, *part),
             Expr::Coordinate(body, component) => {
                 let symbol = self.symbols.coordinate(*body, *component);

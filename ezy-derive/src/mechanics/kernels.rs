@@ -15,6 +15,8 @@ pub enum Quantity {
     VelocityJacobian,
     ConvectiveTerm,
     AppliedForce,
+    /// Of the first-order states.
+    StateRates,
     Accelerations,
     Correction,
     ProjectedAccelerations,

@@ -71,6 +71,9 @@ pub fn straight<'m>(equations: &Equations, jacobians: Option<&Jacobians>, consta
     ] {
         kernels.insert(quantity, lower.vector(sums));
     }
+    if !equations.rates.is_empty() {
+        kernels.insert(Quantity::StateRates, lower.vector(&equations.rates));
+    }
     let multipliers = equations.multipliers.iter().map(|&(symbol, row)| (symbol, Read::Multiplier(row)));
     kernels.insert(Quantity::Power, lower.once(&power, vec![Put::Next(0); power.len()], multipliers.collect()));
     kernels.insert(Quantity::Points, lower.vector(&points));
@@ -158,6 +161,10 @@ pub fn counted<'m>(templates: &Templates<'m>, constants: &mut ConstantPool) -> K
         lower.pass(&force.force.loops, &force.slots, &sums, places)
     });
     kernels.insert(Quantity::AppliedForce, Kernel::of(applied.collect()));
+    if !templates.rates.is_empty() {
+        let rates = templates.rates.iter().map(|(rate, slots)| lower.stacked(&[], slots, &[*rate]));
+        kernels.insert(Quantity::StateRates, Kernel::of(rates.collect()));
+    }
     let points = templates.points.iter();
     let points = points.map(|of| lower.stacked(&of.point.loops, &of.slots, &of.position));
     kernels.insert(Quantity::Points, Kernel::of(points.collect()));

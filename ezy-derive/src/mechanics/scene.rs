@@ -19,8 +19,10 @@ pub struct Equations {
     pub symbols: Symbols,
     /// Parameters of the model and of the scene's effects.
     pub parameters: Vec<ParameterId>,
-    /// Inputs of the model and of the scene's effects.
+    /// Inputs of the model and of the scene's effects, then their first-order states.
     pub inputs: Vec<InputId>,
+    /// Rates of the first-order states, in their units over s.
+    pub rates: Vec<SumId>,
     /// Outputs of the model and of the scene's effects: place in [`Model::outputs`] and value.
     pub outputs: Vec<(usize, SumId)>,
     /// Events, then discontinuities and layers of F.
@@ -89,12 +91,14 @@ impl Equations {
         let constraints = Constraints::derive(&mut writer, scalar_rows);
         let Applied { force, mut power, potential } = applied_forces(&mut writer, scene);
         let points = points(&mut writer);
+        let rates = rates(&mut writer, &inputs);
         let start = start(&mut writer, scene);
         let outputs = model.outputs_of(scene).map(|(i, output)| (i, writer.write(&output.value))).collect();
         let mut events = SceneEvent::declared(&mut writer, model, scene);
         let stick_slip = model.stick_slip_of(scene).map(|(row, limit)| sliding::stick_slip(&mut writer, row, limit));
         let contact = model.stop_of(scene).map(|stop| Contact::derive(&mut writer, stop));
-        let laws = laws(&mut writer, scene, &force, stick_slip);
+        let mut laws = laws(&mut writer, scene, &force, stick_slip);
+        laws.extend(&rates);
         events.extend(SceneEvent::discontinuities(writer.algebra, &laws));
         events.extend(SceneEvent::layers(&writer.layers));
         let mass_entries = mass.iter().map(|&k| algebra.constant(k)).collect();
@@ -105,6 +109,7 @@ impl Equations {
             symbols,
             parameters,
             inputs,
+            rates,
             outputs,
             events,
             stick_slip,
@@ -122,14 +127,20 @@ impl Equations {
     }
 }
 
-/// Parameters and inputs of the model and of the scene's effects.
+/// Parameters and inputs of the model and of the scene's effects; first-order states stand behind the inputs.
 pub fn called(model: &Model, scene: &Scene) -> (Vec<ParameterId>, Vec<InputId>) {
     let parameters = (0..model.parameters.len()).map(ParameterId);
     let inputs = (0..model.inputs.len()).map(InputId);
-    (
-        parameters.filter(|id| scene.calls_for(model.parameters[id.0].effect)).collect(),
-        inputs.filter(|id| scene.calls_for(model.inputs[id.0].effect)).collect(),
-    )
+    let inputs = inputs.filter(|id| scene.calls_for(model.inputs[id.0].effect));
+    let (inputs, states): (Vec<_>, Vec<_>) = inputs.partition(|id| model.inputs[id.0].rate.is_none());
+    let parameters = parameters.filter(|id| scene.calls_for(model.parameters[id.0].effect));
+    (parameters.collect(), [inputs, states].concat())
+}
+
+/// The rates of the first-order states among these.
+pub fn rates(writer: &mut Writer<'_>, inputs: &[InputId]) -> Vec<SumId> {
+    let model = writer.model;
+    inputs.iter().filter_map(|id| model.inputs[id.0].rate.as_ref()).map(|rate| writer.write(rate)).collect()
 }
 
 fn mass_matrix(writer: &mut Writer<'_>) -> Vec<Coefficient> {

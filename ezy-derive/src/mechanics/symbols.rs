@@ -7,7 +7,8 @@ use crate::symbolic::print::{Names, Printed};
 use crate::symbolic::spelling;
 use crate::symbolic::{SumId, Symbol};
 
-/// Symbols in fixed places: time, then `n_q` coordinates, `n_q` velocities, the inputs, then what a kernel names.
+/// Symbols in fixed places: time, then `n_q` coordinates, `n_q` velocities, the inputs, the first-order states, then what a kernel
+/// names.
 #[derive(Debug)]
 pub struct Symbols {
     coordinates: Vec<Printed>,
@@ -40,7 +41,7 @@ pub enum Meaning {
 }
 
 impl Symbols {
-    /// The symbols of a scene with these inputs.
+    /// The symbols of a scene with these inputs, behind which its first-order states stand.
     pub fn new(model: &Model, inputs: &[InputId]) -> Self {
         let (mut coordinates, mut velocities) = (Vec::new(), Vec::new());
         for body in &model.bodies {
@@ -92,7 +93,7 @@ impl Symbols {
         symbol(1 + self.n_coordinates() + i)
     }
 
-    /// The symbol of an input; `None` in scenes that do not call for its effect.
+    /// The symbol of an input or a first-order state; `None` in scenes that do not call for its effect.
     pub fn input(&self, id: InputId) -> Option<Symbol> {
         let i = self.inputs.iter().position(|(other, _)| *other == id)?;
         Some(symbol(1 + 2 * self.n_coordinates() + i))

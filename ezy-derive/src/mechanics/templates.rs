@@ -8,7 +8,7 @@ use super::jacobians::Jacobians;
 use super::kernels::Pass;
 use super::kinematics::Vector;
 use super::rows;
-use super::scene::{Group, called, drives};
+use super::scene::{Group, called, drives, rates};
 use super::series::Series;
 use super::symbols::Symbols;
 use crate::function::Function;
@@ -26,8 +26,10 @@ pub struct Templates<'m> {
     pub symbols: Symbols,
     /// Parameters of the model and of the scene's effects.
     pub parameters: Vec<ParameterId>,
-    /// Inputs of the model and of the scene's effects.
+    /// Inputs of the model and of the scene's effects, then their first-order states.
     pub inputs: Vec<InputId>,
+    /// Rates of the first-order states, in their units over s, with the bodies that they read.
+    pub rates: Vec<(SumId, Vec<BodyId>)>,
     /// Mass, mass and inertia of a member, by [`Model::arrays`].
     pub masses: Vec<(&'m Array, [SumId; Component::ALL.len()])>,
     /// Position constraints first.
@@ -120,6 +122,8 @@ impl<'m> Templates<'m> {
         let events = SceneEvent::declared(&mut writer, model, scene).into_iter();
         let events = events.map(|event| EventTemplate { slots: slots(&mut writer, &[event.value]), event });
         let events = events.collect();
+        let rates = rates(&mut writer, &inputs).into_iter();
+        let rates = rates.map(|rate| (rate, slots(&mut writer, &[rate]))).collect();
         let start = model.starts[scene.start.0].values.iter();
         let start = start.map(|given| (given, writer.write(&given.value))).collect();
         let rows = model.rows_of(scene).map(|(id, row)| {
@@ -138,7 +142,21 @@ impl<'m> Templates<'m> {
         let drives = rows.iter().any(|row| !row.multipliers.is_empty()).then_some(Group::Drives);
         let groups = of_model.into_iter().chain(scene.effects.iter().copied().map(Group::Effect)).chain(drives);
         let groups = groups.collect();
-        Self { algebra, symbols, parameters, inputs, masses, rows, forces, groups, points, outputs, events, start }
+        Self {
+            algebra,
+            symbols,
+            parameters,
+            inputs,
+            rates,
+            masses,
+            rows,
+            forces,
+            groups,
+            points,
+            outputs,
+            events,
+            start,
+        }
     }
 }
 

@@ -129,6 +129,8 @@ pub enum Motion {
     Velocity,
     /// An input, which the caller sets during a run; its rate is unknown.
     Input,
+    /// A first-order state, whose second derivative is unknown.
+    State,
 }
 
 impl Motion {
@@ -140,6 +142,7 @@ impl Motion {
             Self::Position => "the position",
             Self::Velocity => "the velocity",
             Self::Input => "an input",
+            Self::State => "a state",
         }
     }
 }
@@ -179,6 +182,7 @@ impl Purpose {
 pub fn motion(expr: &Expr) -> Motion {
     match expr {
         Expr::Input(_) => Motion::Input,
+        Expr::State(_) => Motion::State,
         // a rate in a position constraint would let velocities jump with the acceleration
         Expr::Integrated(_, ast::Part::Rate) => Motion::Velocity,
         Expr::Time | Expr::Integrated(..) => Motion::Time,

@@ -62,12 +62,13 @@ impl From<Dimension> for Measure {
     }
 }
 
-/// A power of metre, kilogram and second, each in sixths, so that square and cube roots stay whole.
+/// A power of metre, kilogram, second and ampere, each in sixths, so that square and cube roots stay whole.
 #[derive(Debug, Clone, Copy)]
 pub struct Dimension {
     metre: i32,
     kilogram: i32,
     second: i32,
+    ampere: i32,
     /// Whether angles take part, so that messages say `rad`.
     angular: bool,
 }
@@ -75,7 +76,8 @@ pub struct Dimension {
 /// Angles are dimensionless.
 impl PartialEq for Dimension {
     fn eq(&self, other: &Self) -> bool {
-        (self.metre, self.kilogram, self.second) == (other.metre, other.kilogram, other.second)
+        let powers = |of: &Self| [of.metre, of.kilogram, of.second, of.ampere];
+        powers(self) == powers(other)
     }
 }
 
@@ -84,7 +86,7 @@ impl Eq for Dimension {}
 const ONE: i32 = 6;
 
 /// What messages call a dimension, where the base units would not be recognised.
-const NAMED: [(Dimension, &str); 7] = [
+const NAMED: [(Dimension, &str); 12] = [
     (Dimension::ANGULAR_VELOCITY, "rad/s"),
     (Dimension::FORCE, "N"),
     (Dimension::TORQUE, "N*m"),
@@ -92,6 +94,11 @@ const NAMED: [(Dimension, &str); 7] = [
     (Dimension::base(0, 1, -2), "N/m"),
     (Dimension::base(0, 1, -1), "N*s/m"),
     (Dimension::base(2, 1, -1), "N*m*s"),
+    (Dimension::VOLTAGE, "V"),
+    (Dimension::RESISTANCE, "ohm"),
+    (Dimension::INDUCTANCE, "H"),
+    (Dimension::electric(2, 1, -4, -1), "V/s"),
+    (Dimension::electric(2, 1, -2, -1), "N*m/A"),
 ];
 
 impl Dimension {
@@ -105,10 +112,25 @@ impl Dimension {
     pub const INERTIA: Self = Self::base(2, 1, 0);
     pub const FORCE: Self = Self::base(1, 1, -2);
     pub const TORQUE: Self = Self::base(2, 1, -2);
+    pub const CURRENT: Self = Self::electric(0, 0, 0, 1);
+    pub const VOLTAGE: Self = Self::electric(2, 1, -3, -1);
+    pub const RESISTANCE: Self = Self::electric(2, 1, -3, -2);
+    pub const INDUCTANCE: Self = Self::electric(2, 1, -2, -2);
 
     /// m^metre kg^kilogram s^second
     pub const fn base(metre: i32, kilogram: i32, second: i32) -> Self {
-        Self { metre: ONE * metre, kilogram: ONE * kilogram, second: ONE * second, angular: false }
+        Self::electric(metre, kilogram, second, 0)
+    }
+
+    /// m^metre kg^kilogram s^second A^ampere
+    const fn electric(metre: i32, kilogram: i32, second: i32, ampere: i32) -> Self {
+        Self {
+            metre: ONE * metre,
+            kilogram: ONE * kilogram,
+            second: ONE * second,
+            ampere: ONE * ampere,
+            angular: false,
+        }
     }
 
     pub fn times(self, other: Self) -> Self {
@@ -125,8 +147,8 @@ impl Dimension {
             let power = f64::from(power) * exponent;
             (power.fract() == 0.0 && power.abs() < 1e6).then_some(power as i32)
         };
-        let (metre, kilogram, second) = (scale(self.metre)?, scale(self.kilogram)?, scale(self.second)?);
-        Some(Self { metre, kilogram, second, angular: self.angular })
+        let [metre, kilogram, second, ampere] = [self.metre, self.kilogram, self.second, self.ampere].map(scale);
+        Some(Self { metre: metre?, kilogram: kilogram?, second: second?, ampere: ampere?, angular: self.angular })
     }
 
     /// In a sentence: "`+` stands between m and …".
@@ -139,6 +161,7 @@ impl Dimension {
             metre: f(self.metre, other.metre),
             kilogram: f(self.kilogram, other.kilogram),
             second: f(self.second, other.second),
+            ampere: f(self.ampere, other.ampere),
             angular: false,
         }
     }
@@ -152,7 +175,7 @@ impl fmt::Display for Dimension {
         if let Some((_, name)) = NAMED.iter().find(|(named, _)| named == self) {
             return f.write_str(name);
         }
-        let units = [("kg", self.kilogram), ("m", self.metre), ("s", self.second)];
+        let units = [("kg", self.kilogram), ("m", self.metre), ("s", self.second), ("A", self.ampere)];
         let power = |(unit, power): (&str, i32)| match power.abs() {
             ONE => unit.to_owned(),
             power if power % ONE == 0 => format!("{unit}^{}", power / ONE),

@@ -185,10 +185,11 @@ impl Context<'_> {
                     _ => (Expr::Input(id), Motion::Input),
                 };
                 self.forbid_motion(name, moves, purpose)?;
-                Some(match self.input_units.get(id.0).copied().flatten() {
-                    Some(unit) => Value::scalar(unit.expr_to_si(expr), unit.dimension),
-                    None => Value::scalar(expr, Measure::Unknown),
-                })
+                Some(self.of_unit(id, expr))
+            }
+            Some(Symbol::State(id)) => {
+                self.forbid_motion(name, Motion::State, purpose)?;
+                Some(self.of_unit(id, Expr::State(id)))
             }
             Some(Symbol::Let(id)) => {
                 let value = self.let_value(id, name)?;
@@ -215,6 +216,14 @@ impl Context<'_> {
                 });
                 self.diag.refuse(error)
             }
+        }
+    }
+
+    /// An input or a state, in its declared unit, as a value in SI units.
+    fn of_unit(&self, id: InputId, expr: Expr) -> Value {
+        match self.input_units.get(id.0).copied().flatten() {
+            Some(unit) => Value::scalar(unit.expr_to_si(expr), unit.dimension),
+            None => Value::scalar(expr, Measure::Unknown),
         }
     }
 
@@ -258,6 +267,10 @@ const fn remedy(motion: Motion, limit: Motion) -> &'static str {
         (Motion::Input, _) => {
             "a constraint needs its rate: declare it `by acceleration`, as `input angle: rad = 0 by acceleration;`"
         }
+        (Motion::State, _) => {
+            "a constraint is differentiated to accelerations, and a state is not: write a force that depends on it, \
+             such as `torque wheel: k*current;`"
+        }
         _ => "a position constraint knows positions and `t`; write `velocity constraint` for a velocity constraint",
     }
 }
@@ -268,6 +281,7 @@ const fn remedy_in_stop(motion: Motion) -> &'static str {
         Motion::Input => {
             "the constraint of a stop needs its rate: declare it `by acceleration`, as `input height: m = 0 by acceleration;`"
         }
+        Motion::State => "a stop bounds positions; an `event` tells when a state passes a value",
         _ => "a stop bounds positions; an `event` tells when a velocity passes a value",
     }
 }

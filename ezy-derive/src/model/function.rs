@@ -82,7 +82,7 @@ impl Context<'_> {
             return values::place_as_value(call, function);
         }
         match symbol {
-            Some(symbol @ (Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Let(_))) => {
+            Some(symbol @ (Symbol::Parameter(_) | Symbol::Input(_) | Symbol::State(_) | Symbol::Let(_))) => {
                 values::called_value(function, symbol.what())
             }
             _ => names::unknown_function(function),

@@ -22,6 +22,7 @@ mod repeated;
 mod resolve;
 mod scene;
 mod start;
+mod state;
 mod statement;
 mod stop;
 #[cfg(test)]
@@ -86,7 +87,7 @@ pub struct Model {
     pub lets: Vec<NamedValue>,
     /// Parameters of the model and of its effects, in declared order.
     pub parameters: Vec<Parameter>,
-    /// Inputs of the model and of its effects, in declared order; declared like parameters.
+    /// Inputs and first-order states of the model and of its effects, in declared order; declared like parameters.
     pub inputs: Vec<Parameter>,
     /// Outputs of the model, then of its effects.
     pub outputs: Vec<Output>,
@@ -165,6 +166,8 @@ pub struct Parameter {
     pub effect: Option<EffectId>,
     /// Of an input `by acceleration`, whose parts follow each other.
     pub part: Option<Part>,
+    /// Of a first-order state, in its unit over s.
+    pub rate: Option<Expr>,
 }
 
 /// A scalar output; a vector is two of them.
@@ -404,6 +407,12 @@ impl Model {
         self.outputs.iter().enumerate().filter(|(_, output)| scene.calls_for(output.effect))
     }
 
+    /// The inputs among these, and the first-order states, which stand behind them.
+    pub fn split_states<'i>(&self, inputs: &'i [InputId]) -> [&'i [InputId]; 2] {
+        let (inputs, states) = inputs.split_at(inputs.partition_point(|id| self.inputs[id.0].rate.is_none()));
+        [inputs, states]
+    }
+
     /// The stop of a scene.
     pub fn stop_of<'a>(&'a self, scene: &'a Scene) -> Option<&'a Stop> {
         self.stops_of(scene).next()
@@ -447,6 +456,8 @@ pub enum Expr {
     Parameter(ParameterId),
     /// In its unit.
     Input(InputId),
+    /// A first-order state, in its unit.
+    State(InputId),
     /// What turns numbers of a unit into SI units. Equations hold between quantities, so that it is not printed.
     Conversion(Unit),
     /// The value at the present time of an input `by acceleration`, or its rate; by the first of its parts.

@@ -17,6 +17,8 @@ pub enum Symbol {
     Count(CountId),
     Parameter(ParameterId),
     Input(InputId),
+    /// A first-order state, in the list of inputs.
+    State(InputId),
     Output,
     /// Place among the declared events, with the effect that declares it.
     Event(usize, Scope),
@@ -45,6 +47,7 @@ impl Symbol {
             Self::Hinges(..) => "an array of hinges",
             Self::Parameter(_) => "a parameter",
             Self::Input(_) => "an input",
+            Self::State(_) => "a state",
             Self::Output => "an output",
             Self::Event(..) => "an event",
             Self::Stop => "a stop",
@@ -57,7 +60,7 @@ impl Symbol {
     }
 
     const fn is_value(self) -> bool {
-        matches!(self, Self::Parameter(_) | Self::Count(_) | Self::Input(_) | Self::Let(_))
+        matches!(self, Self::Parameter(_) | Self::Count(_) | Self::Input(_) | Self::State(_) | Self::Let(_))
     }
 
     const fn is_place(self) -> bool {
@@ -153,7 +156,7 @@ impl Names {
         of_kind(&self.model, Symbol::is_place)
     }
 
-    /// Parameters, inputs and `let` values.
+    /// Parameters, inputs, states and `let` values.
     pub fn values(&self, scope: Scope) -> Vec<&str> {
         of_kind(self.visible(scope), Symbol::is_value)
     }

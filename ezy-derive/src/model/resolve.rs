@@ -18,6 +18,7 @@ pub fn resolve(ast: ast::Model, diag: &mut Diagnostics) -> Option<Model> {
         context: Context::new(diag),
         model: Model::of_nothing(&ast),
         effects: Vec::new(),
+        states: Vec::new(),
         events: Vec::new(),
         stops: Vec::new(),
         rows: Vec::new(),
@@ -35,6 +36,8 @@ struct Resolver<'a> {
     /// What is resolved so far.
     model: Model,
     effects: Vec<&'a ast::Effect>,
+    /// First-order states of the model, then of its effects, with their rates.
+    states: Vec<(&'a Ident, InputId, &'a ast::Expr, Scope)>,
     /// Events of the model, then of its effects, with documentation.
     events: Vec<(&'a ast::Event, &'a str, Scope)>,
     /// Stops of the model, then of its effects.
@@ -87,11 +90,15 @@ impl<'a> Resolver<'a> {
                 (&parameter.name, Symbol::Parameter(ParameterId(self.context.units.len() - 1)))
             }
             ItemKind::Input(input) => {
-                let (resolved, unit) = self.parameter(input, "input", &item.documentation, scope);
+                let what = if input.rate.is_some() { "state" } else { "input" };
+                let (resolved, unit) = self.parameter(input, what, &item.documentation, scope);
                 self.model.inputs.push(resolved);
                 self.context.input_units.push(unit);
                 self.context.input_parts.push(input.part);
-                (&input.name, Symbol::Input(InputId(self.context.input_units.len() - 1)))
+                let id = InputId(self.context.input_units.len() - 1);
+                self.states.extend(input.rate.as_ref().map(|rate| (&input.name, id, rate, scope)));
+                let symbol = if input.rate.is_some() { Symbol::State(id) } else { Symbol::Input(id) };
+                (&input.name, symbol)
             }
             ItemKind::Count(count) => {
                 let resolved = self.context.count(count, &item.documentation);
@@ -153,6 +160,7 @@ impl<'a> Resolver<'a> {
             documentation: documentation.to_owned(),
             effect,
             part: parameter.part,
+            rate: None,
         };
         (resolved, unit)
     }
@@ -194,7 +202,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// `let` values, points, rows, events and stops.
+    /// `let` values, points, rows, rates of states, events and stops.
     fn resolve_values(&mut self) {
         let (context, model) = (&mut self.context, &mut self.model);
         for id in 0..context.lets.len() {
@@ -221,6 +229,9 @@ impl<'a> Resolver<'a> {
         }
         for (i, row) in self.rows.iter().enumerate() {
             model.rows.extend(context.row(row.statement, row.loops, &row.name, RowId(i), row.scope));
+        }
+        for &(name, id, rate, scope) in &self.states {
+            model.inputs[id.0].rate = context.state_rate(name, id, rate, scope);
         }
         for (event, documentation, scope) in &self.events {
             model.events.extend(context.event(event, documentation, *scope));

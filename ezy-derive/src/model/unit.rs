@@ -32,7 +32,7 @@ const fn known(name: &'static str, times: f64, over: f64, dimension: Dimension) 
 const ENERGY: Dimension = Dimension::TORQUE;
 const POWER: Dimension = Dimension::base(2, 1, -3);
 
-static KNOWN: [Known; 28] = [
+static KNOWN: [Known; 36] = [
     known("m", 1.0, 1.0, Dimension::LENGTH),
     known("mm", 1.0, 1e3, Dimension::LENGTH),
     known("cm", 1.0, 1e2, Dimension::LENGTH),
@@ -61,6 +61,14 @@ static KNOWN: [Known; 28] = [
     known("W", 1.0, 1.0, POWER),
     known("kW", 1e3, 1.0, POWER),
     known("MW", 1e6, 1.0, POWER),
+    known("A", 1.0, 1.0, Dimension::CURRENT),
+    known("mA", 1.0, 1e3, Dimension::CURRENT),
+    known("V", 1.0, 1.0, Dimension::VOLTAGE),
+    known("mV", 1.0, 1e3, Dimension::VOLTAGE),
+    known("kV", 1e3, 1.0, Dimension::VOLTAGE),
+    known("ohm", 1.0, 1.0, Dimension::RESISTANCE),
+    known("H", 1.0, 1.0, Dimension::INDUCTANCE),
+    known("mH", 1.0, 1e3, Dimension::INDUCTANCE),
 ];
 
 impl Unit {

@@ -50,7 +50,7 @@ pub struct Name {
 pub enum ItemKind {
     Count(Count),
     Parameter(Parameter),
-    /// Written like a parameter.
+    /// Written like a parameter; with a rate, it is a first-order state.
     Input(Parameter),
     Output(Output),
     Let(Let),
@@ -80,6 +80,8 @@ pub struct Parameter {
     pub value_text: String,
     /// Of an input `by acceleration`.
     pub part: Option<Part>,
+    /// Of a first-order state.
+    pub rate: Option<Expr>,
 }
 
 /// One of the four numbers of an input `by acceleration`, in the order in which they are declared.

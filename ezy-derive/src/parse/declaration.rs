@@ -1,4 +1,4 @@
-//! Items of one line: `count`, `param`, `input`, `output`, `let`, `body`, `point`, `release`, `stop`.
+//! Items of one line: `count`, `param`, `input`, `state`, `output`, `let`, `body`, `point`, `release`, `stop`.
 
 use super::Log;
 use super::ast::{Body, Count, Expr, ItemKind, Let, Output, Parameter, Part, Point, Stop};
@@ -37,17 +37,29 @@ pub fn input(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
     Ok(ItemKind::Input(parameter))
 }
 
+/// `name: unit = value rate expression;`
+pub fn state(input: ParseStream, _log: &mut Log) -> Result<ItemKind> {
+    let mut state = quantity(input, "state", "the name of the state")?;
+    if !take_word(input, "rate") {
+        return Err(syntax::state_without_rate(input.span(), &state.name));
+    }
+    state.rate = Some(expression(input)?);
+    sign::<Token![;]>(input)?;
+    Ok(ItemKind::Input(state))
+}
+
 fn quantity(input: ParseStream, keyword: &str, what: &str) -> Result<Parameter> {
     let name = name(input, what)?;
     let unit = optional_unit(input)?;
     sign::<Token![=]>(input)?;
     if let Some(Misplaced { at, written, unit, value }) = unit::behind_value(input) {
-        return Err(syntax::value_with_unit(at, keyword, &name, &written, &unit, &value));
+        let behind = if keyword == "state" { " rate …" } else { "" };
+        return Err(syntax::value_with_unit(at, keyword, &name, &written, &unit, &format!("{value}{behind}")));
     }
     let begin = input.cursor();
     let value = expression(input)?;
     let value_text = written(begin, input);
-    Ok(Parameter { name, unit, value, value_text, part: None })
+    Ok(Parameter { name, unit, value, value_text, part: None, rate: None })
 }
 
 /// `name: unit = expression;`, `name = expression;`

@@ -34,7 +34,7 @@ pub fn parts(item: &Item) -> Vec<Item> {
     let parts = parts.into_iter().map(|(part, word, unit, documentation)| {
         let name = Ident::new(&format!("{name}_{word}"), name.span());
         let zero = Expr::Number { value: 0.0, span: name.span() };
-        let input = Parameter { name, unit, value: zero, value_text: "0".to_owned(), part: Some(part) };
+        let input = Parameter { name, unit, value: zero, value_text: "0".to_owned(), part: Some(part), rate: None };
         Item { documentation, loops: item.loops.clone(), kind: ItemKind::Input(input) }
     });
     parts.collect()

@@ -50,6 +50,7 @@ static ITEMS: &[ItemWord] = &[
     item_word("scene", scene::EXAMPLE, &[Model], scene::scene),
     item_word("param", "param a: m = 0.2;", &[Model, InEffect], declaration::parameter),
     item_word("input", "input torque: N*m = 0;", &[Model, InEffect], declaration::input),
+    item_word("state", "state current: A = 0 rate (u - R*current)/L;", &[Model, InEffect], declaration::state),
     item_word("output", "output speed: m/s = norm(seat.v);", EVERYWHERE, declaration::output),
     item_word("let", "let speed = norm(seat.v);", &[Model, InEffect], declaration::let_value),
     item_word("event", "event landing: ball.y < 0;", &[Model, InEffect], event::event),

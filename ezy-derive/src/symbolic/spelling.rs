@@ -46,6 +46,15 @@ pub fn name(name: &str) -> Printed {
     Printed::atom(name, format!("{latex}_{{{latex_index}}}"), format!("<msub>{mathml}<mtext>{index}</mtext></msub>"))
 }
 
+/// The derivative by time of what has this name.
+pub fn time_derivative(of: &Printed) -> Printed {
+    Printed::atom(
+        format!("d/dt {}", of.text),
+        format!("\\frac{{d}}{{dt}} {}", of.latex),
+        format!("<mfrac><mi>d</mi><mrow><mi>d</mi><mi>t</mi></mrow></mfrac>{}", of.mathml),
+    )
+}
+
 /// `letter` with the name of a body as index and a dot when it is a velocity.
 pub fn of_body(text: &str, stem: &str, body: &str, dotted: bool) -> Printed {
     let (latex, mathml) = match stem {

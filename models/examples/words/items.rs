@@ -48,6 +48,23 @@ ezy_core::model! {
 }
 
 ezy_core::model! {
+    pub model State {
+        param u: V = 12;
+        param R: ohm = 0.5;
+        param L: mH = 2;
+        param k: N*m/A = 0.05;
+        body wheel { mass: 1, inertia: 2e-3 }
+        hinge axle: ground(0, 0) ~ wheel(0, 0);
+        /// current of the armature
+        state current: A = 0 rate (u - R*current - k*wheel.omega)/L;
+        torque wheel: k*current;
+        output heat: W = R*current^2;
+        start standing { at rest; }
+        scene spun_up { start standing; until 2 s; }
+    }
+}
+
+ezy_core::model! {
     pub model Output {
         body ball { mass: 1, inertia: 1 }
         gravity (0, -9.81);

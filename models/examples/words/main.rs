@@ -15,6 +15,7 @@ fn main() -> ExitCode {
         &items::named::MODEL,
         &items::count::MODEL,
         &items::input::MODEL,
+        &items::state::MODEL,
         &items::output::MODEL,
         &items::body::MODEL,
         &items::point::MODEL,

@@ -61,6 +61,30 @@ model! {
             torque right: right_torque;
         }
 
+        /// Electric motors at steady voltages, in place of given torques.
+        effect motors {
+            /// voltage of the left motor
+            param left_voltage: V = 6.0;
+            /// voltage of the right motor
+            param right_voltage: V = 7.0;
+            /// resistance of a winding
+            param resistance: ohm = 1.5;
+            /// inductance of a winding
+            param inductance: H = 0.02;
+            /// torque of a motor per current, and voltage per rate
+            param k: N*m/A = 0.06;
+            /// current of the left motor
+            state left_current: A = 0 rate (left_voltage - resistance*left_current - k*left.omega)/inductance;
+            /// current of the right motor
+            state right_current: A = 0 rate (right_voltage - resistance*right_current - k*right.omega)/inductance;
+            /// energy that the batteries supply
+            state supplied: J = 0 rate left_voltage*left_current + right_voltage*right_current;
+            /// heat of the windings
+            state heat: J = 0 rate resistance*(left_current^2 + right_current^2);
+            torque left: k * left_current;
+            torque right: k * right_current;
+        }
+
         /// Torque of the bearings against the motion of the wheels.
         effect bearings {
             /// torque per rate
@@ -86,6 +110,8 @@ model! {
         scene circle { start standing; until 5 s; with torques; }
         /// From rest, by steady torques against the bearings.
         scene cruise { start standing; until 60 s; with torques, bearings; }
+        /// From rest, by electric motors against the bearings.
+        scene electric { start standing; until 5 s; with motors, bearings; }
         /// At prescribed speeds.
         scene prescribed { start moving; until 10 s; with speeds; }
     }

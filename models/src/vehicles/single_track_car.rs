@@ -64,6 +64,26 @@ model! {
             tyre at R along car(1, 0): stiffness cr, limit fr;
         }
 
+        /// Side forces that follow the slip angles over a rolled length, in proportion to them.
+        effect relaxing_tyres {
+            /// cornering stiffness of the front axle
+            param cf: N = 8e4;
+            /// cornering stiffness of the rear axle
+            param cr: N = 9e4;
+            /// relaxation length
+            param sigma: m = 0.6;
+            let front_along = dot(F.v, (cos(car.phi + delta), sin(car.phi + delta)));
+            let front_across = dot(F.v, (-sin(car.phi + delta), cos(car.phi + delta)));
+            let rear_along = dot(R.v, (cos(car.phi), sin(car.phi)));
+            let rear_across = dot(R.v, (-sin(car.phi), cos(car.phi)));
+            /// slip angle that the front tyre has followed
+            state front_slip: rad = 0 rate (atan2(front_across, front_along) - front_slip)*front_along/sigma;
+            /// slip angle that the rear tyre has followed
+            state rear_slip: rad = 0 rate (atan2(rear_across, rear_along) - rear_slip)*rear_along/sigma;
+            force at F along car(-sin(delta), cos(delta)): -cf*front_slip;
+            force at R along car(0, 1): -cr*rear_slip;
+        }
+
         /// A steady thrust on the rear axle against the drag of the air.
         effect thrust {
             /// thrust
@@ -79,6 +99,8 @@ model! {
 
         /// Enters a steady corner at held speed.
         scene cornering { start held; until 5 s; with linear_tyres, cruise; }
+        /// The same on tyres with a relaxation length.
+        scene relaxing { start held; until 5 s; with relaxing_tyres, cruise; }
         /// The same on tyres that level off.
         scene limit { start held; until 5 s; with limited_tyres, cruise; }
         /// Rolls round a corner under a steady thrust.

@@ -102,6 +102,26 @@ model! {
             torsion tractor ~ steer: stiffness k, damping c;
         }
 
+        /// A controller turns the steered axle until the last trailer has a heading, against a steady torque on the axle.
+        effect autopilot {
+            /// wanted heading of the second trailer
+            param heading: rad = 0.5;
+            /// wanted steering angle per error of the heading
+            param kp: 1 = 0.6;
+            /// wanted steering angle per integral of that error
+            param ki: 1/s = 0.05;
+            /// torque per error of the steering angle
+            param stiff: N*m/rad = 4.0;
+            /// torque per rate of the steering angle
+            param damp: N*m*s/rad = 0.6;
+            /// torque that pulls the steered axle aside
+            param pull: N*m = 0.3;
+            /// integral of the error of the heading
+            state error_sum: rad*s = 0 rate heading - second.phi;
+            output wanted: rad = kp*(heading - second.phi) + ki*error_sum;
+            torque steer ~ tractor: stiff*(kp*(heading - second.phi) + ki*error_sum - kingpin.angle) - damp*kingpin.rate + pull;
+        }
+
         /// A steady thrust on the rear axle.
         effect thrust {
             /// thrust
@@ -137,6 +157,8 @@ model! {
         scene locked { start circling; until 30 s; with steering; }
         /// Round a circle with locked steering, under thrust and drag.
         scene towed { start circling; until 30 s; with steering, thrust, resistance; }
+        /// An autopilot turns the last trailer to a heading.
+        scene piloted { start rolling; until 60 s; with autopilot, thrust, resistance; }
         /// Winds under a swinging torque on the steering.
         scene winding { start rolling; until 12 s; with slalom, thrust, resistance; }
     }

@@ -241,7 +241,13 @@ impl Case {
         }
         let n_q = scene.info().n_coordinates();
         let start = &explicit.samples[0];
-        let start = State { t: 0.0, q: start[..n_q].to_vec(), v: start[n_q..2 * n_q].to_vec(), work: Vec::new() };
+        let start = State {
+            t: 0.0,
+            q: start[..n_q].to_vec(),
+            v: start[n_q..2 * n_q].to_vec(),
+            z: Vec::new(),
+            work: Vec::new(),
+        };
         let mut precise = PreciseMotion::new(scene, &start).ok()?;
         let mut motion = explicit.clone();
         for (i, sample) in motion.samples.iter_mut().enumerate() {

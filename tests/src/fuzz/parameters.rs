@@ -166,5 +166,11 @@ fn start(system: &System<&(dyn Scene + '_)>, order: &Order) -> ezy_core::model::
 fn anywhere(system: &System<&(dyn Scene + '_)>, draw: &mut Draw) -> State {
     let n = system.info().n_coordinates();
     let q = (0..n).map(|_| draw.between(-2.0, 2.0)).collect();
-    State { t: draw.between(0.0, 2.0), q, v: (0..n).map(|_| draw.between(-2.0, 2.0)).collect(), work: Vec::new() }
+    State {
+        t: draw.between(0.0, 2.0),
+        q,
+        v: (0..n).map(|_| draw.between(-2.0, 2.0)).collect(),
+        z: Vec::new(),
+        work: Vec::new(),
+    }
 }

@@ -100,7 +100,7 @@ fn analytic_what_cannot_run_in_lanes_is_told() {
 fn analytic_starts_and_ends_that_cannot_be_are_told() {
     let scenes: [Roller; 4] = std::array::from_fn(|i| rollers()[i]);
     let starts = starts(&scenes);
-    let short = State { t: 0.0, q: vec![0.0; 3], v: vec![0.0; 3], work: Vec::new() };
+    let short = State { t: 0.0, q: vec![0.0; 3], v: vec![0.0; 3], z: Vec::new(), work: Vec::new() };
     let mixed = [&starts[0], &short, &starts[2], &starts[3]];
     let refused = Ensemble::new(&scenes, mixed, Method::dop853(1e-9)).err().expect("a start of another scene");
     assert!(matches!(refused, SetupError::StartLength { expected: 6, found: 3 }), "{refused}");

@@ -26,7 +26,7 @@ fn on_the_way(scene: &dyn Scene) -> State {
     let until_s = 0.3 * scene.info().until_s.min(2.0);
     let run = Simulation::new(scene).method(Method::dop853(1e-10)).until(until_s).run().unwrap();
     let last = run.last();
-    State { t: last.t, q: last.coordinates.to_vec(), v: last.velocities.to_vec(), work: Vec::new() }
+    State { t: last.t, q: last.coordinates.to_vec(), v: last.velocities.to_vec(), z: Vec::new(), work: Vec::new() }
 }
 
 /// Order of one step from a state over the lengths that show one; none where a method leaves no error.

@@ -21,6 +21,7 @@ mod error_estimate;
 mod events;
 mod exact_start;
 mod feedback;
+mod first_order;
 mod fuzz;
 mod garage;
 mod guide;

@@ -102,8 +102,9 @@ fn order_rk4_is_four_in_every_scene() {
         let [.., before, last] = changes[..] else { continue };
         let order = (before / last).log2();
         let name = format!("{}/{}", (entry.info)().model, entry.name);
-        assert!((order - ORDER).abs() <= SELF_TOLERANCE, "{name}: order {order:.3}, changes {changes:?}");
-        n_measured += 1;
+        assert!(order >= ORDER - SELF_TOLERANCE, "{name}: order {order:.3}, changes {changes:?}");
+        // of a linear mode that decays, such as a current, RK4 finds the way exactly: its terms of order four cancel
+        n_measured += u32::from(order <= ORDER + SELF_TOLERANCE);
     }
     assert!(n_measured >= 6, "only {n_measured} scenes show an order");
 }

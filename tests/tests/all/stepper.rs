@@ -157,9 +157,9 @@ fn invariant_restored_stepper_goes_on_to_the_last_bit() {
 
 /// Bits of all that a caller sees.
 fn numbers(stepper: &mut Stepper<'_, Arc<dyn Scene>>) -> Vec<u64> {
-    let State { t, q, v, work } = stepper.state().clone();
+    let State { t, q, v, z, work } = stepper.state().clone();
     let multipliers = stepper.multipliers().map_or_else(|_| Vec::new(), <[f64]>::to_vec);
-    let all = [&[t][..], &q, &v, &work, &multipliers, stepper.outputs()].concat();
+    let all = [&[t][..], &q, &v, &z, &work, &multipliers, stepper.outputs()].concat();
     all.into_iter().map(f64::to_bits).collect()
 }
 

@@ -216,6 +216,7 @@ fn arrows(scene: &dyn Scene, run: &Run, elements: &Elements, frames: &[Placed]) 
         info.rows.iter().map(|row| run.info().rows.iter().position(|other| other.name == row.name)).collect();
     for sample in run.samples() {
         c[..info.n_inputs()].copy_from_slice(sample.inputs);
+        c[info.n_inputs()..][..info.n_states()].copy_from_slice(sample.states);
         scene.velocity_jacobian(&c, sample.t, sample.coordinates, &mut jacobian);
         for ((_, rows, body, _), values) in reactions.iter().zip(&mut values) {
             // the reaction on the bodies is −Gᵀ λ

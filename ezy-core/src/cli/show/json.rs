@@ -37,6 +37,7 @@ pub(super) fn scene(info: &SceneInfo) -> Value {
         "coordinates": list(&*info.coordinates, |c| json!(c.name)),
         "parameters": list(info.parameters, declared),
         "inputs": list(info.inputs, declared),
+        "states": list(info.states, declared),
         "outputs": list(&*info.outputs, |o| json!({ "name": o.name, "unit": o.unit, "value": formula(&o.formula) })),
         "events": list(info.events, |e| {
             json!({ "name": e.name, "ends": e.kind == EventKind::End, "value": formula(&e.formula) })

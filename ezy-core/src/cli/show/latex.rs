@@ -1,6 +1,6 @@
 //! A scene as a fragment of LaTeX: text, tables and displayed equations; needs the package `amsmath`.
 
-use crate::model::{EliminationStep, Equation, SceneInfo};
+use crate::model::{EliminationStep, Equation, ParameterInfo, SceneInfo};
 
 use super::{OPERATIONS, freedom, kernels, pattern, pivot, with_equations};
 
@@ -75,7 +75,7 @@ fn elimination(info: &SceneInfo, step: &EliminationStep) -> String {
     format!("\\item {rows}: {}\n", pivot(step))
 }
 
-/// Parameters, inputs, effects and rows.
+/// Parameters, inputs, states, effects and rows.
 fn declared(info: &SceneInfo) -> String {
     let mut text = String::new();
     let mut put = |heads: &[&str], rows: Vec<Vec<String>>| {
@@ -94,10 +94,14 @@ fn declared(info: &SceneInfo) -> String {
         ]
     });
     put(&["parameter", "value", "unit", "effect", "what it is"], parameters.collect());
-    let inputs = info.inputs.iter().map(|p| {
-        vec![format!("${}$", p.symbol.latex), plain(p.default_text), unit(p.unit), plain(p.documentation.trim())]
-    });
-    put(&["input", "until it is set", "unit", "what it is"], inputs.collect());
+    let numbers = |numbers: &[ParameterInfo]| {
+        let number = |p: &ParameterInfo| {
+            vec![format!("${}$", p.symbol.latex), plain(p.default_text), unit(p.unit), plain(p.documentation.trim())]
+        };
+        numbers.iter().map(number).collect()
+    };
+    put(&["input", "until it is set", "unit", "what it is"], numbers(info.inputs));
+    put(&["state", "at the start", "unit", "what it is"], numbers(info.states));
     let effects = info.effects.iter().map(|e| vec![plain(e.name), plain(e.documentation.trim())]);
     put(&["effect", "what it is"], effects.collect());
     if info.repeats.is_some() {

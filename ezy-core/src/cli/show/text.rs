@@ -68,6 +68,7 @@ fn tables(info: &SceneInfo) -> Vec<Table> {
     };
     put(["parameter", "value", "unit", "effect", "what it is"], declared(info.parameters));
     put(["input", "until it is set", "unit", "effect", "what it is"], declared(info.inputs));
+    put(["state", "at the start", "unit", "effect", "what it is"], declared(info.states));
     let effects = info.effects.iter().map(|e: &EffectInfo| [e.name, e.documentation.trim(), "", "", ""]);
     put(["effect", "what it is", "", "", ""], effects.collect());
     let outputs = info.outputs.iter().map(|o| [&*o.name, o.unit, o.formula.text, o.documentation.trim(), ""]);

@@ -46,22 +46,23 @@ impl Family for Adaptive {
         chooses_steps: true,
         is_implicit: false,
         needs: Needs::Nothing,
+        takes_states: true,
         tighter: TIGHTER,
         rounding: ROUNDING,
     };
 
     fn in_any_number<D: Dynamics<T>, T: Scalar>(
-        Sizes { n_q, n_c, n_works }: Sizes,
+        sizes: Sizes,
         tolerance: Tolerance,
     ) -> Option<Box<dyn Integrator<D, T>>> {
-        Some(Box::new(Adaptive::new(n_q, n_c, n_works, tolerance)))
+        Some(Box::new(Adaptive::new(sizes, tolerance)))
     }
 }
 
 impl<T: Scalar> Adaptive<T> {
-    fn new(n_coordinates: usize, n_rows: usize, n_works: usize, tolerance: Tolerance) -> Self {
+    fn new(sizes: Sizes, tolerance: Tolerance) -> Self {
         Self {
-            method: Dop853::new(n_coordinates, n_rows, n_works),
+            method: Dop853::new(sizes),
             control: StepControl::new(ERROR_ORDER),
             tolerance,
             step_s: None,
@@ -228,6 +229,9 @@ mod tests {
     use super::*;
     use crate::integrate::discontinuities::{Cut, Smooth};
 
+    /// One number that moves freely.
+    const ONE: Sizes = Sizes { n_q: 1, n_c: 0, n_z: 0, n_works: 0 };
+
     /// Every step passes this.
     struct Passes(Passage);
 
@@ -236,11 +240,11 @@ mod tests {
             self.0
         }
 
-        fn cut(&mut self, _: &D, _: Node<'_>, _: &[&State], _: f64) -> Option<Cut> {
+        fn cut(&mut self, _: &mut D, _: Node<'_>, _: &[&State], _: f64) -> Option<Cut> {
             None
         }
 
-        fn are_crossed(&mut self, _: &D, _: &State, _: &[&State]) -> bool {
+        fn are_crossed(&mut self, _: &mut D, _: &State, _: &[&State]) -> bool {
             false
         }
 
@@ -265,6 +269,10 @@ mod tests {
             if q[0] <= 1.0 { Ok(()) } else { Err(MotionError::NotFinite { t, quantity: "a force".into() }) }
         }
 
+        fn place_states(&mut self, _: &[f64]) {}
+
+        fn state_rates(&self, _: f64, _: &[f64], _: &[f64], _: &mut [f64]) {}
+
         fn power(&self, _: f64, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
     }
 
@@ -284,20 +292,24 @@ mod tests {
             Ok(())
         }
 
+        fn place_states(&mut self, _: &[f64]) {}
+
+        fn state_rates(&self, _: f64, _: &[f64], _: &[f64], _: &mut [f64]) {}
+
         fn power(&self, _: f64, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
     }
 
     /// In a layer the larger error counts, that of order 5 alone or of all estimates: what is accepted there is accepted anywhere.
     #[test]
     fn invariant_step_in_a_layer_is_accepted_only_where_any_other_is() {
-        let start = State { t: 0.0, q: vec![0.0], v: vec![0.0], work: Vec::new() };
+        let start = State { t: 0.0, q: vec![0.0], v: vec![0.0], z: Vec::new(), work: Vec::new() };
         let mut refused = [0, 0];
         for i in 0..400 {
             let (size, step_s) = (10_f64.powf(-10.0 + 0.01 * f64::from(i)), 1.0 + 0.01 * f64::from(i % 7));
             let [smooth, layer] = [Passage::Smooth, Passage::Layer].map(|passage| {
-                let mut adaptive = Adaptive::new(1, 0, 0, Tolerance::new(1e-9, 1e-9));
+                let mut adaptive = Adaptive::new(ONE, Tolerance::new(1e-9, 1e-9));
                 adaptive.step_s = Some(step_s);
-                let from = Node { state: &start, a: &[0.0], power: &[] };
+                let from = Node { state: &start, a: &[0.0], rate: &[], power: &[] };
                 adaptive.step(&mut Rough(size), from, 10.0, 10.0, &mut Passes(passage), &mut start.clone()).unwrap();
                 adaptive.rejected > 0
             });
@@ -311,11 +323,11 @@ mod tests {
     /// Of 4 s, 4/3 s and 4/9 s only the last ends before the wall, which is 1 s away. From the wall on no step leads on.
     #[test]
     fn analytic_step_whose_stages_leave_where_equations_are_defined_is_made_shorter() {
-        let at = |x: f64| State { t: 0.0, q: vec![x], v: vec![1.0], work: Vec::new() };
+        let at = |x: f64| State { t: 0.0, q: vec![x], v: vec![1.0], z: Vec::new(), work: Vec::new() };
         let step = |start: &State, to: &mut State| {
-            let mut adaptive = Adaptive::new(1, 0, 0, Tolerance::new(1e-9, 1e-9));
+            let mut adaptive = Adaptive::new(ONE, Tolerance::new(1e-9, 1e-9));
             adaptive.step_s = Some(4.0);
-            let from = Node { state: start, a: &[0.0], power: &[] };
+            let from = Node { state: start, a: &[0.0], rate: &[], power: &[] };
             let outcome = adaptive.step(&mut UpToAWall, from, 10.0, 10.0, &mut Smooth, to);
             (outcome, adaptive.rejected)
         };

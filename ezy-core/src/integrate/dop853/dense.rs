@@ -29,11 +29,11 @@ impl<T: Scalar> Dop853<T> {
         let (n, length) = (self.n, to.state.t - from.state.t);
         let h = T::from_f64(length);
         self.begin(from);
-        read(self.slopes[N_STAGES * n..][..n].as_flattened_mut(), [&to.state.v, to.a, to.power]);
+        read(self.slopes[N_STAGES * n..][..n].as_flattened_mut(), [&to.state.v, to.a, to.rate, to.power]);
         for stage in N_STAGES + 1..N_STAGES_OF_DENSE_OUTPUT {
             self.evaluate(system, from.state.t, length, stage)?;
         }
-        read(self.stage.as_flattened_mut(), [&to.state.q, &to.state.v, &to.state.work]);
+        read(self.stage.as_flattened_mut(), [&to.state.q, &to.state.v, &to.state.z, &to.state.work]);
         let (slopes, dense) = (self.slopes.as_flattened(), self.dense.as_flattened_mut());
         let n = WIDTH * n;
         for (i, (start, end)) in self.start.as_flattened().iter().zip(self.stage.as_flattened()).enumerate() {
@@ -54,7 +54,7 @@ impl<T: Scalar> Dop853<T> {
     /// Largest error of values between the ends of the step, over the tolerance, by the last two terms of the polynomial: the first
     /// that is missing is as much smaller than the last as that is than the one before.
     pub(crate) fn dense_error(&self, tolerance: Tolerance) -> f64 {
-        let (n, n_numbers) = (WIDTH * self.n, 2 * self.n_q);
+        let (n, n_numbers) = (WIDTH * self.n, self.n_controlled());
         let dense = self.dense.as_flattened();
         let ends = self.start.as_flattened().iter().zip(self.stage.as_flattened());
         let (mut last, mut before) = (0.0_f64, 0.0_f64);

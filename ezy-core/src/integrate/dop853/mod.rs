@@ -8,6 +8,7 @@ mod tableau;
 #[cfg(test)]
 mod tests;
 
+use super::family::Sizes;
 use super::step_control::Tolerance;
 use super::{Node, compensated};
 use crate::archive::Archive;
@@ -27,7 +28,8 @@ pub(crate) const ERROR_ORDER: i32 = 8;
 /// steps would not end.
 const ROUNDING: f64 = 1e-11;
 
-/// Stages of the method for q' = v, v' = a(t, q, v), w' = power of each effect, as one vector y = (q, v, w).
+/// Stages of the method for q' = v, v' = a(t, q, v, z), z' = rates of first-order states, w' = power of each effect, as one vector
+/// y = (q, v, z, w).
 ///
 /// Works are integrated beside the motion and do not choose its steps. What rounding cuts off a sum is added to the next
 /// one, as in [`Rk4`](super::Rk4).
@@ -38,6 +40,7 @@ const ROUNDING: f64 = 1e-11;
 #[derive(Debug)]
 pub(crate) struct Dop853<T = f64> {
     n_q: usize,
+    n_z: usize,
     n_works: usize,
     /// Length of y in blocks.
     n: usize,
@@ -59,11 +62,12 @@ impl<T: Scalar> Dop853<T> {
     const STAGES: [Sum<T>; N_STAGES_OF_DENSE_OUTPUT - 1] = stages();
 
     /// Storage for a scene with these sizes.
-    pub(crate) fn new(n_coordinates: usize, n_rows: usize, n_works: usize) -> Self {
-        let n = (2 * n_coordinates + n_works).div_ceil(WIDTH);
+    pub(crate) fn new(Sizes { n_q, n_c, n_z, n_works }: Sizes) -> Self {
+        let n = (2 * n_q + n_z + n_works).div_ceil(WIDTH);
         let zero = |n: usize| vec![[T::from_f64(0.0); WIDTH]; n];
         Self {
-            n_q: n_coordinates,
+            n_q,
+            n_z,
             n_works,
             n,
             slopes: zero(N_STAGES_OF_DENSE_OUTPUT * n),
@@ -72,14 +76,14 @@ impl<T: Scalar> Dop853<T> {
             rest: zero(n),
             next_rest: zero(n),
             errors: [zero(n), zero(n), zero(n)],
-            lambda: vec![T::from_f64(0.0); n_rows],
+            lambda: vec![T::from_f64(0.0); n_c],
             dense: zero(dense::N_COEFFICIENTS * n),
         }
     }
 
     /// Storage for other steps of the same scene.
     pub(crate) fn another(&self) -> Self {
-        Self::new(self.n_q, self.lambda.len(), self.n_works)
+        Self::new(Sizes { n_q: self.n_q, n_c: self.lambda.len(), n_z: self.n_z, n_works: self.n_works })
     }
 
     /// Forgets the rounding errors of the sums, before another run.
@@ -144,7 +148,7 @@ impl<T: Scalar> Dop853<T> {
         tolerance: Tolerance,
     ) -> Result<f64, MotionError> {
         self.begin(from);
-        let n = 2 * self.n_q;
+        let n = self.n_controlled();
         let n_q = self.n_q;
         let norm = |x: &[T], start: &[T]| {
             let scaled = x.iter().zip(start).enumerate();
@@ -170,10 +174,15 @@ impl<T: Scalar> Dop853<T> {
         Ok(step.min(100.0 * guess).min(longest))
     }
 
+    /// Numbers of y whose errors choose the steps: all but works.
+    fn n_controlled(&self) -> usize {
+        2 * self.n_q + self.n_z
+    }
+
     fn begin(&mut self, from: Node<'_, T>) {
-        let Node { state, a, power } = from;
-        read(self.start.as_flattened_mut(), [&state.q, &state.v, &state.work]);
-        read(self.slopes[..self.n].as_flattened_mut(), [&state.v, a, power]);
+        let Node { state, a, rate, power } = from;
+        read(self.start.as_flattened_mut(), [&state.q, &state.v, &state.z, &state.work]);
+        read(self.slopes[..self.n].as_flattened_mut(), [&state.v, a, rate, power]);
     }
 
     /// `stage = start + h · sum`
@@ -201,13 +210,16 @@ impl<T: Scalar> Dop853<T> {
     fn slope_at_stage(&mut self, system: &mut impl Dynamics<T>, t: f64, stage: usize) -> Result<(), MotionError> {
         let n_q = self.n_q;
         let (q, rest) = self.stage.as_flattened().split_at(n_q);
-        let v = &rest[..n_q];
+        let (v, rest) = rest.split_at(n_q);
+        system.place_states(&rest[..self.n_z]);
         let slope = self.slopes[stage * self.n..][..self.n].as_flattened_mut();
         let (velocities, rest) = slope.split_at_mut(n_q);
         let (accelerations, rest) = rest.split_at_mut(n_q);
+        let (rates, rest) = rest.split_at_mut(self.n_z);
         let powers = &mut rest[..self.n_works];
         velocities.copy_from_slice(v);
         system.accelerations(t, q, v, accelerations, &mut self.lambda)?;
+        system.state_rates(t, q, v, rates);
         system.power(t, q, v, &self.lambda, powers);
         Ok(())
     }
@@ -226,6 +238,7 @@ impl<T: Scalar> Dop853<T> {
         tolerance: Tolerance,
         to: &State<T>,
     ) -> Option<f64> {
+        // first-order states are in no row
         for errors in &mut self.errors {
             let (positions, rest) = errors.as_flattened_mut().split_at_mut(self.n_q);
             for part in [positions, &mut rest[..self.n_q]] {
@@ -249,7 +262,7 @@ impl<T: Scalar> Dop853<T> {
     /// Error over tolerance of the last attempt by the embedded solution of order 5 alone, where the motion is not smooth enough for what both
     /// of them tell.
     pub(crate) fn error_of_order_5(&self, h: f64, tolerance: Tolerance) -> f64 {
-        let n = 2 * self.n_q;
+        let n = self.n_controlled();
         let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());
         let errors = ends.zip(self.errors[0].as_flattened()).enumerate();
         let squares = errors.map(|(i, ((start, end), error))| {
@@ -274,7 +287,7 @@ impl<T: Scalar> Dop853<T> {
     #[inline(always)]
     fn error_by(&self, h: f64, tolerance: Tolerance, scale: impl Fn(usize, T) -> T) -> f64 {
         let [fives, threes, sixes] = &self.errors;
-        let n = 2 * self.n_q;
+        let n = self.n_controlled();
         let zero = T::from_f64(0.0);
         let (mut five, mut three, mut six) = (zero, zero, zero);
         let ends = self.start.as_flattened()[..n].iter().zip(self.stage.as_flattened());
@@ -309,8 +322,8 @@ fn scale_of<T: Scalar>(tolerance: Tolerance, i: usize, n_q: usize, size: T) -> T
     }
 }
 
-/// y = (q, v, w, zeros) from its parts.
-fn read<T: Copy>(y: &mut [T], parts: [&[T]; 3]) {
+/// y = (q, v, z, w, zeros) from its parts.
+fn read<T: Copy>(y: &mut [T], parts: [&[T]; 4]) {
     let mut rest = y;
     for part in parts {
         let (this, others) = rest.split_at_mut(part.len());
@@ -324,6 +337,8 @@ fn write<T: Copy>(y: &[T], to: &mut State<T>) {
     let (v, rest) = rest.split_at(to.v.len());
     to.q.copy_from_slice(q);
     to.v.copy_from_slice(v);
+    let (z, rest) = rest.split_at(to.z.len());
+    to.z.copy_from_slice(z);
     let n_works = to.work.len();
     to.work.copy_from_slice(&rest[..n_works]);
 }

@@ -73,13 +73,13 @@ impl<T: Scalar> Dop853<T> {
     pub(crate) fn stability(&mut self, h: f64, to: Node<'_, T>) -> f64 {
         let last = N_STAGES - 1;
         self.combine(h, Self::STAGES[last - 1]);
-        let n = 2 * self.n_q;
-        let difference = |x: &[T], parts: [&[T]; 2]| {
-            let squares = x[..n].iter().zip(parts[0].iter().chain(parts[1])).map(|(x, y)| (*x - *y) * (*x - *y));
+        let n = self.n_controlled();
+        let difference = |x: &[T], parts: [&[T]; 3]| {
+            let squares = x[..n].iter().zip(parts.into_iter().flatten()).map(|(x, y)| (*x - *y) * (*x - *y));
             squares.fold(T::from_f64(0.0), |sum, square| sum + square).sqrt().magnitude()
         };
-        let state = difference(self.stage.as_flattened(), [&to.state.q, &to.state.v]);
-        let slope = difference(self.slopes[last * self.n..].as_flattened(), [&to.state.v, to.a]);
+        let state = difference(self.stage.as_flattened(), [&to.state.q, &to.state.v, &to.state.z]);
+        let slope = difference(self.slopes[last * self.n..].as_flattened(), [&to.state.v, to.a, to.rate]);
         if state > 0.0 { h * slope / state } else { 0.0 }
     }
 }

@@ -6,7 +6,7 @@ use crate::dynamics::{MotionError, State, System, SystemError};
 use crate::integrate::discontinuities::{Discontinuities, Passage};
 use crate::integrate::family::{Family, MethodInfo, Needs};
 use crate::integrate::step_limit::{StepLimit, is_too_short, limited_step};
-use crate::integrate::tolerances::second_run::{ROUNDING, TIGHTER};
+use crate::integrate::tolerances::second_run::TIGHTER;
 use crate::integrate::tolerances::steps::{APPROACH, LEFT, MAX_DISCONTINUITIES};
 use crate::integrate::{Integrator, Node, Tolerance};
 use crate::model::SceneRef;
@@ -34,9 +34,11 @@ impl Family for Collocation {
         chooses_steps: true,
         is_implicit: false,
         needs: Needs::Nothing,
-        // its errors lie far below the tolerance now and then, and a smaller one costs it little
-        tighter: TIGHTER * TIGHTER,
-        rounding: ROUNDING,
+        takes_states: false,
+        // its errors lie up to five orders below the tolerance where that is large
+        tighter: TIGHTER * TIGHTER * TIGHTER,
+        // a smaller tolerance may end with the same sweeps, and so with the same error: another method shows it
+        rounding: f64::INFINITY,
     };
 
     fn of_system<P: SceneRef>(

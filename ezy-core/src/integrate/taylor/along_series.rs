@@ -56,6 +56,7 @@ impl Family for AlongSeries {
         chooses_steps: true,
         is_implicit: false,
         needs: Needs::Series,
+        takes_states: false,
         tighter: TIGHTER,
         rounding: ROUNDING,
     };
@@ -245,7 +246,7 @@ mod tests {
             let mut series = AlongSeries::new(taylor, Tolerance::new(1e-9, 1e-9));
             let (from, mut to) = (State::zero(3, 0), State::zero(3, 0));
             to.t = h;
-            let node = |state| Node { state, a: &[f64::NAN; 3], power: &[] };
+            let node = |state| Node { state, a: &[f64::NAN; 3], rate: &[], power: &[] };
             let refused = Integrator::<System<&stone::Falls>>::refuses(&mut series, node(&from), node(&to));
             assert_eq!(refused, is_halved, "{h:e}");
             assert_eq!((series.at_most_s, series.rejected), if is_halved { (0.5 * h, 1) } else { (f64::INFINITY, 0) });

@@ -53,7 +53,8 @@ impl Elements {
         let first = first.collect();
         let description = scene.info();
         let mut c = vec![0.0; description.n_fixed()];
-        c.iter_mut().zip(description.inputs).for_each(|(value, input)| *value = input.default);
+        let declared = description.inputs.iter().chain(description.states);
+        c.iter_mut().zip(declared).for_each(|(value, declared)| *value = declared.default);
         scene.constants(&scene.parameters(), &mut c);
         let mut mass = vec![0.0; description.n_coordinates()];
         scene.mass_matrix(&c, &mut mass);
@@ -68,7 +69,8 @@ impl Elements {
     /// At a sample of a run.
     pub fn at_sample(&self, scene: &dyn Scene, sample: &Sample<'_>) -> Placed {
         let mut c = self.c.clone();
-        c[..sample.inputs.len()].copy_from_slice(sample.inputs);
+        let present = sample.inputs.iter().chain(sample.states);
+        c.iter_mut().zip(present).for_each(|(value, present)| *value = *present);
         self.placed(scene, &c, sample.t, sample.coordinates, sample.velocities)
     }
 

@@ -1,6 +1,6 @@
 //! The event functions.
 
-use crate::dynamics::{MotionError, Rows, System};
+use crate::dynamics::{MotionError, Rows, State, System};
 use crate::model::{SceneRef, StickSlipInfo, StopInfo};
 
 /// What is located.
@@ -21,10 +21,12 @@ impl EventFunction {
     pub(crate) fn read<P: SceneRef>(
         &mut self,
         system: &mut System<P>,
-        t: f64,
-        [q, v]: [&[f64]; 2],
+        at: &State,
         out: &mut [f64],
     ) -> Result<(), MotionError> {
+        let State { t, q, v, z, .. } = at;
+        let t = *t;
+        system.place_states(z);
         match self {
             Self::Events => system.events(t, q, v, out),
             Self::Reserve { info, a, lambda } => {

@@ -53,7 +53,8 @@ pub(super) struct EventDetector {
 }
 
 impl EventDetector {
-    pub(super) fn new(function: EventFunction, events: &'static [EventInfo], n_q: usize, n_works: usize) -> Self {
+    /// `like`: any state of the scene.
+    pub(super) fn new(function: EventFunction, events: &'static [EventInfo], like: &State) -> Self {
         let zeros = || vec![0.0; events.len()];
         Self {
             function,
@@ -67,7 +68,7 @@ impl EventDetector {
             times: [0.0; N_PARTS + 1],
             values: std::array::from_fn(|_| zeros()),
             tried: zeros(),
-            place: State::zero(n_q, n_works),
+            place: like.clone(),
             passages: Vec::new(),
             occurred: Vec::new(),
         }
@@ -154,16 +155,16 @@ impl EventDetector {
         let (from, to) = (stepper.now.state.t, stepper.next.state.t);
         for part in 0..=N_PARTS {
             let t = from + (to - from) * part as f64 / N_PARTS as f64;
-            let (t, state) = match part {
-                0 => (from, &stepper.now.state),
-                N_PARTS => (to, &stepper.next.state),
+            let state = match part {
+                0 => &stepper.now.state,
+                N_PARTS => &stepper.next.state,
                 _ => {
                     stepper.inside(t, &mut self.place)?;
-                    (t, &self.place)
+                    &self.place
                 }
             };
-            self.times[part] = t;
-            self.function.read(&mut stepper.system, t, [&state.q, &state.v], &mut self.values[part])?;
+            self.times[part] = state.t;
+            self.function.read(&mut stepper.system, state, &mut self.values[part])?;
         }
         Ok(())
     }
@@ -181,7 +182,7 @@ impl EventDetector {
     /// Function `i` at `t` within the step.
     fn value<P: SceneRef>(&mut self, stepper: &mut StepperState<P>, i: usize, t: f64) -> Result<f64, MotionError> {
         stepper.inside(t, &mut self.place)?;
-        self.function.read(&mut stepper.system, t, [&self.place.q, &self.place.v], &mut self.tried)?;
+        self.function.read(&mut stepper.system, &self.place, &mut self.tried)?;
         Ok(self.tried[i])
     }
 

@@ -219,10 +219,9 @@ impl<P: SceneRef> Modes<P> {
 
 /// What ends a mode.
 fn detector<P: SceneRef>(law: Law, mode: usize, stepper: &StepperState<P>) -> EventDetector {
-    let (n_q, n_works) = (stepper.now.state.q.len(), stepper.now.state.work.len());
     let (function, events) = match law {
         Law::StickSlip(info) => stick_slip::function(info, mode, stepper),
         Law::Stop(info) => contact::function(info, mode, stepper),
     };
-    EventDetector::new(function, events, n_q, n_works)
+    EventDetector::new(function, events, &stepper.now.state)
 }

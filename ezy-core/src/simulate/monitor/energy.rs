@@ -45,7 +45,7 @@ impl EnergyWatch {
 
     /// The balance at a state.
     pub(super) fn balance<P: SceneRef>(&mut self, system: &System<P>, state: &State) -> EnergyError {
-        let State { t, q, v, work } = state;
+        let State { t, q, v, work, .. } = state;
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));
         let (mut done, mut turned_over) = (0.0, kinetic + (potential - self.initial_potential).abs());
         for work in work {
@@ -84,7 +84,7 @@ mod tests {
     }
 
     fn at(y: f64, vy: f64, work: [f64; 2]) -> State {
-        State { t: 0.25, q: vec![0.0, y, 0.0], v: vec![0.0, vy, 0.0], work: work.to_vec() }
+        State { t: 0.25, q: vec![0.0, y, 0.0], v: vec![0.0, vy, 0.0], z: Vec::new(), work: work.to_vec() }
     }
 
     /// But for rounding of 100 J. From 5 m at 1 m/s: kinetic and potential energy less works less 101 J, over the largest kinetic energy, change of potential and works, all

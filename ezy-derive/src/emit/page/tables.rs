@@ -32,11 +32,20 @@ pub fn parameters(model: &Model, parameters: &[ParameterId], symbols: &Symbols) 
 
 /// The same of what is set while the scene runs.
 pub fn inputs(model: &Model, inputs: &[InputId], symbols: &Symbols) -> Vec<String> {
-    let rows = inputs.iter().filter_map(|&id| {
+    markdown(&["", "input", "until it is set", "effect", "what it is"], declared_inputs(model, inputs, symbols))
+}
+
+/// The same of what has a rate of its own.
+pub fn states(model: &Model, states: &[InputId], symbols: &Symbols) -> Vec<String> {
+    markdown(&["", "state", "at the start", "effect", "what it is"], declared_inputs(model, states, symbols))
+}
+
+fn declared_inputs(model: &Model, ids: &[InputId], symbols: &Symbols) -> Vec<Vec<String>> {
+    let row = |&id: &InputId| {
         let symbol = symbols.symbol(symbols.input(id)?);
         Some(declared(model, &model.inputs[id.0], &symbol))
-    });
-    markdown(&["", "input", "until it is set", "effect", "what it is"], rows)
+    };
+    ids.iter().filter_map(row).collect()
 }
 
 fn declared(model: &Model, parameter: &Parameter, symbol: &Printed) -> Vec<String> {

@@ -10,6 +10,7 @@ mod oracle;
 mod run;
 mod series;
 mod solutions;
+mod states;
 
 use std::sync::OnceLock;
 

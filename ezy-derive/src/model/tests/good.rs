@@ -218,6 +218,20 @@ fn analytic_input_keeps_unit_text_and_effect() {
 }
 
 #[test]
+fn analytic_state_keeps_unit_start_rate_and_effect() {
+    let items = "/// of the armature\n state i: mA = 3*2 rate j - 1 mA/s; let j = seat.omega * i; \
+                 effect push { state f = -1 rate f; } input u = 2;";
+    let model = with_torque(items, "i * 2 (N*m/A)");
+    let [i, u, f] = &model.inputs[..] else { panic!("two states and an input") };
+    assert_eq!((i.unit.as_str(), i.default, i.default_text.as_str()), ("mA", 6.0, "3*2"));
+    assert_eq!((i.documentation.as_str(), i.effect), ("of the armature", None));
+    assert_eq!((f.default, f.effect.map(|id| id.0)), (-1.0, Some(0)));
+    assert!(matches!(f.rate, Some(Expr::State(InputId(2)))) && u.rate.is_none());
+    let Some(Expr::Binary(Operator::Multiply, _, conversion)) = &i.rate else { panic!("{:?}", i.rate) };
+    assert_eq!(literal(conversion), Some(1000.0));
+}
+
+#[test]
 fn analytic_outputs_are_scalars_in_their_units() {
     let items = "output place: mm = (A.x, 2); output angle: deg = 1 * seat.phi; output any = t;
          effect watch { output speed = seat.vx; }";

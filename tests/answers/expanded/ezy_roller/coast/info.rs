@@ -363,6 +363,7 @@ impl Coast {
         ],
         inputs: &[],
         integrated_inputs: &[],
+        states: &[],
         outputs: ezy::List::Borrowed(&[]),
         events: &[],
         stick_slip: ::core::option::Option::None,

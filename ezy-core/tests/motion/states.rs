@@ -1,0 +1,231 @@
+//! First-order states: numbers with a rate of their own beside the motion.
+
+use crate::simulation;
+use ezy_core::prelude::*;
+use ezy_core::simulate::SetupError;
+use ezy_core::testing::{GivenSteps, StepsBy};
+
+model! {
+    /// A motor with armature current that turns a wheel against friction, and what becomes of the energy that it takes.
+    pub model Motor {
+        param u: V = 12;
+        param R: ohm = 0.5;
+        param L: H = 0.1;
+        param k: N*m/A = 0.4;
+        param c: N*m*s/rad = 0.05;
+        body wheel { mass: 1, inertia: 0.2 }
+        hinge axle: ground(0, 0) ~ wheel(0, 0);
+        state current: A = 0 rate (u - R*current - k*wheel.omega)/L;
+        output power: W = u*current;
+        event half: current = 6;
+        effect drive { torque wheel: k*current; }
+        effect friction { torque wheel: -c*wheel.omega; }
+        effect account {
+            state supplied: J = 0 rate u*current;
+            state heat: J = 0 rate R*current^2;
+        }
+        start still { wheel angle 0; at rest; }
+        scene turns { start still; until 2 s; with drive, friction; }
+        scene accounted { start still; until 2 s; with drive, friction, account; }
+        scene blocked { start still; until 2 s; with account; }
+    }
+}
+
+model! {
+    /// A cart whose velocity follows what is asked for, by a proportional and an integral part; two states, one of which the other reads.
+    pub model Cruise {
+        input wanted: m/s = 3;
+        body cart { mass: 2, inertia: 1 }
+        slider rail: ground(0, 0) ~ cart(0, 0) along ground(1, 0);
+        state integral: m = 0 rate wanted - cart.vx;
+        param f: 1/s = 0.5;
+        state slow: m = 1 rate f*(integral - slow);
+        force at cart(0, 0): (8*(wanted - cart.vx) + 6*integral, 0);
+        start still { cart at (0, 0); at rest; }
+        scene cruises { start still; until 4 s; }
+    }
+}
+
+/// Those that integrate first-order states.
+fn methods() -> [Method; 3] {
+    [Method::dop853(1e-11), Method::rk4(1e-3), Method::midpoint(1e-4)]
+}
+
+/// (current, wheel.omega) at `t`, from (i, ω) at 0: x' = A x + b with the eigenvalues of A, here real.
+fn exact(scene: &motor::Turns, t: f64, from: [f64; 2]) -> [f64; 2] {
+    let motor::Turns { u, R: r, L: l, k, c, .. } = *scene;
+    let j = 0.2;
+    let a = [[-r / l, -k / l], [k / j, -c / j]];
+    let (trace, determinant) = (a[0][0] + a[1][1], a[0][0] * a[1][1] - a[0][1] * a[1][0]);
+    // where nothing changes
+    let rest = [u / l * c / j / determinant, u / l * k / j / determinant];
+    let root = (0.25 * trace * trace - determinant).sqrt();
+    assert!(root.is_finite() && root > 0.0);
+    let (fast, slow) = (0.5 * trace - root, 0.5 * trace + root);
+    let x = [from[0] - rest[0], from[1] - rest[1]];
+    let ax = [0, 1].map(|i| a[i][0] * x[0] + a[i][1] * x[1]);
+    // e^{A t} = e^{s t} + (A − s) (e^{s t} − e^{f t})/(s − f)
+    let (e_slow, part) = ((slow * t).exp(), ((slow * t).exp() - (fast * t).exp()) / (slow - fast));
+    [0, 1].map(|i| rest[i] + e_slow * x[i] + part * (ax[i] - slow * x[i]))
+}
+
+/// Errors of ends and of samples between them over 2 s: 1e-11 times some ten steps; h⁴ and h² of the fastest mode, 7/s, over their constants.
+const BOUNDS: [f64; 3] = [1e-9, 1e-9, 1e-5];
+
+#[test]
+fn analytic_motor_follows_both_of_its_modes() {
+    let scene = motor::Turns { L: 0.05, ..Default::default() };
+    for (method, bound) in methods().into_iter().zip(BOUNDS) {
+        let run = simulation(&scene).method(method).every(0.013).run().unwrap();
+        assert!(run.samples().len() > 100);
+        for sample in run.samples() {
+            let [current, omega] = exact(&scene, sample.t, [0.0; 2]);
+            let error = (sample.states[0] - current).abs().max((sample.get("wheel.omega").unwrap() - omega).abs());
+            assert!(error <= bound, "{} at {} s: {error:e}", method.name(), sample.t);
+            assert_eq!(sample.get("state.current").unwrap(), sample.states[0]);
+        }
+        let [current, _] = exact(&scene, 2.0, [0.0; 2]);
+        let last = simulation(&scene).method(method).outputs().run().unwrap();
+        assert!((last.last().get("output.power").unwrap() - 12.0 * current).abs() <= 12.0 * bound);
+    }
+}
+
+/// Steps half as long make errors of the current 2^order times as small.
+#[test]
+fn order_of_first_order_states_is_that_of_the_method() {
+    let scene = motor::Turns { L: 0.05, ..Default::default() };
+    for (kind, n, order) in [(MethodKind::Midpoint, 100, 2.0), (MethodKind::Rk4, 20, 4.0), (MethodKind::Dop853, 6, 8.0)]
+    {
+        let error = |n: u32| {
+            let mut system = System::new(&scene, Backend::Auto).unwrap();
+            let start = system.scene_start();
+            let start = system.consistent_start(&start).unwrap();
+            let mut steps = GivenSteps::new(system, start, StepsBy::Method(kind)).unwrap();
+            (0..n).for_each(|_| _ = steps.step(1.0 / f64::from(n)).unwrap().unwrap());
+            let middle = steps.middle().unwrap();
+            let end = steps.step(1e-9).unwrap().unwrap().z[0];
+            let at = |t: f64, z: f64| (z - exact(&scene, t, [0.0; 2])[0]).abs();
+            [at(1.0 + 1e-9, end), at(middle.t, middle.z[0])]
+        };
+        let (coarse, fine) = (error(n), error(2 * n));
+        let [found, between] = [0, 1].map(|i| (coarse[i] / fine[i]).log2());
+        assert!((order - 0.6..=order + 0.6).contains(&found), "{kind:?}: {found} {coarse:?} {fine:?}");
+        assert!(between >= f64::min(order, 3.0) - 0.6, "{kind:?} between: {between} {coarse:?} {fine:?}");
+    }
+}
+
+/// What the source supplies is heat, energy of the coil, work on the wheel; and what is not called for is not there.
+#[test]
+fn invariant_energy_of_a_motor_balances() {
+    let scene = motor::Accounted::default();
+    for (method, bound) in methods().into_iter().zip(BOUNDS) {
+        let run = simulation(&scene).method(method).work().run().unwrap();
+        let get = |name: &str| run.last().get(name).unwrap();
+        let coil = 0.5 * scene.L * get("state.current").powi(2);
+        let left = get("state.supplied") - get("state.heat") - coil - get("work.drive");
+        assert!(get("work.drive") > 10.0 && left.abs() <= 100.0 * bound, "{}: {left:e}", method.name());
+        assert!(get("balance").abs() <= 100.0 * bound);
+    }
+    // a wheel that nothing turns: a coil alone, i = u/R (1 − e^{−R t/L})
+    let scene = motor::Blocked::default();
+    let run = simulation(&scene).method(Method::dop853(1e-11)).run().unwrap();
+    let current = scene.u / scene.R * (1.0 - (-scene.R * 2.0 / scene.L).exp());
+    assert!((run.last().get("state.current").unwrap() - current).abs() <= BOUNDS[0]);
+}
+
+/// When the current passes 6 A; and from another start.
+#[test]
+fn analytic_event_of_a_state_is_located() {
+    let scene = motor::Blocked::default();
+    let rest = scene.u / scene.R;
+    for start in [0.0, 5.0, -3.0] {
+        let expected = scene.L / scene.R * ((rest - start) / (rest - 6.0)).ln();
+        for (method, bound) in methods().into_iter().zip(BOUNDS) {
+            let run = simulation(&scene).method(method).start("current", start).run().unwrap();
+            let [half] = run.events() else { panic!("{:?}", run.events()) };
+            let (t, current) = (half.state.t, half.state.z[0]);
+            assert!(
+                (t - expected).abs() <= bound && (current - 6.0).abs() <= 100.0 * bound,
+                "{method:?} {t} {current}"
+            );
+        }
+    }
+}
+
+/// The error e = w − v of a cart of 2 kg under the force 8 e + 6 ∫e obeys e'' + 4 e' + 3 e = 0: it fades by 1/s and 3/s, without an offset.
+#[test]
+fn analytic_integral_controller_leaves_no_offset() {
+    let scene = cruise::Cruises::default();
+    let run = simulation(&scene).method(Method::dop853(1e-11)).every(0.1).run().unwrap();
+    for sample in run.samples() {
+        let t = sample.t;
+        // e(0) = 3, e'(0) = −4 · 3
+        let e = -1.5 * (-t).exp() + 4.5 * (-3.0 * t).exp();
+        let integral = -1.5 * (1.0 - (-t).exp()) + 1.5 * (1.0 - (-3.0 * t).exp());
+        assert!((3.0 - sample.get("cart.vx").unwrap() - e).abs() <= BOUNDS[0], "{t}");
+        assert!((sample.states[0] - integral).abs() <= BOUNDS[0], "{t}");
+    }
+}
+
+/// A controller sees states, and inputs that it sets act on them.
+#[test]
+fn invariant_stepper_with_states_goes_on_to_the_last_bit() {
+    let scene = cruise::Cruises::default();
+    let new = || Simulation::new(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
+    let (mut one, mut other) = (new(), new());
+    one.set().wanted = 5.0;
+    one.step(50).unwrap();
+    let checkpoint = one.save();
+    other.restore(&checkpoint).unwrap();
+    one.step(50).unwrap();
+    other.step(50).unwrap();
+    assert_eq!(one.state(), other.state());
+    assert!(one.state().z[0] != 0.0 && one.state().z[1] != 1.0);
+    one.reset();
+    assert_eq!(one.state().z, [0.0, 1.0]);
+    one.reset_with(&[("integral", 2.0)]).unwrap();
+    assert_eq!(one.state().z, [2.0, 1.0]);
+}
+
+/// Runs in lanes and derivatives of a run take them, too: dv/dz₀ by differences.
+#[test]
+fn cross_ensembles_and_derivatives_integrate_states() {
+    let scene = cruise::Cruises::default();
+    let start = |integral: f64| {
+        let mut system = System::new(&scene, Backend::Auto).unwrap();
+        let mut start = system.scene_start();
+        start.give_state(&system.info().clone(), 0, integral);
+        system.consistent_start(&start).unwrap()
+    };
+    let starts = [0.0, 0.5, 1.0, -1.0].map(start);
+    let scenes: [cruise::Cruises; 4] = Default::default();
+    let mut ensemble = Ensemble::new(&scenes, [0, 1, 2, 3].map(|i| &starts[i]), Method::dop853(1e-11)).unwrap();
+    ensemble.advance(2.0).unwrap();
+    for (lane, start) in [0.0, 0.5, 1.0, -1.0].into_iter().enumerate() {
+        let run = simulation(&scene).method(Method::dop853(1e-11)).start("integral", start).until(2.0).run().unwrap();
+        let state = ensemble.state(lane);
+        for (x, y) in state.z.iter().zip(run.last().states).chain(state.v.iter().zip(run.last().velocities)) {
+            assert!((x - y).abs() <= BOUNDS[0], "{lane}: {x} {y}");
+        }
+    }
+    let system = System::new(&scene, Backend::Auto).unwrap();
+    let mut run = Sensitivities::new(&scene, &system.scene_start(), ["integral"], Method::dop853(1e-11)).unwrap();
+    run.advance(2.0).unwrap();
+    let [tangent] = run.tangents();
+    let [low, high] = [2, 3].map(|lane| ensemble.state(lane));
+    // the motion is linear
+    let difference = (low.z[0] - high.z[0]) / 2.0;
+    assert!((tangent.z[0] - difference).abs() <= BOUNDS[0], "{} {difference}", tangent.z[0]);
+}
+
+#[test]
+fn invariant_methods_without_states_are_refused_by_name() {
+    let scene = cruise::Cruises::default();
+    for method in [Method::gauss(1e-9), Method::taylor(1e-9), Method::radau(1e-6)] {
+        let error = simulation(&scene).method(method).run().unwrap_err();
+        assert!(matches!(error, SetupError::FirstOrderStates { .. }), "{error}");
+        assert!(error.to_string().contains(method.name()) && error.to_string().contains("use dop853, rk4 or midpoint"));
+    }
+    let error = simulation(&scene).start("integrel", 1.0).run().unwrap_err();
+    assert!(error.to_string().contains("did you mean `integral`"), "{error}");
+}

@@ -2,6 +2,9 @@
 
 use crate::scalar::Scalar;
 
+/// Counts below it are exact as doubles.
+pub(crate) const LARGEST_COUNT: u64 = 1 << f64::MANTISSA_DIGITS;
+
 /// Numbers to write or to read: in `f64`, and in the numbers `T` of a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Archive<T = f64> {
@@ -63,7 +66,7 @@ impl<T: Scalar> Archive<T> {
         *x = number != 0.0;
     }
 
-    /// A number of things, exact up to 2^53.
+    /// A number of things, exact up to [`LARGEST_COUNT`].
     pub(crate) fn count(&mut self, x: &mut u64) {
         let mut number = *x as f64;
         self.number(&mut number);

@@ -458,7 +458,10 @@ impl Start {
         self.v_near[i] = false;
     }
 
-    /// Lets first-order state `i` of the scene begin with `value`.
+    /// Lets first-order state `i` of the scene begin with `value`, in its unit.
+    ///
+    /// # Panics
+    /// If the scene has no such state.
     pub fn give_state(&mut self, info: &SceneInfo, i: usize, value: f64) {
         let declared = info.states.iter().skip(self.z.len()).map(|state| state.default);
         self.z.extend(declared);

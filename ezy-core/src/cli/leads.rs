@@ -323,7 +323,9 @@ pub(super) fn assignment_of(name: &str, info: &SceneInfo) -> Option<&'static str
     if info.inputs.iter().any(|known| known.name == name) {
         return Some("--input");
     }
-    info.coordinates.iter().any(|known| known.name == name || known.velocity_name == name).then_some("--start")
+    let is_state = info.states.iter().any(|known| known.name == name);
+    let is_start = info.coordinates.iter().any(|known| known.name == name || known.velocity_name == name);
+    (is_start || is_state).then_some("--start")
 }
 
 /// An option or a command with what its help says first.

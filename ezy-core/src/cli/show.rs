@@ -70,10 +70,10 @@ fn series(info: &SceneInfo) -> String {
             )
         }
         SeriesInfo::NotAnalytic { function } => {
-            format!("no Taylor series: a law calls `{function}`; dop853 and rk4 take the scene")
+            format!("no Taylor series: a law calls `{function}`; dop853, rk4 and midpoint take the scene")
         }
         SeriesInfo::FirstOrderStates => {
-            "no Taylor series: the scene has first-order states; dop853 and rk4 take it".to_owned()
+            "no Taylor series: the scene has first-order states; dop853, rk4 and midpoint take it".to_owned()
         }
         SeriesInfo::Absent => "no Taylor series".to_owned(),
     }

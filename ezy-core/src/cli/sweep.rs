@@ -276,7 +276,8 @@ fn kept(arguments: &SweepArguments, info: &SceneInfo) -> Vec<Kept> {
     let positions = info.coordinates.iter().map(|c| c.name.to_string());
     let velocities = info.coordinates.iter().map(|c| c.velocity_name.to_string());
     let outputs = info.outputs.iter().map(|output| format!("output.{}", output.name));
-    positions.chain(velocities).chain(outputs).map(Kept::End).collect()
+    let states = info.states.iter().map(|state| format!("state.{}", state.name));
+    positions.chain(velocities).chain(states).chain(outputs).map(Kept::End).collect()
 }
 
 fn folder(arguments: &SweepArguments, scene: &str) -> Result<PathBuf, Failure> {

@@ -102,7 +102,7 @@ pub(super) enum Target {
     /// Place among the counts.
     Count(usize),
     Input,
-    /// A coordinate or a velocity.
+    /// A coordinate, a velocity or a first-order state.
     Start,
     /// A method, a tolerance, a step.
     Setting,
@@ -113,7 +113,8 @@ pub(super) fn target(name: &str, info: &SceneInfo) -> Result<Target, UnknownName
     let parameters = || info.parameters.iter().map(|parameter| parameter.name);
     let counts = || info.counts().iter().map(|count| count.name);
     let inputs = || info.inputs.iter().map(|input| input.name);
-    let starts = || info.coordinates.iter().flat_map(|c| [&*c.name, &*c.velocity_name]);
+    let states = || info.states.iter().map(|state| state.name);
+    let starts = || info.coordinates.iter().flat_map(|c| [&*c.name, &*c.velocity_name]).chain(states());
     let found = parameters().position(|known| known == name).map(Target::Parameter);
     let found = found.or_else(|| counts().position(|known| known == name).map(Target::Count));
     let found = found.or_else(|| inputs().any(|known| known == name).then_some(Target::Input));

@@ -119,3 +119,9 @@ pub(crate) fn not_finite<T: Scalar>(info: &SceneInfo, q: &[T], v: &[T]) -> Optio
         None => first(v).map(|i| info.coordinates[i].velocity_name.clone()),
     }
 }
+
+/// Name of the first coordinate, velocity or first-order state that is not finite.
+pub(crate) fn state_not_finite<T: Scalar>(info: &SceneInfo, at: &State<T>) -> Option<Name> {
+    let state = || at.z.iter().position(|z| !z.is_finite()).map(|i| info.states[i].name.into());
+    not_finite(info, &at.q, &at.v).or_else(state)
+}

@@ -8,8 +8,8 @@ use crate::model::SceneRef;
 impl<P: SceneRef> System<P> {
     /// Writes it, or reads it from a system of the same scene. Factors are made again where they were made.
     pub(crate) fn remember(&mut self, archive: &mut Archive) {
-        let (n_inputs, n_rows) = (self.info.n_inputs(), self.info.n_rows());
-        archive.numbers(&mut self.fixed[..n_inputs]);
+        let (n_set, n_rows) = (self.info.n_inputs() + self.info.n_states(), self.info.n_rows());
+        archive.numbers(&mut self.fixed[..n_set]);
         archive.numbers(self.integrated.as_flattened_mut());
         archive.places(&mut self.factors.held, n_rows);
         archive.number(&mut self.factors.t);

@@ -135,7 +135,7 @@ impl<P: SceneRef> System<P> {
         &self.info
     }
 
-    /// Inputs and everything that depends on parameters alone, to hand to the kernels of the scene as `c`.
+    /// Inputs, the first-order states that were set last, and everything that depends on parameters alone, to hand to the kernels of the scene as `c`.
     pub fn fixed(&self) -> &[f64] {
         &self.fixed
     }
@@ -151,9 +151,14 @@ impl<P: SceneRef> System<P> {
         &mut self.fixed[..self.info.n_inputs()]
     }
 
-    /// Sets the first-order states (`n_z`) that all that follows is computed with.
+    /// Sets the first-order states, `n_z`, each in its unit, that all that follows is computed with;
+    /// [`System::consistent_start`] sets those of the start.
+    ///
+    /// # Panics
+    /// If `z` has another length.
     #[inline]
-    pub(crate) fn place_states(&mut self, z: &[f64]) {
+    pub fn place_states(&mut self, z: &[f64]) {
+        assert_eq!(z.len(), self.info.n_states(), "first-order states of the scene");
         let n_inputs = self.info.n_inputs();
         let present = &mut self.fixed[n_inputs..][..z.len()];
         if present != z {
@@ -163,9 +168,9 @@ impl<P: SceneRef> System<P> {
         }
     }
 
-    /// Rates of the first-order states that were set, at a state; writes `n_z`.
+    /// Rates of the first-order states that were set, in their units over s, at a state; writes `n_z`.
     #[inline]
-    pub(crate) fn state_rates(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+    pub fn state_rates(&self, t: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
         if !out.is_empty() {
             self.scene.state_rates(&self.fixed, t, q, v, out);
         }

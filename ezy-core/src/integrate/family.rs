@@ -6,7 +6,7 @@ use crate::dynamics::{Dynamics, System, SystemError};
 use crate::model::{SceneInfo, SceneRef};
 use crate::scalar::Scalar;
 
-/// What is said of a method.
+/// Name, order and needs of a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct MethodInfo {
@@ -26,7 +26,7 @@ pub struct MethodInfo {
     pub takes_states: bool,
     /// Tolerance of a second run that shows the error of a first one, over that of the first.
     pub(crate) tighter: f64,
-    /// Tolerance below which a smaller one may leave its errors as they are; at first for rounding.
+    /// Below this tolerance a second run is made by another method: a smaller one would leave the errors as they are.
     pub(crate) rounding: f64,
 }
 
@@ -46,7 +46,7 @@ pub enum Needs {
 ///
 /// The tolerance is what the method chooses its steps by; one with a fixed step leaves it out.
 pub(crate) trait Family {
-    /// What is said of it.
+    /// Name, order and needs of the method.
     const INFO: MethodInfo;
 
     /// For numbers of any type; none where it needs more than accelerations.

@@ -3,7 +3,7 @@
 use crate::dynamics::State;
 use crate::scalar::Scalar;
 
-/// A state with its accelerations and powers, at one end of a step.
+/// A state with its accelerations, rates and powers, at one end of a step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Node<'a, T = f64> {
     /// The state.

@@ -22,7 +22,7 @@ macro_rules! methods {
             /// Every method.
             pub const ALL: &[Self] = &[$(Self::$kind,)*];
 
-            /// What is said of it.
+            /// Name, order and needs of the method.
             pub const fn info(self) -> &'static MethodInfo {
                 match self {
                     $(Self::$kind => &<$module::$family as Family>::INFO,)*
@@ -50,6 +50,9 @@ macro_rules! methods {
                 n_works: usize,
                 tolerance: Tolerance,
             ) -> Result<Option<Box<dyn Integrator<System<P>>>>, SystemError> {
+                if system.info().n_states() > 0 && !self.info().takes_states {
+                    return Ok(None);
+                }
                 match self {
                     $(Self::$kind => <$module::$family as Family>::of_system(system, n_works, tolerance),)*
                 }
@@ -140,7 +143,7 @@ impl Method {
         self.kind
     }
 
-    /// What is said of it.
+    /// Name, order and needs of the method.
     pub const fn info(self) -> &'static MethodInfo {
         self.kind.info()
     }

@@ -1,18 +1,20 @@
 //! From a [`Simulation`] to a run or a stepper: its settings are checked, then the start is assembled.
 
-use super::control::Control;
-use super::given::give;
+use super::checked::{check_step, check_tolerance};
+use super::inputs::control::Control;
+use super::inputs::given::give;
 use super::modes::Modes;
 use super::monitor::Watch;
+use super::recording::sample_times::SampleTimes;
 use super::run_loop::{Plan, RunLoop};
-use super::sample_times::SampleTimes;
-use super::schedule::Schedule;
+use super::several::estimated_run;
 use super::simulation::{Hooks, Settings};
-use super::stepper_state::StepperState;
-use super::tolerances::orders::{LARGEST_TOLERANCE, MAX_NUMBERS, MAX_STEPS};
-use super::{Run, SetupError, Simulation, Stepper, estimated_run};
+use super::stepping::schedule::Schedule;
+use super::stepping::stepper_state::StepperState;
+use super::tolerances::orders::{MAX_NUMBERS, MAX_STEPS};
+use super::{Run, SetupError, Simulation, Stepper};
 use crate::dynamics::{StartError, State, System};
-use crate::integrate::{Clock, Method, Tolerance};
+use crate::integrate::Clock;
 use crate::memory;
 use crate::model::{Derived as _, Name, Scene, SceneInfo, SceneRef, Start};
 use crate::record::{Recorder, input_index};
@@ -236,28 +238,4 @@ fn refuse_integrated(info: &SceneInfo, i: usize) -> Result<(), SetupError> {
         Some(&first) => Err(SetupError::IntegratedInput { name: info.inputs[i].name, input: info.inputs[first].name }),
         None => Ok(()),
     }
-}
-
-/// The method that a run takes, whose step or tolerance can be used.
-pub(super) fn checked(method: Method) -> Result<Method, SetupError> {
-    let method = method.lifted();
-    method.step_s().map(check_step).transpose()?;
-    method.tolerance().map(check_tolerance).transpose()?;
-    Ok(method)
-}
-
-fn check_step(step_s: f64) -> Result<f64, SetupError> {
-    if step_s.is_finite() && step_s > 0.0 { Ok(step_s) } else { Err(SetupError::Step { step_s }) }
-}
-
-pub(super) fn check_tolerance(tolerance: Tolerance) -> Result<(), SetupError> {
-    let Tolerance { relative, absolute, angle } = tolerance;
-    let usable = |x: f64| x > 0.0 && x <= LARGEST_TOLERANCE;
-    if let Some(rad) = angle.filter(|rad| !usable(*rad)) {
-        return Err(SetupError::AngleTolerance { rad, largest: LARGEST_TOLERANCE });
-    }
-    if usable(relative) && usable(absolute) {
-        return Ok(());
-    }
-    Err(SetupError::Tolerance { relative, absolute, largest: LARGEST_TOLERANCE })
 }

@@ -5,10 +5,10 @@ use crate::dynamics::MotionError;
 use crate::model::Scene;
 
 /// Where a motion is, and all that its continuation depends on, made by [`Stepper::save`](super::Stepper::save): time, coordinates, velocities,
-/// works, inputs, and what the method keeps from one step to the next.
+/// first-order states, works, inputs, and what the method keeps from one step to the next.
 ///
-/// With the feature `serde` it can be written and read in any format; numbers are kept as the bits of doubles, since not every format has
-/// infinities.
+/// With the feature `serde` it can be written and read in formats with unsigned integers of 64 bits, such as JSON by serde_json: numbers are kept
+/// as the bits of doubles, since few formats have infinities.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Checkpoint {
@@ -44,12 +44,16 @@ impl Origin {
 
     /// That a checkpoint of `self` belongs to `other`.
     fn check(&self, other: &Self) -> Result<(), CheckpointError> {
+        let counts = |of: &Self| (of.settings.len(), of.parameters.len());
         let mut settings = self.settings.iter().zip(&other.settings);
         if let Some(((name, of), (_, to))) = settings.find(|(one, other)| one != other) {
             return Err(CheckpointError::OfAnother { what: name.clone(), of: of.clone(), to: to.clone() });
         }
         if self.fingerprint != other.fingerprint {
             return Err(CheckpointError::OfAnotherModelFile);
+        }
+        if counts(self) != counts(other) {
+            return Err(CheckpointError::Damaged);
         }
         let mut parameters = self.parameters.iter().zip(&other.parameters);
         match parameters.find(|(one, other)| one != other) {
@@ -79,7 +83,7 @@ pub enum CheckpointError {
     /// The model file has changed since.
     #[error("the model file has changed since the checkpoint was made")]
     OfAnotherModelFile,
-    /// Its numbers are too few or too many.
+    /// Its numbers are too few, too many, or those of no motion.
     #[error("the checkpoint is damaged: its numbers are not those of the scene")]
     Damaged,
     /// Accelerations cannot be found where it was made.
@@ -139,12 +143,21 @@ mod tests {
         let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
         stepper.step(10).unwrap();
         let (whole, state) = (stepper.save(), stepper.state().clone());
+        let with = |i: usize, x: f64| {
+            let mut numbers = whole.numbers.clone();
+            numbers[i] = x.to_bits();
+            numbers
+        };
         for damaged in [
             Checkpoint { numbers: whole.numbers[1..].to_vec(), ..whole.clone() },
             Checkpoint { scalars: [&whole.scalars[..], &[0]].concat(), ..whole.clone() },
+            // no count of steps, and no time
+            Checkpoint { numbers: with(0, f64::INFINITY), ..whole.clone() },
+            Checkpoint { numbers: with(4, f64::NAN), ..whole.clone() },
+            Checkpoint { of: Origin { parameters: Vec::new(), ..whole.of.clone() }, ..whole.clone() },
         ] {
             assert_eq!(stepper.restore(&damaged), Err(CheckpointError::Damaged));
-            assert_eq!(stepper.state().t, 0.0);
+            stepper.reset();
             stepper.step(10).unwrap();
             assert_eq!(stepper.state(), &state);
         }

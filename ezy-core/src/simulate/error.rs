@@ -50,7 +50,7 @@ pub enum SetupError {
         method: &'static str,
     },
     /// Runs that step together, and runs with derivatives, take other methods.
-    #[error("{method} cannot run in lanes or with derivatives; use rk4 or dop853")]
+    #[error("{method} cannot run in lanes or with derivatives; use dop853, rk4 or midpoint")]
     SingleNumbers {
         /// Name of the method.
         method: &'static str,
@@ -73,10 +73,10 @@ pub enum SetupError {
     },
     /// A start has the numbers of another scene.
     #[error(
-        "a start has {found} coordinates or velocities where the scene has {expected}; take it from a system of this scene"
+        "a start has {found} coordinates, velocities or first-order states where the scene has {expected}; take it from a system of this scene"
     )]
     StartLength {
-        /// Coordinates of the scene.
+        /// Those of the scene.
         expected: usize,
         /// Length of what was given.
         found: usize,

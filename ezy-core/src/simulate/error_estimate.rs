@@ -6,7 +6,7 @@ use crate::integrate::Method;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ErrorEstimate {
-    /// Of positions, velocities and multipliers, each in its units; then of the time of the end, if an event ended the run.
+    /// Of positions, velocities, multipliers and first-order states, each in its units; then of the time of the end, if an event ended the run.
     pub errors: Vec<QuantityError>,
     /// How much larger a small change of the start becomes, each number of its size over the run; unknown where the run from a moved start
     /// did not come to its end.
@@ -15,11 +15,11 @@ pub struct ErrorEstimate {
     pub second: Method,
 }
 
-/// The error of all positions, velocities or multipliers with one unit.
+/// The error of all positions, velocities, multipliers or first-order states with one unit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct QuantityError {
-    /// `positions`, `velocities`, `multipliers` or `end`.
+    /// `positions`, `velocities`, `multipliers`, `states` or `end`.
     pub quantity: &'static str,
     /// Their unit: `m`, `rad`, `m/s`, `N`, …
     pub unit: String,

@@ -1,16 +1,16 @@
 //! The loop: control, step, project, record.
 
-use super::control::Control;
 use super::events::{EventDetector, EventFunction, Passage};
+use super::inputs::control::Control;
 use super::modes::Modes;
 use super::monitor::Watch;
-use super::processor_time;
-use super::rank_watch::RankRecord;
-use super::sample_times::SampleTimes;
-use super::sampler::Sampler;
-use super::schedule::Schedule;
-use super::snapshot::Snapshot;
-use super::stepper_state::StepperState;
+use super::monitor::processor_time::processor_time;
+use super::monitor::rank_watch::RankRecord;
+use super::recording::sample_times::SampleTimes;
+use super::recording::sampler::Sampler;
+use super::stepping::schedule::Schedule;
+use super::stepping::snapshot::Snapshot;
+use super::stepping::stepper_state::StepperState;
 use super::tolerances::samples::{N_PROGRESS, ON_STEP};
 use super::{Cost, Outcome, Run, SetupError, StopReason};
 use crate::dynamics::{MotionError, MovedValue, not_finite};
@@ -73,6 +73,10 @@ impl<'s, P: SceneRef> RunLoop<'s, P> {
         control.act(&stepper.now.state, plan.schedule.step(0, t).0, &mut stepper.system)?;
         stepper.evaluate_now()?;
         if let Some(quantity) = not_finite(&info, &stepper.now.a, &[]) {
+            return Err(MotionError::NotFinite { t: stepper.now.state.t, quantity }.into());
+        }
+        if let Some(i) = stepper.now.rate.iter().position(|rate| !rate.is_finite()) {
+            let quantity = format!("the rate of {}", info.states[i].name).into();
             return Err(MotionError::NotFinite { t: stepper.now.state.t, quantity }.into());
         }
         stepper.check_beginning(plan.schedule.end() - t)?;

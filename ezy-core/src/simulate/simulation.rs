@@ -1,8 +1,8 @@
 //! The settings of a run.
 
-use super::control::Law;
+use super::inputs::control::Law;
 use super::monitor::Limits;
-use super::sample_times::SampleTimes;
+use super::recording::sample_times::SampleTimes;
 use super::{InputTable, Inputs, Now};
 use crate::dynamics::{Metric, Projection, State};
 use crate::integrate::Method;

@@ -1,12 +1,13 @@
 //! A scene that the caller steps: for controllers, learning programs and animation.
 
 use super::checkpoint::{Checkpoint, CheckpointError, Origin};
-use super::control::{Control, check_inputs};
-use super::given::give;
-use super::stepper_state::StepperState;
+use super::inputs::control::{Control, check_inputs};
+use super::inputs::given::give;
+use super::stepping::stepper_state::StepperState;
 use super::{Inputs, InputsGuard, Now, SetupError};
 use crate::archive::Archive;
-use crate::dynamics::{MotionError, State};
+use crate::archive::LARGEST_COUNT;
+use crate::dynamics::{MotionError, State, state_not_finite};
 use crate::model::{NamedScene, SceneInfo, SceneRef, Start};
 use crate::record::EnergyState;
 use std::sync::Arc;
@@ -184,11 +185,19 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
     pub fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), CheckpointError> {
         let mut archive = checkpoint.archive(&self.origin())?;
         let outcome = self.remember(&mut archive);
-        if outcome.is_err() || !archive.is_read_whole() {
+        let is_whole = archive.is_read_whole() && self.is_somewhere();
+        if outcome.is_err() || !is_whole {
             self.reset();
         }
         outcome?;
-        if archive.is_read_whole() { Ok(()) } else { Err(CheckpointError::Damaged) }
+        if is_whole { Ok(()) } else { Err(CheckpointError::Damaged) }
+    }
+
+    /// Whether time, numbers of the state and the count of steps are those of a motion.
+    fn is_somewhere(&self) -> bool {
+        let state = &self.stepper.now.state;
+        let is_counted = self.n_steps < LARGEST_COUNT && self.start_s.is_finite() && state.t.is_finite();
+        is_counted && state_not_finite(self.info(), state).is_none()
     }
 
     fn origin(&self) -> Origin {
@@ -275,7 +284,7 @@ impl<'s, P: SceneRef> Stepper<'s, P> {
         Ok(())
     }
 
-    /// Time, coordinates and velocities by index, and works with [`Simulation::work`](super::Simulation::work).
+    /// Time, coordinates, velocities and first-order states by index, and works with [`Simulation::work`](super::Simulation::work).
     pub fn state(&self) -> &State {
         &self.stepper.now.state
     }

@@ -35,9 +35,13 @@ pub struct GivenSteps<P: SceneRef> {
 const OF_THE_STATE: Tolerance = Tolerance::new(1.0, 1.0);
 
 impl<P: SceneRef> GivenSteps<P> {
-    /// From `state`, with the works that it holds; none where the scene lacks what the method needs.
+    /// From `state`, with the works that it holds; none where the scene lacks what the method needs, and where the
+    /// state has the first-order states of another scene.
     pub fn new(system: System<P>, state: State, by: StepsBy) -> Option<Self> {
         let (n_q, n_c, n_works) = (system.info().n_coordinates(), system.info().n_rows(), state.work.len());
+        if state.z.len() != system.info().n_states() {
+            return None;
+        }
         let integrator = match by {
             StepsBy::Method(kind) => kind.of_system(&system, n_works, OF_THE_STATE).ok()??,
             StepsBy::Taylor(order) => Box::new(AlongSeries::of_order(&system, n_works, order, OF_THE_STATE)?),

@@ -167,7 +167,7 @@ fn analytic_integral_controller_leaves_no_offset() {
     }
 }
 
-/// A controller sees states, and inputs that it sets act on them.
+/// Inputs that are set act on states; a checkpoint and a reset bring them back.
 #[test]
 fn invariant_stepper_with_states_goes_on_to_the_last_bit() {
     let scene = cruise::Cruises::default();
@@ -228,4 +228,55 @@ fn invariant_methods_without_states_are_refused_by_name() {
     }
     let error = simulation(&scene).start("integrel", 1.0).run().unwrap_err();
     assert!(error.to_string().contains("did you mean `integral`"), "{error}");
+}
+
+model! {
+    /// A ball whose bounces lose more and more, and a number that grows beyond all bounds.
+    pub model Tiring {
+        body ball { mass: 1, inertia: 1 }
+        constraint upright: ball.phi = 0;
+        constraint above: ball.x = 0;
+        gravity (0, -10);
+        param fades: 1/s = 0.5;
+        param grows: 1/(m*s) = 1;
+        effect floor {
+            state bounce = 0.9 rate -fades*bounce;
+            stop floor: ball.y from 0 restitution bounce;
+        }
+        effect growth { state size: m = 1 rate grows*size^2; }
+        start high { ball at (0, 5); at rest; }
+        scene bounces { start high; until 3 s; with floor; }
+        scene bursts { start high; until 3 s; with growth; }
+    }
+}
+
+/// The ball falls from 5 m in 1 s, and rises again by the share of the first bounce, 0.9 e^{−1/2}, of 10 m/s. Samples between steps change nothing.
+#[test]
+fn analytic_restitution_is_that_of_the_impact() {
+    let scene = tiring::Bounces::default();
+    let run = |every: Option<f64>| {
+        let order = simulation(&scene).method(Method::dop853(1e-10)).until(1.5);
+        if let Some(every) = every { order.every(every) } else { order }.run().unwrap()
+    };
+    let rebound = 10.0 * 0.9 * (-0.5_f64).exp();
+    for every in [None, Some(0.0371)] {
+        let last = run(every);
+        let (y, vy) = (last.last().get("ball.y").unwrap(), last.last().get("ball.vy").unwrap());
+        let (expected, expected_v) = (rebound * 0.5 - 5.0 * 0.25, rebound - 5.0);
+        assert!((y - expected).abs() <= 1e-8 && (vy - expected_v).abs() <= 1e-8, "{every:?}: {y} {vy} {expected}");
+    }
+}
+
+/// Of 1/(1 − t) nothing is left after 1 s: the run says so, and does not go on.
+#[test]
+fn invariant_state_that_is_no_number_ends_a_run() {
+    let scene = tiring::Bursts::default();
+    for method in [Method::rk4(1e-2), Method::midpoint(1e-2), Method::dop853(1e-9)] {
+        let run = simulation(&scene).method(method).run().unwrap();
+        let text = run.outcome.to_string();
+        assert!(!run.outcome.reached_end() && run.last().t < 1.2, "{method:?}: {text}");
+        assert!(run.last().states[0].is_finite(), "{method:?}");
+    }
+    let mut stepper = Simulation::new(&scene).method(Method::rk4(1e-2)).stepper().unwrap();
+    assert!(stepper.step(300).unwrap_err().to_string().contains("size"));
 }

@@ -137,7 +137,8 @@ pub const VALUES: &[Meaning] = &[
 
 /// In place of units.
 pub const UNITS: &[Meaning] = &[
-    (&["k", "kelvin", "c", "celsius", "fahrenheit"], NO_TEMPERATURES),
+    (&["k", "kelvin", "celsius", "fahrenheit"], NO_TEMPERATURES),
+    (&["c"], "a charge is in `A*s`; write a temperature as a plain number"),
     (&["v"], "write `V`"),
     (&["a"], "write `A`"),
     (&["ω"], "write `ohm`"),

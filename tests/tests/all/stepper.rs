@@ -135,19 +135,22 @@ fn invariant_restored_stepper_goes_on_to_the_last_bit() {
             };
             let mut checkpoints = Vec::new();
             for n in 0..40 {
-                checkpoints.push((n, first.save()));
-                if push(&mut first, n).is_none() {
-                    break;
-                }
+                checkpoints.push((n, first.save(), Vec::new()));
+                let Some(numbers) = push(&mut first, n) else { break };
+                checkpoints.last_mut().unwrap().2 = numbers;
             }
             n_scenes += 1;
-            for (n, checkpoint) in checkpoints.iter().step_by(6) {
+            for (i, (n, checkpoint, _)) in checkpoints.iter().enumerate().step_by(6) {
                 first.restore(checkpoint).unwrap();
                 let mut other = new().unwrap();
                 other.restore(checkpoint).unwrap();
-                for n in *n..*n + 9 {
+                for (k, n) in (*n..*n + 9).enumerate() {
                     let [one, two] = [&mut first, &mut other].map(|stepper| push(stepper, n));
                     assert_eq!(one, two, "{} by {method:?}, {n}", scene.info().name);
+                    // as the motion went on that nobody restored
+                    let went_on =
+                        checkpoints.get(i + k).map(|(.., numbers)| numbers).filter(|numbers| !numbers.is_empty());
+                    assert!(went_on.is_none() || one.as_ref() == went_on, "{} by {method:?}, {n}", scene.info().name);
                 }
             }
         }

@@ -6,7 +6,7 @@
 mod double_root;
 mod event_function;
 
-use super::stepper_state::StepperState;
+use super::stepping::stepper_state::StepperState;
 use crate::dynamics::{MotionError, State};
 use crate::integrate::{resolution_at, root, side_of};
 use crate::model::{EventInfo, EventKind, SceneRef};

@@ -10,7 +10,7 @@ use crate::integrate::resolution_at;
 use crate::model::{EventInfo, SceneRef, StopInfo};
 use crate::simulate::SetupError;
 use crate::simulate::events::EventFunction;
-use crate::simulate::stepper_state::StepperState;
+use crate::simulate::stepping::stepper_state::StepperState;
 use crate::simulate::tolerances::modes::{LOWEST_FLIGHT, SHORTEST_FLIGHT};
 
 const FREE: usize = 0;

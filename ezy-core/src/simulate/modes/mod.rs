@@ -5,7 +5,7 @@ mod stick_slip;
 
 use super::SetupError;
 use super::events::{EventDetector, Occurrence};
-use super::stepper_state::StepperState;
+use super::stepping::stepper_state::StepperState;
 use crate::dynamics::MotionError;
 use crate::integrate::resolution_at;
 use crate::model::{EventInfo, SceneInfo, SceneRef, StickSlipInfo, StopInfo};
@@ -122,6 +122,7 @@ impl<P: SceneRef> Modes<P> {
 
     /// Changes the mode when the active one is not admissible at the present state.
     fn settle(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
+        stepper.place_now();
         let ends = match self.law {
             Law::StickSlip(info) => stick_slip::ends(self, info, stepper)?,
             Law::Stop(info) => contact::ends(self, info, stepper),
@@ -134,6 +135,7 @@ impl<P: SceneRef> Modes<P> {
 
     /// Changes to the next mode.
     pub(super) fn change(&mut self, stepper: &mut StepperState<P>) -> Result<(), MotionError> {
+        stepper.place_now();
         self.begins = match self.law {
             Law::StickSlip(info) => stick_slip::change(self, info, stepper)?,
             Law::Stop(info) => contact::change(self, info, stepper)?,

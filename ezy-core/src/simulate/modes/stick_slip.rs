@@ -4,7 +4,7 @@ use super::Modes;
 use crate::dynamics::MotionError;
 use crate::model::{EventInfo, SceneRef, StickSlipInfo};
 use crate::simulate::events::EventFunction;
-use crate::simulate::stepper_state::StepperState;
+use crate::simulate::stepping::stepper_state::StepperState;
 
 const HOLDS: usize = 0;
 const SLIDES_LEFT: usize = 1;

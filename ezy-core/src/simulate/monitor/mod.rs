@@ -3,6 +3,8 @@
 mod condition;
 mod energy;
 mod limits;
+pub(in crate::simulate) mod processor_time;
+pub(in crate::simulate) mod rank_watch;
 mod watch;
 
 pub use condition::ConditionPeak;

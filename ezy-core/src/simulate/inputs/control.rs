@@ -5,10 +5,10 @@ use crate::dynamics::{Jump, MotionError, State, System};
 use crate::model::SceneRef;
 
 /// Sets inputs at the start of a step from the state and itself.
-pub(super) type Law<'s> = Box<dyn FnMut(&State, &mut dyn Controlled) + Send + 's>;
+pub(in crate::simulate) type Law<'s> = Box<dyn FnMut(&State, &mut dyn Controlled) + Send + 's>;
 
 /// What a law acts on: the system, whatever its scene.
-pub(super) trait Controlled {
+pub(in crate::simulate) trait Controlled {
     /// Present inputs, `n_i`.
     fn inputs(&self) -> &[f64];
 
@@ -35,7 +35,7 @@ impl<P: SceneRef> Controlled for System<P> {
 
 /// The tables of a run, and its control law, which acts after them.
 #[derive(Default)]
-pub(super) struct Control<'s> {
+pub(in crate::simulate) struct Control<'s> {
     /// Index of the input.
     pub tables: Vec<(usize, InputTable)>,
     pub law: Option<Law<'s>>,
@@ -43,7 +43,7 @@ pub(super) struct Control<'s> {
 
 impl Control<'_> {
     /// Whether inputs stay constant.
-    pub(super) fn is_idle(&self) -> bool {
+    pub(in crate::simulate) fn is_idle(&self) -> bool {
         self.tables.is_empty() && self.law.is_none()
     }
 
@@ -52,7 +52,7 @@ impl Control<'_> {
     ///
     /// # Errors
     /// [`MotionError::InputNotFinite`].
-    pub(super) fn act<P: SceneRef>(
+    pub(in crate::simulate) fn act<P: SceneRef>(
         &mut self,
         state: &State,
         h: f64,
@@ -73,7 +73,7 @@ impl Control<'_> {
 }
 
 /// An error with the name of the first input that is not finite, or that a run integrates and that jumped.
-pub(super) fn check_inputs<P: SceneRef>(t: f64, system: &System<P>) -> Result<(), MotionError> {
+pub(in crate::simulate) fn check_inputs<P: SceneRef>(t: f64, system: &System<P>) -> Result<(), MotionError> {
     let named = system.info().inputs.iter().zip(system.inputs());
     match named.into_iter().find(|(_, value)| !value.is_finite()) {
         Some((input, &value)) => Err(MotionError::InputNotFinite { t, name: input.name, value }),

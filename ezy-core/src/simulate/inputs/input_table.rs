@@ -106,7 +106,7 @@ impl InputTable {
     }
 
     /// The value, when it is the same at all times.
-    pub(super) fn constant(&self) -> Option<f64> {
+    pub(in crate::simulate) fn constant(&self) -> Option<f64> {
         if let [value] = self.values[..] { Some(value) } else { None }
     }
 

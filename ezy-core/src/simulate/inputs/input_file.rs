@@ -1,8 +1,8 @@
 //! Inputs from a CSV file.
 
-use super::{InputTable, TableError};
 use crate::model::SceneInfo;
 use crate::record::{LimitedReader, UnknownName, input_index};
+use crate::simulate::{InputTable, TableError};
 use std::io::Read;
 
 /// An input file that cannot be used.
@@ -61,7 +61,7 @@ struct Heading<'f> {
     unit: Option<&'f str>,
 }
 
-/// Reads the inputs of a scene, to be handed to [`Simulation::input`](super::Simulation::input): a column `t` in s and
+/// Reads the inputs of a scene, to be handed to [`Simulation::input`](crate::simulate::Simulation::input): a column `t` in s and
 /// one for each input, with straight lines between rows; two rows at one time are a jump.
 ///
 /// Of a file that a run wrote, the columns of inputs are read, and each value holds until the next row, as it did there. Of inputs by

@@ -2,12 +2,12 @@
 
 use super::singular::{Approach, Vanishing, about};
 use super::snapshot::Snapshot;
-use super::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
-use super::tolerances::monitors::BESIDE;
 use crate::archive::Archive;
 use crate::dynamics::{Metric, MotionError, OnRows, Projection, State, System};
 use crate::integrate::{DOP853_ERROR_ORDER, Dop853, Sizes, StepControl, Tolerance};
 use crate::model::SceneRef;
+use crate::simulate::tolerances::crossing::{ABOUT, MAX_TRIES, MIDDLE, NOISE, OF_FIXED_STEPS, SHORTEST};
+use crate::simulate::tolerances::monitors::BESIDE;
 use std::ops::Range;
 
 /// A stretch of a run across a singular position, where rank is lost for an instant, or towards one. Its steps are of DOP853 with
@@ -35,7 +35,7 @@ impl SingularityCrossed {
 /// At a distance D from it, rounding of positions appears in velocities multiplied by 1/D² and in forces by 1/D³. So no step
 /// ends near it. One step of DOP853 crosses it, with the singular position in the widest gap between its nodes. The stages are
 /// projected, since accelerations have a pole there off the constraints.
-pub(super) struct SingularityCrossing {
+pub(in crate::simulate) struct SingularityCrossing {
     method: Dop853,
     on_rows: State,
     control: StepControl,
@@ -61,7 +61,7 @@ pub(super) struct SingularityCrossing {
 }
 
 impl SingularityCrossing {
-    pub(super) fn new<P: SceneRef>(system: &System<P>, tolerance: Option<Tolerance>, work: bool) -> Self {
+    pub(in crate::simulate) fn new<P: SceneRef>(system: &System<P>, tolerance: Option<Tolerance>, work: bool) -> Self {
         let info = system.info();
         let (n_q, end) = (info.n_coordinates(), Snapshot::zero(info, work));
         let n_works = end.power.len();
@@ -84,7 +84,7 @@ impl SingularityCrossing {
     }
 
     /// Writes what is known of the step under way, or reads it.
-    pub(super) fn remember(&mut self, archive: &mut Archive) {
+    pub(in crate::simulate) fn remember(&mut self, archive: &mut Archive) {
         self.method.remember(archive);
         self.control.remember(archive);
         self.end.remember(archive);
@@ -96,12 +96,12 @@ impl SingularityCrossing {
     }
 
     /// Whether the last step approached a singular position.
-    pub(super) fn is_heading(&self) -> bool {
+    pub(in crate::simulate) fn is_heading(&self) -> bool {
         self.ahead_s.is_some()
     }
 
     /// Forgets the step under way.
-    pub(super) fn restart(&mut self) {
+    pub(in crate::simulate) fn restart(&mut self) {
         self.is_under_way = false;
         self.ahead_s = None;
         self.in_vain_until_s = f64::NEG_INFINITY;
@@ -109,7 +109,7 @@ impl SingularityCrossing {
 
     /// A step over a singular position or towards it, when one is `within` these times from now, s, or on the way already; false when there is
     /// none, or no way over it. `usual_s` is the length of the steps before.
-    pub(super) fn step<P: SceneRef>(
+    pub(in crate::simulate) fn step<P: SceneRef>(
         &mut self,
         system: &mut System<P>,
         approach: &Approach<'_>,
@@ -182,12 +182,12 @@ impl SingularityCrossing {
     }
 
     /// The last step.
-    pub(super) fn crossed(&self) -> SingularityCrossed {
+    pub(in crate::simulate) fn crossed(&self) -> SingularityCrossed {
         SingularityCrossed { from_s: self.begin_s, to_s: self.end.state.t, nearest: self.nearest }
     }
 
     /// The state at `t` within the step, not projected.
-    pub(super) fn between(&mut self, t: f64, out: &mut State) {
+    pub(in crate::simulate) fn between(&mut self, t: f64, out: &mut State) {
         self.method.dense_at((t - self.begin_s) / (self.end.state.t - self.begin_s), out);
         out.t = t;
     }

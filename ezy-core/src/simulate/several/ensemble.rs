@@ -1,12 +1,12 @@
 //! Several runs of one scene that step together.
 
-use super::SetupError;
 use super::trajectory::Trajectory;
 use crate::dynamics::{MotionError, State, System, SystemOf};
 use crate::integrate::Method;
 use crate::linalg::Backend;
 use crate::model::{Equations, Scene};
 use crate::scalar::{Lanes, packed};
+use crate::simulate::SetupError;
 use std::array::from_fn;
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ impl<'s, S: Scene + Equations<Lanes<L>>, const L: usize> Ensemble<'s, S, L> {
     /// The runs of `scenes` from `starts`, which meet the rows and have one time. Inputs keep their declared values.
     ///
     /// # Errors
-    /// [`SetupError`] when a scene, a start or the method cannot be used: `rk4` and `dop853` can, on scenes with a generated
+    /// [`SetupError`] when a scene, a start or the method cannot be used: `dop853`, `rk4` and `midpoint` can, on scenes with a generated
     /// elimination.
     pub fn new(scenes: &'s [S; L], starts: [&State; L], method: Method) -> Result<Self, SetupError> {
         if let Some(other) = starts.iter().find(|start| start.t != starts[0].t) {

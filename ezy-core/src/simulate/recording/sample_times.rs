@@ -1,10 +1,10 @@
 //! The times of samples.
 
-use super::SetupError;
+use crate::simulate::SetupError;
 
 /// When samples are kept, besides the start and the end.
 #[derive(Debug, Clone, Default)]
-pub(super) enum SampleTimes {
+pub(in crate::simulate) enum SampleTimes {
     #[default]
     Never,
     /// At equal intervals, s.
@@ -18,7 +18,7 @@ impl SampleTimes {
     ///
     /// # Errors
     /// [`SetupError::Every`], [`SetupError::SampleTime`].
-    pub(super) fn of_run(&self, start_s: f64, until_s: f64) -> Result<Self, SetupError> {
+    pub(in crate::simulate) fn of_run(&self, start_s: f64, until_s: f64) -> Result<Self, SetupError> {
         match self {
             Self::Every(every_s) if every_s.is_nan() || *every_s <= 0.0 => Err(SetupError::Every { every_s: *every_s }),
             Self::At(times) => {
@@ -35,7 +35,7 @@ impl SampleTimes {
     }
 
     /// Time of the next sample after the start and `n_kept - 1` others, s; infinite where there is none.
-    pub(super) fn next(&self, start_s: f64, n_kept: usize) -> f64 {
+    pub(in crate::simulate) fn next(&self, start_s: f64, n_kept: usize) -> f64 {
         match self {
             Self::Never => f64::INFINITY,
             Self::Every(every_s) => start_s + n_kept as f64 * every_s,

@@ -1,13 +1,13 @@
 //! Completes samples and keeps them.
 
-use super::snapshot::Snapshot;
 use crate::dynamics::{State, System};
 use crate::model::{SceneInfo, SceneRef};
 use crate::record::{EnergyState, Record, RecordError, Recorder, Sample, Wanted};
+use crate::simulate::stepping::snapshot::Snapshot;
 use std::sync::Arc;
 
 /// The record of a run and, when there is one, the recorder that a caller gave.
-pub(super) struct Sampler<'s> {
+pub(in crate::simulate) struct Sampler<'s> {
     info: Arc<SceneInfo>,
     record: Record,
     recorder: Option<&'s mut dyn Recorder>,
@@ -30,7 +30,7 @@ pub(super) struct Sampler<'s> {
 }
 
 impl<'s> Sampler<'s> {
-    pub(super) fn new(
+    pub(in crate::simulate) fn new(
         info: Arc<SceneInfo>,
         wanted: Wanted,
         recorder: Option<&'s mut dyn Recorder>,
@@ -53,27 +53,31 @@ impl<'s> Sampler<'s> {
     }
 
     /// Samples so far, whether or not they are still in the record.
-    pub(super) fn n_kept(&self) -> usize {
+    pub(in crate::simulate) fn n_kept(&self) -> usize {
         self.n_kept
     }
 
     /// Time of the last sample, s.
-    pub(super) fn last_time(&self) -> f64 {
+    pub(in crate::simulate) fn last_time(&self) -> f64 {
         self.record.samples().next_back().map_or(f64::NEG_INFINITY, |last| last.t)
     }
 
     /// Names and sizes of what is kept.
-    pub(super) fn info(&self) -> &Arc<SceneInfo> {
+    pub(in crate::simulate) fn info(&self) -> &Arc<SceneInfo> {
         &self.info
     }
 
-    pub(super) fn into_record(self) -> Record {
+    pub(in crate::simulate) fn into_record(self) -> Record {
         self.record
     }
 
     /// Adds energies, residuals and outputs to an evaluated state and keeps the sample. The system holds the inputs of
     /// this state.
-    pub(super) fn keep<P: SceneRef>(&mut self, system: &mut System<P>, at: &Snapshot) -> Result<(), RecordError> {
+    pub(in crate::simulate) fn keep<P: SceneRef>(
+        &mut self,
+        system: &mut System<P>,
+        at: &Snapshot,
+    ) -> Result<(), RecordError> {
         let State { t, q, v, z, work: works } = &at.state;
         system.place_states(z);
         let (kinetic, potential) = (system.kinetic_energy(v), system.potential_energy(*t, q));

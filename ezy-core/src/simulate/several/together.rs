@@ -1,17 +1,17 @@
 //! Runs of one scene with parameters and starts of their own that step together, eight at once; only their ends are known.
 
-use super::sampler::Sampler;
-use super::snapshot::Snapshot;
-use super::tolerances::monitors::ATTEMPTS_OF_A_PACE;
-use super::tolerances::singular::TOO_NEAR;
 use super::trajectory::Trajectory;
-use super::{InputTable, Simulation};
 use crate::dynamics::{Dynamics, Metric, MotionError, Projecting, Projection, State, System, check_pivots};
 use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::linalg::Backend;
 use crate::model::{Derived as _, Eight, EquationsInLanes, EventKind, N_LANES, Scene, SceneRef};
 use crate::record::Wanted;
 use crate::scalar::{Scalar, packed};
+use crate::simulate::recording::sampler::Sampler;
+use crate::simulate::stepping::snapshot::Snapshot;
+use crate::simulate::tolerances::monitors::ATTEMPTS_OF_A_PACE;
+use crate::simulate::tolerances::singular::TOO_NEAR;
+use crate::simulate::{InputTable, Simulation};
 use std::array::from_fn;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -75,7 +75,7 @@ impl<P: SceneRef> Simulation<'_, P> {
         if let Some((_, reason)) = reasons.into_iter().find(|(holds, _)| *holds) {
             return Err(reason);
         }
-        super::build::check_tolerance(tolerance).map_err(|_| CANNOT_START)?;
+        crate::simulate::checked::check_tolerance(tolerance).map_err(|_| CANNOT_START)?;
         let (system, _, start) = settings.assembled(self.scene.clone()).map_err(|_| CANNOT_START)?;
         if !system.uses_elimination() {
             return Err(WITHOUT_ELIMINATION);

@@ -1,27 +1,27 @@
 //! The error that a run reaches, estimated by other runs beside it.
 //!
-//! A second run keeps to a hundredth of the tolerance; that of a fixed step is one with a tolerance. Its own error is small beside that of the first, so
+//! A second run keeps to a hundredth of the tolerance; that of a fixed step is one with a tolerance, that of gauss one of dop853. Its own error is small beside that of the first, so
 //! that the difference is the error of the first. A third run is like the second, from a start that is moved a little: it shows how much the
 //! motion amplifies errors.
 
-use super::error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};
-use super::monitor::Limits;
-use super::simulation::{Hooks, Settings};
-use super::tolerances::error_estimate::{LOOSER, MOVED, SMALLEST_MOVE};
-use super::tolerances::orders::LARGEST_TOLERANCE;
-use super::tolerances::samples::ON_STEP;
-use super::{Outcome, Run, SetupError, Simulation};
 use crate::dynamics::State;
 use crate::integrate::second_run::{ROUNDING, TIGHTER};
 use crate::integrate::{Method, MethodKind, Tolerance};
 use crate::model::{SceneRef, Start};
 use crate::record::{Sample, Wanted};
 use crate::scalar::GOLDEN_RATIO;
+use crate::simulate::error_estimate::{ErrorEstimate, NoErrorEstimate, QuantityError};
+use crate::simulate::monitor::Limits;
+use crate::simulate::simulation::{Hooks, Settings};
+use crate::simulate::tolerances::error_estimate::{LOOSER, MOVED, SMALLEST_MOVE};
+use crate::simulate::tolerances::orders::LARGEST_TOLERANCE;
+use crate::simulate::tolerances::samples::ON_STEP;
+use crate::simulate::{Outcome, Run, SetupError, Simulation};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, ScopedJoinHandle};
 
 /// Runs, and estimates the error.
-pub(super) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Result<Run, SetupError> {
+pub(in crate::simulate) fn run<P: SceneRef>(simulation: Simulation<'_, P>) -> Result<Run, SetupError> {
     if simulation.hooks.law.is_some() {
         return Err(SetupError::ControlledOnce);
     }
@@ -128,7 +128,7 @@ fn length_of_move(method: Method) -> f64 {
 }
 
 /// A start beside `state`: each number moved by up to `by` of its size, by an amount of its own to one side or the other.
-pub(super) fn beside(state: &State, by: f64) -> Start {
+pub(in crate::simulate) fn beside(state: &State, by: f64) -> Start {
     let mut start = Start::free(state.q.len());
     start.t = state.t;
     let amounts = (1..).map(|i: u32| 2.0 * (f64::from(i) * GOLDEN_RATIO).fract() - 1.0);
@@ -190,7 +190,7 @@ fn errors(one: &Run, other: &Run) -> Vec<QuantityError> {
 
 /// How far apart two runs are at most, over how far apart they start, or `by` where they start nearer.
 fn amplification(one: &Run, moved: &Run, by: f64) -> f64 {
-    let of = |sample: &Sample<'_>| [sample.coordinates, sample.velocities].concat();
+    let of = |sample: &Sample<'_>| [sample.coordinates, sample.velocities, sample.states].concat();
     let mut sizes = of(&one.first());
     one.samples().for_each(|sample| sizes.iter_mut().zip(of(&sample)).for_each(|(size, x)| *size = size.max(x.abs())));
     let apart = |(a, b): (Sample<'_>, Sample<'_>)| {

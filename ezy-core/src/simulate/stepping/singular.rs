@@ -1,20 +1,20 @@
 //! Prediction of singular positions, in which the rank of G drops.
 
 use super::snapshot::Snapshot;
-use super::tolerances::singular::{N_AHEAD, N_SECTIONS, NEAR, VANISHES};
 use crate::dynamics::{State, System};
 use crate::model::SceneRef;
+use crate::simulate::tolerances::singular::{N_AHEAD, N_SECTIONS, NEAR, VANISHES};
 use std::ops::Range;
 
 /// The last two states of a motion. The square root of the smallest pivot is proportional to the distance from a singular position.
-pub(super) struct Approach<'m> {
+pub(in crate::simulate) struct Approach<'m> {
     pub now: &'m Snapshot,
     pub before: &'m Snapshot,
 }
 
 /// Where the smallest pivot vanishes on a predicted path.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Vanishing {
+pub(in crate::simulate) struct Vanishing {
     /// Time until then, s.
     pub within_s: f64,
     /// How near the path comes to the singular position, as a part of the distance from it now.
@@ -25,14 +25,19 @@ pub(super) struct Vanishing {
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Times about a distance, s.
-pub(super) fn about(distance: f64) -> Range<f64> {
+pub(in crate::simulate) fn about(distance: f64) -> Range<f64> {
     0.0..NEAR * distance
 }
 
 impl Approach<'_> {
     /// Where a singular position may be, as times from now, s; none where it is far. `usual_s` is the length of the steps before, zero when
     /// there were none; `q` is a buffer.
-    pub(super) fn ahead<P: SceneRef>(&self, system: &mut System<P>, usual_s: f64, q: &mut [f64]) -> Option<Range<f64>> {
+    pub(in crate::simulate) fn ahead<P: SceneRef>(
+        &self,
+        system: &mut System<P>,
+        usual_s: f64,
+        q: &mut [f64],
+    ) -> Option<Range<f64>> {
         if usual_s == 0.0 {
             return None;
         }
@@ -63,7 +68,7 @@ impl Approach<'_> {
     }
 
     /// Where the smallest pivot vanishes on the predicted path, within times from now, s; `q` is a buffer.
-    pub(super) fn find<P: SceneRef>(
+    pub(in crate::simulate) fn find<P: SceneRef>(
         &self,
         system: &mut System<P>,
         q: &mut [f64],

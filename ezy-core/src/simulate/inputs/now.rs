@@ -27,7 +27,12 @@ pub struct Now<'a, S: NamedScene + ?Sized> {
 
 impl<'a, S: NamedScene + ?Sized> Now<'a, S> {
     /// `room` has place for the outputs of the scene.
-    pub(super) fn new(scene: &'a S, state: &'a State, controlled: &'a dyn Controlled, room: &'a mut [f64]) -> Self {
+    pub(in crate::simulate) fn new(
+        scene: &'a S,
+        state: &'a State,
+        controlled: &'a dyn Controlled,
+        room: &'a mut [f64],
+    ) -> Self {
         let bodies = scene.bodies_by_name(&state.q, &state.v);
         let (room, outputs) = (Cell::new(room), OnceCell::new());
         Self { t: state.t, bodies, state, scene, controlled, room, outputs }
@@ -44,7 +49,7 @@ impl<'a, S: NamedScene + ?Sized> Now<'a, S> {
         self.scene.outputs_by_name(values)
     }
 
-    /// Time, all coordinates, all velocities, and works, by index.
+    /// Time, all coordinates, all velocities, first-order states, and works, by index.
     pub fn state(&self) -> &'a State {
         self.state
     }

@@ -1,6 +1,5 @@
 //! Derivatives of a motion by start values and parameters.
 
-use super::SetupError;
 use super::trajectory::Trajectory;
 use crate::dynamics::{MotionError, State, System, SystemOf};
 use crate::integrate::Method;
@@ -8,6 +7,7 @@ use crate::linalg::Backend;
 use crate::model::{Equations, Scene, SceneInfo, SceneRef, Start};
 use crate::record::find_name;
 use crate::scalar::Dual;
+use crate::simulate::SetupError;
 use std::sync::Arc;
 
 /// Derivatives of a state by one quantity.
@@ -69,7 +69,7 @@ impl<'s, S: Scene + Equations<Dual<N>> + ?Sized, const N: usize> Sensitivities<'
     /// given start values. Inputs keep their declared values.
     ///
     /// # Errors
-    /// [`SetupError`] when a name is unknown or not given, or when scene, start or method cannot be used: `rk4` and `dop853`
+    /// [`SetupError`] when a name is unknown or not given, or when scene, start or method cannot be used: `dop853`, `rk4` and `midpoint`
     /// can, on scenes with a generated elimination.
     pub fn new(scene: &'s S, start: &Start, by: [&str; N], method: Method) -> Result<Self, SetupError> {
         let mut system = System::new(scene, Backend::Generated)?;

@@ -3,7 +3,7 @@
 use crate::model::NamedInputs;
 use std::ops::{Deref, DerefMut};
 
-/// The inputs of a [`Stepper`](super::Stepper) by their names: `roller.set().torque = 3.0`. They are those of the stepper once this
+/// The inputs of a [`Stepper`](crate::simulate::Stepper) by their names: `roller.set().torque = 3.0`. They are those of the stepper once this
 /// is dropped.
 pub struct InputsGuard<'a, I: NamedInputs> {
     inputs: I,
@@ -11,7 +11,7 @@ pub struct InputsGuard<'a, I: NamedInputs> {
 }
 
 impl<'a, I: NamedInputs> InputsGuard<'a, I> {
-    pub(super) fn new(values: &'a mut [f64]) -> Self {
+    pub(in crate::simulate) fn new(values: &'a mut [f64]) -> Self {
         Self { inputs: I::read(values), values }
     }
 }

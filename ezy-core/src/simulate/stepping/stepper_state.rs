@@ -1,19 +1,19 @@
 //! A scene with the state of its integration: one step, projected. Shared by runs and steppers.
 
-use super::SetupError;
 use super::singular::Approach;
 use super::singularity_crossing::{SingularityCrossed, SingularityCrossing};
 use super::snapshot::Snapshot;
-use super::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, SHORTENED, TOO_NEAR};
 use crate::archive::Archive;
-use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, not_finite};
+use crate::dynamics::{Metric, MotionError, Projected, Projection, State, Strain, System, state_not_finite};
 use crate::integrate::{EventDiscontinuities, Integrator, Method, Needs, QUARTERED, Tolerance};
 use crate::model::{SceneInfo, SceneRef};
 use crate::scalar::Scalar;
+use crate::simulate::SetupError;
+use crate::simulate::tolerances::singular::{CREEPING, FADING, MAX_SHORTENED, SHORTENED, TOO_NEAR};
 use std::sync::Arc;
 
 /// The state `now`, and the end `next` of the step under way.
-pub(super) struct StepperState<P: SceneRef> {
+pub(in crate::simulate) struct StepperState<P: SceneRef> {
     pub system: System<P>,
     integrator: Box<dyn Integrator<System<P>>>,
     discontinuities: EventDiscontinuities,
@@ -44,7 +44,7 @@ pub(super) struct StepperState<P: SceneRef> {
 }
 
 impl<P: SceneRef> StepperState<P> {
-    pub(super) fn new(
+    pub(in crate::simulate) fn new(
         system: System<P>,
         method: Method,
         projection: Projection,
@@ -78,7 +78,7 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// Moves to a state without history, which is not evaluated.
-    pub(super) fn place(&mut self, state: &State) {
+    pub(in crate::simulate) fn place(&mut self, state: &State) {
         let now = &mut self.now.state;
         now.t = state.t;
         now.q.copy_from_slice(&state.q);
@@ -89,7 +89,7 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// Writes where the motion is, once a step is accepted, and all that its continuation depends on, or reads it.
-    pub(super) fn remember(&mut self, archive: &mut Archive) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn remember(&mut self, archive: &mut Archive) -> Result<(), MotionError> {
         self.now.remember(archive);
         self.next.remember(archive);
         self.system.remember(archive);
@@ -113,6 +113,11 @@ impl<P: SceneRef> StepperState<P> {
         Ok(())
     }
 
+    /// What is asked of the system next is asked at `now`: samples between steps have other first-order states.
+    pub(in crate::simulate) fn place_now(&mut self) {
+        self.system.place_states(&self.now.state.z);
+    }
+
     /// Forgets the steps taken so far.
     fn restart(&mut self) {
         self.integrator.restart();
@@ -130,7 +135,7 @@ impl<P: SceneRef> StepperState<P> {
 
     /// A step of length `h` from `now`, which is evaluated, to `next`, which is projected but not evaluated. A method
     /// that chooses its steps may stop before `t_next`, and every method stops at a discontinuity.
-    pub(super) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn advance(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.is_next_evaluated = false;
         let Snapshot { state: State { t, q, .. }, solved, .. } = &self.now;
         self.system.hold_rows(*t, q, solved.is_rank_deficient);
@@ -296,7 +301,7 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// A state between `now` and `next`, both evaluated; projected and evaluated like them.
-    pub(super) fn between(&mut self, t: f64, out: &mut Snapshot) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn between(&mut self, t: f64, out: &mut Snapshot) -> Result<(), MotionError> {
         if self.chooses_steps() {
             self.find(t, &mut out.state)?;
         } else {
@@ -306,18 +311,19 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// Whether the method chooses the length of its steps.
-    pub(super) fn chooses_steps(&self) -> bool {
+    pub(in crate::simulate) fn chooses_steps(&self) -> bool {
         self.tolerance.is_some()
     }
 
     /// The largest acceleration at `now`, which is evaluated, and its cause.
-    pub(super) fn strain(&mut self) -> Option<Strain> {
+    pub(in crate::simulate) fn strain(&mut self) -> Option<Strain> {
+        self.place_now();
         let Snapshot { state, a, lambda, .. } = &self.now;
         self.system.strain(state.t, &state.q, &state.v, a, lambda)
     }
 
     /// The state at `t` between `now` and `next`, both evaluated; neither projected nor evaluated.
-    pub(super) fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn inside(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
         if let Some(crossing) = self.crossing.as_mut().filter(|crossing| crossing.is_under_way) {
             crossing.between(t, out);
             return Ok(());
@@ -327,7 +333,7 @@ impl<P: SceneRef> StepperState<P> {
 
     /// The state at `t` between `now` and `next`, both evaluated; projected as the ends of steps are. Where the projection changes more than
     /// the tolerance explains, it is the end of a step of its own.
-    pub(super) fn find(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn find(&mut self, t: f64, out: &mut State) -> Result<(), MotionError> {
         self.inside(t, out)?;
         self.project(out)?;
         let is_across = self.crossing.as_ref().is_some_and(|crossing| crossing.is_under_way);
@@ -346,14 +352,14 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// Ends the motion at `t` between `now` and `next`: `next` becomes the state there, projected and evaluated.
-    pub(super) fn end_at(&mut self, t: f64, state: &mut State) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn end_at(&mut self, t: f64, state: &mut State) -> Result<(), MotionError> {
         self.find(t, state)?;
         std::mem::swap(&mut self.next.state, state);
         self.next.evaluate(&mut self.system)
     }
 
     /// Takes over the state of another scene with the same coordinates, without history, and evaluates it.
-    pub(super) fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn take_over(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
         self.system.project(*t, q, v, self.projection, self.metric)?;
@@ -362,7 +368,7 @@ impl<P: SceneRef> StepperState<P> {
 
     /// Takes over the state of another scene after a plastic impact on the constraints of this one. Positions are projected to the
     /// last digit: errors normal to the constraints would remain while flights become short.
-    pub(super) fn apply_impact(&mut self, from: &Self) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn apply_impact(&mut self, from: &Self) -> Result<(), MotionError> {
         self.follow(from);
         let State { t, q, v, .. } = &mut self.now.state;
         self.system.project_positions(*t, q, Metric::Mass)?;
@@ -378,7 +384,7 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// Continues from other positions and velocities, without history.
-    pub(super) fn apply_restitution(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn apply_restitution(&mut self, q: &[f64], v: Vec<f64>) -> Result<(), MotionError> {
         self.now.state.q.copy_from_slice(q);
         self.now.state.v = v;
         self.restart();
@@ -386,41 +392,41 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// Kinetic and potential energy, J.
-    pub(super) fn energy(&self) -> f64 {
+    pub(in crate::simulate) fn energy(&self) -> f64 {
         let State { t, q, v, .. } = &self.now.state;
         self.system.kinetic_energy(v) + self.system.potential_energy(*t, q)
     }
 
     /// Repeats the step under way with the length `h`, without history.
-    pub(super) fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn advance_again(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         self.integrator.restart_with(h);
         self.forget_crossing();
         self.evaluate_now()?;
         self.advance(h, t_next)
     }
 
-    pub(super) fn n_rejected(&self) -> u64 {
+    pub(in crate::simulate) fn n_rejected(&self) -> u64 {
         let of_crossings = self.crossing.as_ref().map_or(0, |crossing| crossing.n_rejected);
         self.integrator.n_rejected() + self.n_shortened + of_crossings
     }
 
-    pub(super) fn stiff_since(&self) -> Option<f64> {
+    pub(in crate::simulate) fn stiff_since(&self) -> Option<f64> {
         self.integrator.stiff_since()
     }
 
-    pub(super) fn evaluate_now(&mut self) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn evaluate_now(&mut self) -> Result<(), MotionError> {
         evaluate(&mut *self.integrator, &mut self.system, &mut self.now)?;
         self.integrator.accept();
         Ok(())
     }
 
     /// Whether the motion can begin at `now`, which is evaluated, and last for `within_s`.
-    pub(super) fn check_beginning(&mut self, within_s: f64) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn check_beginning(&mut self, within_s: f64) -> Result<(), MotionError> {
         let Snapshot { state, a, solved, .. } = &self.now;
         self.system.check_beginning(state, a, *solved, within_s)
     }
 
-    pub(super) fn evaluate_next(&mut self) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn evaluate_next(&mut self) -> Result<(), MotionError> {
         if self.is_next_evaluated {
             return Ok(());
         }
@@ -428,7 +434,7 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     /// `next` becomes `now`.
-    pub(super) fn accept(&mut self) {
+    pub(in crate::simulate) fn accept(&mut self) {
         std::mem::swap(&mut self.now, &mut self.next);
         self.integrator.accept();
     }
@@ -440,12 +446,12 @@ fn integrator<P: SceneRef>(
     method: Method,
     n_works: usize,
 ) -> Result<Box<dyn Integrator<System<P>>>, SetupError> {
-    if system.info().n_states() > 0 && !method.info().takes_states {
-        return Err(SetupError::FirstOrderStates { scene: system.info().name, method: method.name() });
-    }
     let made = method.kind().of_system(system, n_works, method.tolerance().unwrap_or(Tolerance::ANY))?;
     let info = system.info();
     made.ok_or(match method.info().needs {
+        _ if info.n_states() > 0 && !method.info().takes_states => {
+            SetupError::FirstOrderStates { scene: info.name, method: method.name() }
+        }
         Needs::Jacobians => SetupError::NoJacobians { scene: info.name },
         Needs::Series | Needs::Nothing => SetupError::NoSeries { scene: info.name, series: info.series },
     })
@@ -465,7 +471,7 @@ fn evaluate<P: SceneRef>(
 }
 
 /// That no angle is too large for the tolerance of angles.
-pub(super) fn check_angles<T: Scalar>(
+pub(in crate::simulate) fn check_angles<T: Scalar>(
     info: &SceneInfo,
     tolerance: Option<Tolerance>,
     state: &State<T>,
@@ -482,7 +488,7 @@ pub(super) fn check_angles<T: Scalar>(
 
 fn check_finite<P: SceneRef>(system: &System<P>, t: f64, state: &State) -> Result<(), MotionError> {
     let info = system.info();
-    let quantity = match not_finite(info, &state.q, &state.v) {
+    let quantity = match state_not_finite(info, state) {
         Some(quantity) => quantity,
         None => match state.work.iter().position(|work| !work.is_finite()) {
             Some(i) => info.effects[i].name.into(),

@@ -1,11 +1,11 @@
 //! Where constraints of a run depended on each other: in stretches of time, and in singular positions that it crossed.
 
-use super::singularity_crossing::SingularityCrossed;
-use super::stepper_state::StepperState;
-use super::tolerances::monitors::MAX_INTERVALS;
 use crate::dynamics::RankLoss;
 use crate::model::SceneRef;
 use crate::scalar::{legible_time, rounded};
+use crate::simulate::stepping::singularity_crossing::SingularityCrossed;
+use crate::simulate::stepping::stepper_state::StepperState;
+use crate::simulate::tolerances::monitors::MAX_INTERVALS;
 
 /// A stretch of a run in which constraints depended on each other: from the first state at which they did to the last.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,7 +36,7 @@ pub struct RankRecord {
 
 impl RankRecord {
     /// Registers an accepted state.
-    pub(super) fn see<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) {
+    pub(in crate::simulate) fn see<P: SceneRef>(&mut self, stepper: &mut StepperState<P>) {
         if let Some(crossed) = stepper.crossed.take() {
             self.see_crossing(crossed);
         }

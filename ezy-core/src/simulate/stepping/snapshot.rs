@@ -6,7 +6,7 @@ use crate::integrate::Node;
 use crate::model::{SceneInfo, SceneRef};
 
 /// A state with its accelerations, multipliers and powers.
-pub(super) struct Snapshot {
+pub(in crate::simulate) struct Snapshot {
     pub state: State,
     pub a: Vec<f64>,
     pub lambda: Vec<f64>,
@@ -22,7 +22,7 @@ pub(super) struct Snapshot {
 
 impl Snapshot {
     /// Everything zero; without room for works and powers unless they are wanted.
-    pub(super) fn zero(info: &SceneInfo, work: bool) -> Self {
+    pub(in crate::simulate) fn zero(info: &SceneInfo, work: bool) -> Self {
         let (n_q, n_c) = (info.n_coordinates(), info.n_rows());
         let n_works = if work { info.n_effects() } else { 0 };
         Self {
@@ -37,7 +37,7 @@ impl Snapshot {
     }
 
     /// Writes it, or reads another one over it.
-    pub(super) fn remember(&mut self, archive: &mut Archive) {
+    pub(in crate::simulate) fn remember(&mut self, archive: &mut Archive) {
         let Self { state, a, lambda, rate, power, solved, end } = self;
         state.remember(archive);
         [a, lambda, rate, power].into_iter().for_each(|numbers| archive.numbers(numbers));
@@ -45,7 +45,7 @@ impl Snapshot {
     }
 
     /// Accelerations, multipliers and powers at the state.
-    pub(super) fn evaluate<P: SceneRef>(&mut self, system: &mut System<P>) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn evaluate<P: SceneRef>(&mut self, system: &mut System<P>) -> Result<(), MotionError> {
         let State { t, q, v, z, .. } = &self.state;
         system.place_states(z);
         let solved = system.accelerations_unchecked(*t, q, v, &mut self.a, &mut self.lambda, Rows::Projected)?;
@@ -56,7 +56,11 @@ impl Snapshot {
     ///
     /// # Errors
     /// [`MotionError::ContradictoryRows`].
-    pub(super) fn complete<P: SceneRef>(&mut self, system: &mut System<P>, solved: Solved) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn complete<P: SceneRef>(
+        &mut self,
+        system: &mut System<P>,
+        solved: Solved,
+    ) -> Result<(), MotionError> {
         let State { t, q, v, .. } = &self.state;
         self.solved = solved;
         system.check_accelerations(*t, q, solved)?;
@@ -65,7 +69,7 @@ impl Snapshot {
         Ok(())
     }
 
-    pub(super) fn node(&self) -> Node<'_> {
+    pub(in crate::simulate) fn node(&self) -> Node<'_> {
         Node { state: &self.state, a: &self.a, rate: &self.rate, power: &self.power }
     }
 }

@@ -4,7 +4,12 @@ use crate::model::{SceneInfo, Start};
 use crate::record::{UnknownName, find_name};
 
 /// Holds a start value by its name.
-pub(super) fn give(info: &SceneInfo, start: &mut Start, name: &str, value: f64) -> Result<(), UnknownName> {
+pub(in crate::simulate) fn give(
+    info: &SceneInfo,
+    start: &mut Start,
+    name: &str,
+    value: f64,
+) -> Result<(), UnknownName> {
     let positions = info.coordinates.iter().map(|c| &*c.name);
     let velocities = info.coordinates.iter().map(|c| &*c.velocity_name);
     let states = info.states.iter().map(|state| state.name);

@@ -1,14 +1,14 @@
 //! The motion of a scene in numbers `T`, step by step, with both projections.
 
-use super::SetupError;
-use super::stepper_state::check_angles;
-use crate::dynamics::{MotionError, Projecting, State, not_finite};
+use crate::dynamics::{MotionError, Projecting, State, state_not_finite};
 use crate::integrate::{Clock, Integrator, Method, Node, Sizes, Smooth, Tolerance};
 use crate::model::SceneInfo;
 use crate::scalar::Scalar;
+use crate::simulate::SetupError;
+use crate::simulate::stepping::stepper_state::check_angles;
 use std::sync::Arc;
 
-pub(super) struct Trajectory<D, T> {
+pub(in crate::simulate) struct Trajectory<D, T> {
     pub system: D,
     info: Arc<SceneInfo>,
     integrator: Box<dyn Integrator<D, T>>,
@@ -23,10 +23,15 @@ pub(super) struct Trajectory<D, T> {
 
 impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
     /// From `start`, which meets the rows.
-    pub(super) fn new(system: D, info: Arc<SceneInfo>, start: State<T>, method: Method) -> Result<Self, SetupError> {
+    pub(in crate::simulate) fn new(
+        system: D,
+        info: Arc<SceneInfo>,
+        start: State<T>,
+        method: Method,
+    ) -> Result<Self, SetupError> {
         SetupError::refuse_modes(&info)?;
         let sizes = Sizes::new(&info, 0);
-        let method = super::build::checked(method)?;
+        let method = crate::simulate::checked::checked(method)?;
         let (step_s, tolerance) = (method.step_s(), method.tolerance());
         let integrator = method.kind().in_any_number(sizes, tolerance.unwrap_or(Tolerance::ANY));
         let integrator = integrator.ok_or(SetupError::SingleNumbers { method: method.name() })?;
@@ -48,7 +53,7 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
     }
 
     /// Steps to `until_s`; after an error `now` is the last good state.
-    pub(super) fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn advance(&mut self, until_s: f64) -> Result<(), MotionError> {
         let start = self.now.t;
         if !until_s.is_finite() {
             return Err(MotionError::NotFinite { t: start, quantity: "the end of the run".into() });
@@ -64,14 +69,14 @@ impl<D: Projecting<T>, T: Scalar> Trajectory<D, T> {
     }
 
     /// A step of length `h` to `t_next`; a method that chooses its steps may stop before.
-    pub(super) fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
+    pub(in crate::simulate) fn step(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         let Self { system, info, integrator, tolerance, now, next, a, rate, lambda, .. } = self;
         system.place_states(&now.z);
         system.accelerations(now.t, &now.q, &now.v, a, lambda)?;
         system.state_rates(now.t, &now.q, &now.v, rate);
         let from = Node { state: now, a, rate, power: &[] };
         integrator.step(system, from, h, t_next, &mut Smooth, next)?;
-        if let Some(quantity) = not_finite(info, &next.q, &next.v) {
+        if let Some(quantity) = state_not_finite(info, next) {
             return Err(MotionError::NotFinite { t: now.t, quantity });
         }
         system.project(next.t, &mut next.q, &mut next.v)?;

@@ -1,0 +1,4 @@
+//! Which states are kept, completed to samples.
+
+pub(in crate::simulate) mod sample_times;
+pub(in crate::simulate) mod sampler;

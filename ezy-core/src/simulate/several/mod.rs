@@ -1,0 +1,8 @@
+//! Several runs beside each other: in lanes, with derivatives, to estimate an error.
+
+pub(in crate::simulate) mod ensemble;
+pub(in crate::simulate) mod estimated_run;
+pub(in crate::simulate) mod sensitivity;
+#[cfg(feature = "sweep")]
+pub(in crate::simulate) mod together;
+pub(in crate::simulate) mod trajectory;

@@ -1,0 +1,7 @@
+//! One step at a time: a state with its accelerations, the step that leads on, and the way across singular positions.
+
+pub(in crate::simulate) mod schedule;
+pub(in crate::simulate) mod singular;
+pub(in crate::simulate) mod singularity_crossing;
+pub(in crate::simulate) mod snapshot;
+pub(in crate::simulate) mod stepper_state;

@@ -55,7 +55,9 @@ impl<P: SceneRef> Dynamics<f64> for System<P> {
 
     #[inline]
     fn place_states(&mut self, z: &[f64]) {
-        self.place_states(z);
+        if !z.is_empty() {
+            self.place_states(z);
+        }
     }
 
     #[inline]

@@ -101,7 +101,9 @@ impl<T: Scalar> State<T> {
         self.t = other.t;
         self.q.copy_from_slice(&other.q);
         self.v.copy_from_slice(&other.v);
-        self.z.copy_from_slice(&other.z);
+        if !other.z.is_empty() {
+            self.z.copy_from_slice(&other.z);
+        }
         self.work.copy_from_slice(&other.work);
     }
 }

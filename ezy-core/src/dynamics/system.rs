@@ -158,6 +158,9 @@ impl<P: SceneRef> System<P> {
     /// If `z` has another length.
     #[inline]
     pub fn place_states(&mut self, z: &[f64]) {
+        if z.is_empty() && self.info.states.is_empty() {
+            return;
+        }
         assert_eq!(z.len(), self.info.n_states(), "first-order states of the scene");
         let n_inputs = self.info.n_inputs();
         let present = &mut self.fixed[n_inputs..][..z.len()];

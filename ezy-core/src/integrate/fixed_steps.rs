@@ -111,7 +111,9 @@ pub(super) fn add<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slope: 
     };
     add(&mut to.q, &from.q, &slope.q, &mut rest.q);
     add(&mut to.v, &from.v, &slope.v, &mut rest.v);
-    add(&mut to.z, &from.z, &slope.z, &mut rest.z);
+    if !slope.z.is_empty() {
+        add(&mut to.z, &from.z, &slope.z, &mut rest.z);
+    }
     add(&mut to.work, &from.work, &slope.work, &mut rest.work);
 }
 
@@ -123,6 +125,8 @@ pub(super) fn advance<T: Scalar>(to: &mut State<T>, from: &State<T>, h: f64, slo
     };
     line(&mut to.q, &from.q, &slope.q);
     line(&mut to.v, &from.v, &slope.v);
-    line(&mut to.z, &from.z, &slope.z);
+    if !slope.z.is_empty() {
+        line(&mut to.z, &from.z, &slope.z);
+    }
     line(&mut to.work, &from.work, &slope.work);
 }

@@ -73,16 +73,23 @@ impl<T: Scalar> Stages<T> for Rk4<T> {
         let Node { state: from, a, rate, power } = from;
         self.slope.q.copy_from_slice(&from.v);
         self.slope.v.copy_from_slice(a);
-        self.slope.z.copy_from_slice(rate);
+        let has_states = !rate.is_empty();
+        if has_states {
+            self.slope.z.copy_from_slice(rate);
+        }
         self.slope.work.copy_from_slice(power);
         self.sum.copy_from(&self.slope);
         for (t, c, b) in [(from.t + 0.5 * h, 0.5 * h, 2.0), (from.t + 0.5 * h, 0.5 * h, 2.0), (t_next, h, 1.0)] {
             advance(&mut self.stage, from, c, &self.slope);
             self.stage.t = t;
             self.slope.q.copy_from_slice(&self.stage.v);
-            system.place_states(&self.stage.z);
+            if has_states {
+                system.place_states(&self.stage.z);
+            }
             system.accelerations(t, &self.stage.q, &self.stage.v, &mut self.slope.v, &mut self.lambda)?;
-            system.state_rates(t, &self.stage.q, &self.stage.v, &mut self.slope.z);
+            if has_states {
+                system.state_rates(t, &self.stage.q, &self.stage.v, &mut self.slope.z);
+            }
             system.power(t, &self.stage.q, &self.stage.v, &self.lambda, &mut self.slope.work);
             accumulate(&mut self.sum, b, &self.slope);
         }
@@ -106,6 +113,8 @@ fn accumulate<T: Scalar>(sum: &mut State<T>, b: f64, slope: &State<T>) {
     let add = |sum: &mut [T], slope: &[T]| sum.iter_mut().zip(slope).for_each(|(s, x)| *s = *s + b * *x);
     add(&mut sum.q, &slope.q);
     add(&mut sum.v, &slope.v);
-    add(&mut sum.z, &slope.z);
+    if !slope.z.is_empty() {
+        add(&mut sum.z, &slope.z);
+    }
     add(&mut sum.work, &slope.work);
 }

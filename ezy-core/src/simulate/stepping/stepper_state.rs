@@ -16,6 +16,8 @@ use std::sync::Arc;
 pub(in crate::simulate) struct StepperState<P: SceneRef> {
     pub system: System<P>,
     integrator: Box<dyn Integrator<System<P>>>,
+    /// Whether the method finds accelerations itself: asked once, not at each step.
+    expands: bool,
     discontinuities: EventDiscontinuities,
     projection: Projection,
     metric: Metric,
@@ -58,6 +60,7 @@ impl<P: SceneRef> StepperState<P> {
         let discontinuities = EventDiscontinuities::new(&info);
         Ok(Self {
             system,
+            expands: integrator.expands(),
             integrator,
             discontinuities,
             projection,
@@ -107,7 +110,7 @@ impl<P: SceneRef> StepperState<P> {
             self.crossing = None;
         }
         self.integrator.remember(&mut self.system, archive);
-        if archive.is_read() && self.integrator.expands() {
+        if archive.is_read() && self.expands {
             self.evaluate_now()?;
         }
         Ok(())
@@ -268,14 +271,15 @@ impl<P: SceneRef> StepperState<P> {
         self.integrator.step(system, now.node(), h, t_next, &mut self.discontinuities, &mut next.state)?;
         check_finite(system, self.now.state.t, &next.state)?;
         self.project_next()?;
-        if self.integrator.expands() { self.judge_by_end(h, t_next) } else { Ok(()) }
+        if self.expands { self.judge_by_end(h, t_next) } else { Ok(()) }
     }
 
     /// Takes the step again shorter, as long as the method refuses it for the accelerations at its end.
     fn judge_by_end(&mut self, h: f64, t_next: f64) -> Result<(), MotionError> {
         loop {
             // an error here comes again when the end is evaluated
-            self.is_next_evaluated = evaluate(&mut *self.integrator, &mut self.system, &mut self.next).is_ok();
+            self.is_next_evaluated =
+                evaluate(self.expands.then_some(&mut *self.integrator), &mut self.system, &mut self.next).is_ok();
             let (system, now, next) = (&mut self.system, &self.now, &mut self.next);
             if !self.is_next_evaluated || !self.integrator.refuses(now.node(), next.node()) {
                 return Ok(());
@@ -291,7 +295,7 @@ impl<P: SceneRef> StepperState<P> {
         let State { t, q, v, z, .. } = &mut self.next.state;
         self.system.place_states(z);
         // some methods find their own accelerations, and inputs may change before the next step
-        let is_final = !self.integrator.expands() && self.system.inputs().is_empty();
+        let is_final = !self.expands && self.system.inputs().is_empty();
         self.projected = match is_final {
             true => self.system.project_end(*t, q, v, self.projection, self.metric)?,
             false => self.system.project(*t, q, v, self.projection, self.metric)?,
@@ -415,7 +419,7 @@ impl<P: SceneRef> StepperState<P> {
     }
 
     pub(in crate::simulate) fn evaluate_now(&mut self) -> Result<(), MotionError> {
-        evaluate(&mut *self.integrator, &mut self.system, &mut self.now)?;
+        evaluate(self.expands.then_some(&mut *self.integrator), &mut self.system, &mut self.now)?;
         self.integrator.accept();
         Ok(())
     }
@@ -430,7 +434,7 @@ impl<P: SceneRef> StepperState<P> {
         if self.is_next_evaluated {
             return Ok(());
         }
-        evaluate(&mut *self.integrator, &mut self.system, &mut self.next)
+        evaluate(self.expands.then_some(&mut *self.integrator), &mut self.system, &mut self.next)
     }
 
     /// `next` becomes `now`.
@@ -457,12 +461,13 @@ fn integrator<P: SceneRef>(
     })
 }
 
-/// Accelerations, multipliers and powers at a state, and what the method needs for the next step.
+/// Accelerations, multipliers and powers at a state; by the method where it `expands`.
 fn evaluate<P: SceneRef>(
-    integrator: &mut dyn Integrator<System<P>>,
+    expands: Option<&mut (dyn Integrator<System<P>> + 'static)>,
     system: &mut System<P>,
     at: &mut Snapshot,
 ) -> Result<(), MotionError> {
+    let Some(integrator) = expands else { return at.evaluate(system) };
     let Snapshot { state, a, lambda, .. } = at;
     match integrator.expand(system, state, a, lambda) {
         Some(solved) => at.complete(system, solved?),

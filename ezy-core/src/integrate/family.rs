@@ -1,4 +1,4 @@
-//! What is said of a method, and how it is made.
+//! Name, order and needs of a method, and how it is made.
 
 use super::integrator::Integrator;
 use super::step_control::Tolerance;
@@ -42,7 +42,7 @@ pub enum Needs {
     Jacobians,
 }
 
-/// A method of the table: what is said of it, and how it is made.
+/// An entry of the table of methods.
 ///
 /// The tolerance is what the method chooses its steps by; one with a fixed step leaves it out.
 pub(crate) trait Family {

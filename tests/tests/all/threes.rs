@@ -4,7 +4,7 @@
 use crate::circles::{modules, remove_tests};
 
 const SAID_IN: &str = "model/coordinate";
-/// Layers of the core whose files are not read yet: their methods are to be put into a folder each first.
+/// Layers of the core whose files are not read yet.
 const LEFT_OUT: [&str; 2] = ["integrate/", "simulate/"];
 
 /// Threes that have nothing to do with coordinates: file, line, and what is counted.

@@ -1,0 +1,109 @@
+//! Steps next to a flat position of a parallelogram, and what is remembered of them.
+
+use super::*;
+use crate::integrate::MethodKind;
+use crate::linalg::Backend;
+
+crate::model! {
+    /// A parallelogram without forces: it turns uniformly.
+    pub model Parallelogram {
+        body left { mass: 1, inertia: 1/12 }
+        body right { mass: 1, inertia: 1/12 }
+        body bar { mass: 2, inertia: 0.7 }
+        hinge A: ground(0, 0) ~ left(-0.5, 0);
+        hinge B: left(0.5, 0) ~ bar(-1, 0);
+        hinge C: right(0.5, 0) ~ bar(1, 0);
+        hinge D: ground(2, 0) ~ right(-0.5, 0);
+        start below { left angle -0.3 rate 1; right near angle -0.3; bar near angle 0; }
+        scene turns { start below; until 1 s; }
+    }
+}
+
+/// At 1 s, at this angle to the flat position, turning by 1 rad/s; evaluated.
+fn at(scene: &parallelogram::Turns, angle: f64) -> StepperState<&parallelogram::Turns> {
+    let system = System::new(scene, Backend::Auto).unwrap();
+    let mut stepper = StepperState::new(system, Method::taylor(1e-6), Projection::Both, Metric::Mass, false).unwrap();
+    let (sin, cos) = angle.sin_cos();
+    let (x, y) = (0.5 * cos, 0.5 * sin);
+    let q = vec![x, y, angle, 2.0 + x, y, angle, 1.0 + 2.0 * x, 2.0 * y, 0.0];
+    let v = vec![-y, x, 1.0, -y, x, 1.0, -2.0 * y, 2.0 * x, 0.0];
+    stepper.place(&State { t: 1.0, q, v, z: Vec::new(), work: Vec::new() });
+    stepper.evaluate_now().unwrap();
+    stepper
+}
+
+/// A step that would end in the flat position, 0.3 s away, is taken again a tenth shorter. Then it ends 0.03 rad beside it.
+#[test]
+fn analytic_step_to_a_flat_position_is_taken_again_shorter() {
+    let scene = parallelogram::Turns::default();
+    let mut stepper = at(&scene, -0.3);
+    stepper.advance(0.3, 1.3).unwrap();
+    let State { t, q, .. } = &stepper.next.state;
+    assert!((t - (1.0 + 0.3 * SHORTENED)).abs() <= 1e-15 && (q[2] - (t - 1.3)).abs() <= 1e-6, "{t} {q:?}");
+    assert_eq!(stepper.n_shortened, 1);
+}
+
+/// Steps of 0.1 s, far from the flat position: the first one is usual, and a longer length that was usual falls by a tenth of it.
+#[test]
+fn analytic_usual_length_falls_by_a_part_of_each_shorter_step() {
+    let scene = parallelogram::Turns::default();
+    for (before, after) in [(0.0, 0.1), (0.05, 0.1), (0.5, 0.49)] {
+        let mut stepper = at(&scene, 0.5);
+        stepper.usual_s = before;
+        stepper.advance(0.1, 1.1).unwrap();
+        assert!((stepper.usual_s - after).abs() <= 1e-15, "{before}: {}", stepper.usual_s);
+    }
+}
+
+/// Steps below 1e-4 of the usual one creep next to the flat position, unless something else ends them there.
+#[test]
+fn analytic_steps_creep_next_to_a_flat_position() {
+    let scene = parallelogram::Turns::default();
+    for (angle, length, t_next, creeps) in [
+        (0.01, 0.99e-5, 1.1, true),
+        (0.01, 1.01e-5, 1.1, false),
+        (0.01, 0.99e-5, 1.0 + 0.99e-5, false),
+        (0.5, 0.99e-5, 1.1, false),
+    ] {
+        let mut stepper = at(&scene, angle);
+        (stepper.usual_s, stepper.next.state.t) = (0.1, 1.0 + length);
+        assert_eq!(stepper.creeps(t_next), creeps, "{angle} {length:e} {t_next}");
+    }
+}
+
+/// By every method, after each of some steps, over the flat position at 0.3 s: another one goes on with the same bits.
+#[test]
+fn invariant_what_is_remembered_goes_on_to_the_last_bit() {
+    let scene = parallelogram::Turns::default();
+    for kind in MethodKind::ALL {
+        let method = kind.with_step(0.01).or(kind.with_tolerance(Tolerance::new(1e-7, 1e-7))).unwrap();
+        let new = || {
+            let system = System::new(&scene, Backend::Auto).unwrap();
+            StepperState::new(system, method, Projection::Both, Metric::Mass, true).unwrap()
+        };
+        let mut first = new();
+        first.place(&at(&scene, -0.3).now.state);
+        first.evaluate_now().unwrap();
+        let step = |stepper: &mut StepperState<_>| {
+            let now = stepper.now.state.t;
+            stepper.advance(0.01, if stepper.chooses_steps() { 3.0 } else { now + 0.01 }).unwrap();
+            stepper.evaluate_next().unwrap();
+            stepper.accept();
+            (stepper.now.state.clone(), stepper.n_rejected())
+        };
+        for n in 0..60 {
+            let mut archive = Archive::new();
+            first.remember(&mut archive).unwrap();
+            let (numbers, scalars) = archive.into_parts();
+            let (mut other, mut archive) = (new(), Archive::of(numbers, scalars));
+            other.remember(&mut archive).unwrap();
+            assert!(archive.is_read_whole(), "{kind:?}");
+            let one = step(&mut first);
+            assert_eq!(one, step(&mut other), "{kind:?}, step {n}");
+            assert_eq!(step(&mut first), step(&mut other), "{kind:?}, behind step {n}");
+            if one.0.t > 2.0 {
+                break;
+            }
+        }
+    }
+}

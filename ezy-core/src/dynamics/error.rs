@@ -351,6 +351,16 @@ pub enum StartError {
         /// Its value.
         value: f64,
     },
+    /// A start has first-order states of another scene.
+    #[error(
+        "the start has {found} first-order states where the scene has {expected}; take it from a system of this scene"
+    )]
+    States {
+        /// Those of the scene.
+        expected: usize,
+        /// Those of the start.
+        found: usize,
+    },
     /// A start value leaves no digits for the geometry.
     #[error("start value `{name}` is {value:e}, beyond {largest:e}, where rounding hides the geometry; start nearer")]
     TooLarge {

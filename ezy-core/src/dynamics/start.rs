@@ -81,6 +81,10 @@ impl<P: SceneRef> System<P> {
     fn check_finite(&self, start: &Start) -> Result<(), StartError> {
         let positions = self.info.coordinates.iter().map(|c| &c.name).zip(&start.q);
         let velocities = self.info.coordinates.iter().map(|c| &c.velocity_name).zip(&start.v);
+        let (expected, found) = (self.info.n_states(), start.z.len());
+        if found > expected {
+            return Err(StartError::States { expected, found });
+        }
         let states = self.info.states.iter().map(|state| state.name).zip(&start.z);
         if let Some((name, &value)) = states.clone().find(|(_, value)| !value.is_finite()) {
             return Err(StartError::NotFinite { name: name.into(), value });

@@ -1,6 +1,7 @@
 //! First-order states: numbers with a rate of their own beside the motion.
 
 use crate::simulation;
+use ezy_core::dynamics::StartError;
 use ezy_core::prelude::*;
 use ezy_core::simulate::SetupError;
 use ezy_core::testing::{GivenSteps, StepsBy};
@@ -226,6 +227,11 @@ fn invariant_methods_without_states_are_refused_by_name() {
         assert!(matches!(error, SetupError::FirstOrderStates { .. }), "{error}");
         assert!(error.to_string().contains(method.name()) && error.to_string().contains("use dop853, rk4 or midpoint"));
     }
+    let mut system = System::new(&scene, Backend::Auto).unwrap();
+    let mut start = system.scene_start();
+    start.z.push(7.0);
+    let error = system.consistent_start(&start).unwrap_err();
+    assert_eq!(error, StartError::States { expected: 2, found: 3 }, "{error}");
     let error = simulation(&scene).start("integrel", 1.0).run().unwrap_err();
     assert!(error.to_string().contains("did you mean `integral`"), "{error}");
 }
